@@ -1,0 +1,2 @@
+noinst_LTLIBRARIES += libindex.la
+libindex_la_SOURCES =

@@ -1,0 +1,2 @@
+noinst_LTLIBRARIES += libapp.la
+libapp_la_SOURCES =

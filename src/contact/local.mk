@@ -1,0 +1,2 @@
+noinst_LTLIBRARIES += libcontact.la
+libcontact_la_SOURCES =

@@ -1,0 +1,163 @@
+/* A block is what the system gave, an array is what the caller sees:
+ *
+ *   block ............ header | array (count * size bytes) | padding of at least one cache line ... end of
+ * block
+ *
+ * The header, one cache line, ends where the array begins and knows the block. Small blocks begin on a cache
+ * line and the array right after the header. Large ones begin on a huge page and the system is asked to back
+ * them with huge pages; their arrays begin at offsets that differ from array to array, as arrays that all
+ * begin at the same place of a page would fight for the same few lines of the cache when a loop runs over
+ * many of them.
+ */
+#include "core/memory.h"
+
+#include "core/error.h"
+
+#include <assert.h>
+#include <omp.h>
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+
+enum { PAGE_HUGE = 2 << 20, LARGE = 4 << 20, OFFSETS = 32, OFFSET_STEP = 2 * MEMORY_ALIGNMENT };
+
+struct header {
+    void *block;
+    size_t held; /* bytes of the block */
+    size_t room; /* bytes of the array, padding not counted */
+    uint64_t mark;
+};
+
+static const uint64_t HEADER_MARK = 0x7363726565617272u;
+
+static _Atomic size_t bytes_in_use;
+static _Atomic size_t bytes_peak;
+static _Atomic unsigned large_arrays;
+
+static struct header *header_of(void *array) {
+    struct header *header = (struct header *)((char *)array - MEMORY_ALIGNMENT);
+    assert(header->mark == HEADER_MARK);
+    return header;
+}
+
+static void count_bytes(size_t held) {
+    size_t now = atomic_fetch_add(&bytes_in_use, held) + held;
+    size_t peak = atomic_load(&bytes_peak);
+    while (now > peak && !atomic_compare_exchange_weak(&bytes_peak, &peak, now)) {
+    }
+}
+
+static size_t round_up(size_t bytes, size_t unit) {
+    return (bytes + unit - 1) / unit * unit;
+}
+
+void *memory_allocate(size_t count, size_t size, const char *what) {
+    static_assert(sizeof(struct header) <= MEMORY_ALIGNMENT, "the header fits into its cache line");
+    size_t bytes;
+    if (__builtin_mul_overflow(count, size, &bytes) || bytes > SIZE_MAX / 4) {
+        error_fatal("out of memory: %s needs %zu times %zu bytes", what, count, size);
+    }
+    size_t offset = MEMORY_ALIGNMENT;
+    size_t alignment = MEMORY_ALIGNMENT;
+    if (bytes >= LARGE) {
+        alignment = PAGE_HUGE;
+        offset += (size_t)(atomic_fetch_add(&large_arrays, 1) % OFFSETS) * OFFSET_STEP;
+    }
+    size_t held = round_up(offset + bytes + MEMORY_ALIGNMENT, MEMORY_ALIGNMENT);
+    void *block = NULL;
+    if (posix_memalign(&block, alignment, held) != 0) {
+        error_fatal("out of memory: %zu bytes for %s (%zu bytes are held already)", bytes, what,
+                    memory_in_use());
+    }
+    if (bytes >= LARGE) {
+        madvise(block, held, MADV_HUGEPAGE); /* a wish: without it all is as right, only slower */
+    }
+    char *array = (char *)block + offset;
+    struct header *header = (struct header *)(array - MEMORY_ALIGNMENT);
+    *header = (struct header){.block = block, .held = held, .room = bytes, .mark = HEADER_MARK};
+    count_bytes(held);
+    return array;
+}
+
+/* Copies `copied` bytes from `source` and zeroes on to `bytes`: large arrays by all threads, each its part,
+ * so that pages lie near the thread that later works on that part. */
+static void fill(char *array, const char *source, size_t copied, size_t bytes) {
+#pragma omp parallel if (bytes >= LARGE)
+    {
+        size_t threads = (size_t)omp_get_num_threads();
+        size_t part = round_up(bytes / threads + 1, MEMORY_ALIGNMENT);
+        size_t begin = part * (size_t)omp_get_thread_num();
+        size_t end = begin + part < bytes ? begin + part : bytes;
+        size_t middle = copied < end ? copied : end;
+        if (begin < middle) {
+            memcpy(array + begin, source + begin, middle - begin);
+        } else {
+            middle = begin;
+        }
+        if (middle < end) {
+            memset(array + middle, 0, end - middle);
+        }
+    }
+}
+
+void *memory_allocate_zero(size_t count, size_t size, const char *what) {
+    char *array = memory_allocate(count, size, what);
+    fill(array, NULL, 0, count * size + MEMORY_ALIGNMENT);
+    return array;
+}
+
+void *memory_resize(void *array, size_t count, size_t size, const char *what) {
+    if (array == NULL) {
+        return memory_allocate(count, size, what);
+    }
+    struct header *header = header_of(array);
+    size_t bytes;
+    bool fits = !__builtin_mul_overflow(count, size, &bytes) && bytes <= header->room;
+    if (fits && bytes >= header->room / 2) {
+        return array;
+    }
+    char *other = memory_allocate(count, size, what);
+    size_t kept = fits ? bytes : header->room;
+    fill(other, array, kept, kept);
+    memory_free(array);
+    return other;
+}
+
+void memory_free(void *array) {
+    if (array == NULL) {
+        return;
+    }
+    struct header *header = header_of(array);
+    atomic_fetch_sub(&bytes_in_use, header->held);
+    header->mark = 0;
+    free(header->block);
+}
+
+size_t memory_in_use(void) {
+    return atomic_load(&bytes_in_use);
+}
+
+size_t memory_peak(void) {
+    return atomic_load(&bytes_peak);
+}
+
+/* VmHWM and not getrusage: the latter counts what the process was before exec. */
+size_t memory_peak_resident(void) {
+    FILE *status = fopen("/proc/self/status", "r");
+    if (status == NULL) {
+        return 0;
+    }
+    char line[256];
+    size_t kibibytes = 0;
+    while (fgets(line, sizeof line, status) != NULL) {
+        if (sscanf(line, "VmHWM: %zu", &kibibytes) == 1) {
+            break;
+        }
+    }
+    fclose(status);
+    return kibibytes * 1024;
+}

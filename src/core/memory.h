@@ -1,0 +1,33 @@
+/* Aligned, counted memory. Every large array of the program comes from here, so that the report can state
+ * bytes per particle, and so that arrays are aligned to cache lines. */
+#ifndef SCREE_CORE_MEMORY_H
+#define SCREE_CORE_MEMORY_H
+
+#include <stddef.h>
+
+enum { MEMORY_ALIGNMENT = 64 };
+
+/* Returns `count * size` bytes, aligned to MEMORY_ALIGNMENT and padded at the end by one more cache line that
+ * may be read and written (vector loops run over the end). Contents undefined. `what` names the array in the
+ * message if memory runs out (which ends the program). count = 0 gives a valid pointer. Any thread. Free with
+ * memory_free. */
+void *memory_allocate(size_t count, size_t size, const char *what);
+
+/* As memory_allocate, filled with zeros. */
+void *memory_allocate_zero(size_t count, size_t size, const char *what);
+
+/* Grows or shrinks an array that came from here (or NULL) to `count * size` bytes, keeping the smaller of
+ * both contents. Returns the new array; the old pointer is dead. */
+void *memory_resize(void *array, size_t count, size_t size, const char *what);
+
+/* Frees an array from here; NULL is fine. */
+void memory_free(void *array);
+
+/* Bytes now held through this interface on this process, and the largest value so far. */
+size_t memory_in_use(void);
+size_t memory_peak(void);
+
+/* The peak resident set of the process in bytes, as the operating system counts it (0 where unknown). */
+size_t memory_peak_resident(void);
+
+#endif

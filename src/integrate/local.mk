@@ -1,0 +1,2 @@
+noinst_LTLIBRARIES += libintegrate.la
+libintegrate_la_SOURCES =

@@ -1,0 +1,2 @@
+noinst_LTLIBRARIES += libpairs.la
+libpairs_la_SOURCES =

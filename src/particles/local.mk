@@ -1,0 +1,2 @@
+noinst_LTLIBRARIES += libparticles.la
+libparticles_la_SOURCES =

@@ -1,0 +1,1 @@
+# Tests of the indexes, each against brute force: check_PROGRAMS += tests/index/test_X

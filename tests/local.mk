@@ -1,0 +1,29 @@
+# A test program names what it links with; cmocka comes by TEST_LIBS. A program that calls MPI states in the first
+# comment of its source on how many ranks it is run: "Ranks: 1 2 3 4 8" (and "Long: 27" for check-long).
+TEST_LIBS = $(CMOCKA_LIBS)
+
+EXTRA_DIST += tests/launch tests/lsan.supp
+
+check_PROGRAMS += \
+	tests/test_checksum \
+	tests/test_error \
+	tests/test_memory \
+	tests/test_random \
+	tests/test_scan \
+	tests/test_timer \
+	tests/test_version
+
+tests_test_checksum_SOURCES = tests/test_checksum.c
+tests_test_checksum_LDADD = $(CORE_LIBS) $(TEST_LIBS)
+tests_test_error_SOURCES = tests/test_error.c
+tests_test_error_LDADD = $(CORE_LIBS) $(TEST_LIBS)
+tests_test_memory_SOURCES = tests/test_memory.c
+tests_test_memory_LDADD = $(CORE_LIBS) $(TEST_LIBS)
+tests_test_random_SOURCES = tests/test_random.c
+tests_test_random_LDADD = $(CORE_LIBS) $(TEST_LIBS)
+tests_test_scan_SOURCES = tests/test_scan.c
+tests_test_scan_LDADD = $(CORE_LIBS) $(TEST_LIBS)
+tests_test_timer_SOURCES = tests/test_timer.c
+tests_test_timer_LDADD = $(CORE_LIBS) $(TEST_LIBS)
+tests_test_version_SOURCES = tests/test_version.c
+tests_test_version_LDADD = $(CORE_LIBS) $(TEST_LIBS)
