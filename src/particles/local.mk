@@ -1,2 +1,7 @@
 noinst_LTLIBRARIES += libparticles.la
-libparticles_la_SOURCES =
+libparticles_la_SOURCES = \
+	src/particles/box.c src/particles/box.h \
+	src/particles/classes.c src/particles/classes.h \
+	src/particles/fields.c src/particles/fields.h \
+	src/particles/particles.c src/particles/particles.h \
+	src/particles/storage.c src/particles/storage.h

@@ -1,0 +1,181 @@
+/* The spatial index: positions and radii in, pairs out. This is the contract.
+ *
+ * A pair is (i, j, image): i an owned particle, j an owned one or a ghost, with
+ *     | x_j + shift(image) - x_i |  <=  r_i + r_j + margin(class i, class j)       (index_view.margin)
+ * Directions that are periodic *in the view* are wrapped by the index itself, which then names the image of
+ * j; in all others the image is 0 and copies (ghosts) stand where they are needed. Because the image is
+ * explicit, boxes thinner than two cut-offs and particles larger than half a box work: the same i and j may
+ * meet through two images. A particle never pairs with itself (the caller guarantees 2 r + margin < edge).
+ *
+ * Which pairs a rank keeps:
+ *   both owned            once, as (i, j) or (j, i), whichever row the index finds convenient
+ *   i owned, j a ghost    newton off: always. newton on: iff i is the pair's *home* (index_pair_home)
+ *   both ghosts           never
+ * The set is the same for every index, every thread count and every order of the particles.
+ *
+ * Who calls what, when:
+ *   operation    called                              may touch                    threads
+ *   applicable   before create, by `auto` and tests  nothing                      one
+ *   create       once a run, or on a switch          its own state                one
+ *   order        at a rebuild, before build, with    its own scratch              opens its team
+ *                owned particles only (total = owned)
+ *   build        at a rebuild                        its own state; keeps no      opens its team
+ *                                                    pointer into the view
+ *   visit        by pairs/, to count and to fill     its state read-only;         many at once
+ *                                                    the thread's own sink
+ *   check        debug builds and tests              nothing                      one
+ *   describe     start of a run, `scree check`       nothing                      one
+ *   memory       the report                          nothing                      one
+ *   destroy      once                                its own state                one
+ *
+ * How to add an index, in six steps:
+ *   1. Copy brute.c to NAME.c: it is the oracle of every test and the shortest example.
+ *   2. Put your state into a struct whose first member is `struct index base`.
+ *   3. Fill one `static const struct index_ops` with designated initialisers, no casts.
+ *   4. Declare it in registry.c and add one line to its table. Nothing else in the program knows your name.
+ *   5. Add the file to local.mk, and run `make check`: tests/index compares every registered index with
+ * `brute`.
+ *   6. Describe it in docs/indexes.md.
+ *
+ * Only index.c calls through the table; everybody else uses the wrappers below, which check, count and time.
+ */
+#ifndef SCREE_INDEX_INDEX_H
+#define SCREE_INDEX_INDEX_H
+
+#include "core/error.h"
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+enum { INDEX_CLASS_MAX = 32, INDEX_IMAGE_CODES = 27, INDEX_WHY_MAX = 512 };
+
+/* Read-only view of the particles. The index owns nothing of it. */
+struct index_view {
+    size_t owned, total;       /* owned particles first, then ghosts up to total */
+    const double *position;    /* x y z of particle k at position[k * stride] ... [k * stride + 2] */
+    const double *radius;      /* radius of particle k at radius[k * stride] */
+    size_t stride;             /* doubles from one particle to the next */
+    const uint8_t *size_class; /* class of particle k, 0 ... classes-1, from small to large */
+    const int64_t *id;         /* global ids; only ghost pairs of equal radius need them (index_pair_home) */
+    int dimension;             /* 2 or 3; in 2D all z are equal */
+    double edge[3];            /* box edges; the box's lower corner is the origin */
+    bool periodic[3];          /* directions that the index must wrap. Elsewhere particles may lie anywhere */
+    bool newton;
+    int classes;                                     /* number of size classes */
+    double radius_max[INDEX_CLASS_MAX];              /* largest radius a particle of the class may have */
+    double margin[INDEX_CLASS_MAX][INDEX_CLASS_MAX]; /* added to r_i + r_j; symmetric */
+    int threads;                                     /* size of the team that build and order may open */
+};
+
+/* What the user may set of an index (scene key `index`). Zero or negative means: the index's default. */
+struct index_params {
+    double
+        cell_factor; /* cell edge as a multiple of the cut-off that the index builds on; 0: its own default */
+    int levels;      /* hgrid: number of levels, each a run of neighbouring classes; 0: one a class */
+    double level_cell[INDEX_CLASS_MAX]; /* hgrid: cell edge of each level, length unit; 0: cell_factor x the
+                                           level's cut-off */
+};
+
+/* Receives pairs. The index writes pair k to i[k], j[k] while k < capacity, and counts on beyond; a sink with
+ * capacity 0 only counts. j carries the image code in its upper 5 bits: j | code << 27 (see index_pair). The
+ * arrays may be overwritten up to INDEX_SINK_PAD entries beyond `count`, if within capacity: whoever owns
+ * them allocates capacity + INDEX_SINK_PAD. */
+struct index_sink {
+    uint32_t *i, *j;
+    size_t count, capacity;
+};
+enum { INDEX_SINK_PAD = 32, INDEX_IMAGE_SHIFT = 27 };
+
+/* Image codes: 0 none, else one of the vectors of {-1, 0, 1}^3 that is *added to j*, times the box edge (as
+ * in particles/box.h). */
+static inline unsigned index_image_code(int sx, int sy, int sz) {
+    return (unsigned)((sx + 1) + 3 * (sy + 1) + 9 * (sz + 1) + 14) % 27u;
+}
+
+/* The home of a pair: the particle whose owner computes it with newton on. The smaller radius; of equal ones
+ * a fixed choice from the two ids, which spreads the work over both. True if i is the home. Symmetric:
+ * exactly one of (i,j), (j,i). */
+static inline bool index_pair_home(double radius_i, int64_t id_i, double radius_j, int64_t id_j) {
+    if (radius_i != radius_j)
+        return radius_i < radius_j;
+    return ((id_i + id_j) & 1) ? id_i < id_j : id_i > id_j;
+}
+
+/* Emits one pair. For indexes that find pairs one by one; vectorised ones write runs themselves. */
+static inline void index_sink_put(struct index_sink *sink, uint32_t i, uint32_t j, unsigned code) {
+    if (sink->count < sink->capacity) {
+        sink->i[sink->count] = i;
+        sink->j[sink->count] = j | code << INDEX_IMAGE_SHIFT;
+    }
+    sink->count++;
+}
+
+/* One line of the level table of the report. */
+struct index_level {
+    double cell;                   /* cell edge, length unit (0: no cells) */
+    double radius_min, radius_max; /* radii of the classes on this level */
+    size_t cells;                  /* cells allocated (dense) or occupied (sparse) */
+    size_t particles;              /* owned particles and ghosts in them */
+    bool sparse;
+};
+
+struct index_description {
+    int levels;
+    struct index_level level[INDEX_CLASS_MAX];
+};
+
+struct index;
+
+struct index_ops {
+    const char *name;    /* what the scene key index.name selects */
+    const char *summary; /* one line for `scree help index.name` */
+    /* May this index serve the view? Else `why` gets one line (too many cells ...). */
+    bool (*applicable)(const struct index_params *params, const struct index_view *view,
+                       char why[INDEX_WHY_MAX]);
+    struct index *(*create)(const struct index_params *params);
+    void (*destroy)(struct index *self);
+    /* The particle order in which a search runs through memory: new particle k = old order[k]; classes one
+     * after another, from small to large. order[view->owned] is the caller's. Stable: particles of one cell
+     * keep their order. NULL: the order stays. */
+    void (*order)(struct index *self, const struct index_view *view, uint32_t *order);
+    void (*build)(struct index *self, const struct index_view *view);
+    /* Emits every kept pair whose row (first) particle lies in [first, last); rows are owned particles. Any
+     * partition of [0, owned) into ranges gives each pair once. The view is the one of the last build,
+     * unchanged. */
+    void (*visit)(const struct index *self, const struct index_view *view, size_t first, size_t last,
+                  struct index_sink *sink);
+    bool (*check)(const struct index *self, const struct index_view *view, char why[INDEX_WHY_MAX]);
+    void (*describe)(const struct index *self, struct index_description *description);
+    size_t (*memory)(const struct index *self); /* bytes held */
+};
+
+/* The base of every index: first member of its private struct. */
+struct index {
+    const struct index_ops *ops;
+    struct index_params params;
+    uint64_t builds;
+};
+
+/* Number of registered indexes, and the k-th; the one of a name, or NULL. `brute` is the first. */
+int index_registry_count(void);
+const struct index_ops *index_registry_get(int k);
+const struct index_ops *index_registry_find(const char *name);
+
+/* Makes the index of a name. An unknown name is the user's error and lists the known ones. Destroy frees and
+ * nulls. */
+struct index *index_create(const char *name, const struct index_params *params, struct error *error);
+void index_destroy(struct index **index);
+
+/* The wrappers of the operations above. */
+bool index_applicable(const char *name, const struct index_params *params, const struct index_view *view,
+                      char why[INDEX_WHY_MAX]);
+void index_order(struct index *index, const struct index_view *view, uint32_t *order);
+void index_build(struct index *index, const struct index_view *view);
+void index_visit(const struct index *index, const struct index_view *view, size_t first, size_t last,
+                 struct index_sink *sink);
+bool index_check(const struct index *index, const struct index_view *view, char why[INDEX_WHY_MAX]);
+void index_describe(const struct index *index, struct index_description *description);
+size_t index_memory(const struct index *index);
+
+#endif

@@ -1,0 +1,82 @@
+/* What contacts remember (the tangential spring, the rolling spring), compact: one record a *contact*, none
+ * for pairs that do not touch.
+ *
+ * Between rebuilds a record belongs to a pair of the list. Each thread keeps its records in the order of its
+ * pairs: arrays `pair` (number of the pair in the list, increasing) and `value` (components doubles a
+ * record). The force loop walks pairs in list order, finds the old record with a merge pointer, and writes
+ * the records of the contacts of this step into the other of two buffers; then the buffers change places
+ * (history_flip). Both sides of a one-sided pair keep a record.
+ *
+ * Over a rebuild a record is keyed by the two global ids and oriented from the lower id to the higher (the
+ * spring vector of (j, i) is minus that of (i, j)): history_detach turns list records into rows by particle,
+ * which travel with migrating and reordered particles; history_attach hands them to the pairs of the new
+ * list. Two images of the same two particles are told apart by the image code of the pair in the same
+ * orientation (wrapping a particle changes it, and the row with it), and by lying nearest where codes
+ * changed. */
+#ifndef SCREE_PAIRS_HISTORY_H
+#define SCREE_PAIRS_HISTORY_H
+
+#include "pairs/pairlist.h"
+
+enum { HISTORY_COMPONENTS_MAX = 6 };
+
+/* The records of one thread, in one of the two buffers. */
+struct history_part {
+    size_t count, capacity;
+    uint32_t *pair; /* pair number - first pair of the thread; increasing */
+    double *value;  /* components doubles a record, oriented from row to partner */
+};
+
+struct history {
+    int components; /* doubles a record: 3 tangential spring [+ 3 rolling spring]; 0: no history */
+    int threads;
+    int now;                      /* buffer that holds the records of the last force evaluation */
+    struct history_part *part[2]; /* [buffer][thread] */
+};
+
+/* A record on the move: between detach and attach. */
+struct history_row {
+    int64_t id, partner;                  /* the particle that carries it, and the other one */
+    double value[HISTORY_COMPONENTS_MAX]; /* oriented from the lower id to the higher */
+    double separation[3];                 /* x_higher - x_lower when detached: tells images apart */
+};
+
+/* Rows by particle: particle k (owned, present order) carries row[start[k]] ... row[start[k + 1] - 1]. */
+struct history_rows {
+    size_t *start; /* owned + 1 entries */
+    struct history_row *row;
+    size_t count;
+};
+
+struct history *history_create(int components, int threads);
+void history_destroy(struct history **history);
+
+/* Makes room for `contacts` records in the buffer that is written next, of thread t. Called by the thread
+ * itself, before the loop. */
+void history_reserve(struct history *history, int thread, size_t contacts);
+
+/* Exchanges the two buffers: what was written becomes `now`. One thread. */
+void history_flip(struct history *history);
+
+/* Turns the records of the list into rows of the owned particles (before migration and reorder; the list and
+ * the particles still belong together). A row is kept for both ends if both are owned. Allocates into `rows`;
+ * history_rows_free releases. */
+void history_detach(const struct history *history, const struct pairlist *list,
+                    const struct particles *particles, struct history_rows *rows);
+
+/* Follows particles_reorder with the same order; and particles_remove with the same flags (ghosts == 0,
+ * before the particles change). */
+void history_rows_reorder(struct history_rows *rows, const uint32_t *order, size_t owned);
+void history_rows_remove(struct history_rows *rows, const uint8_t *remove, size_t owned);
+void history_rows_free(struct history_rows *rows);
+
+/* Hands the rows to the pairs of the new list (after the rebuild); rows of pairs that are no longer in the
+ * list are dropped. */
+void history_attach(struct history *history, const struct history_rows *rows, const struct pairlist *list,
+                    const struct particles *particles);
+
+/* Contacts that hold a record, one-sided copies counted once where this rank is the pair's home. */
+size_t history_contacts(const struct history *history);
+size_t history_memory(const struct history *history);
+
+#endif

@@ -1,0 +1,111 @@
+#include "particles/classes.h"
+#include <math.h>
+#include <stdlib.h>
+
+/* CLASSES_AUTO: neighbouring classes differ by this factor in radius. */
+static const double auto_ratio = 2.0;
+
+struct classes_options classes_options_default(void) {
+    return (struct classes_options){.method = CLASSES_AUTO, .count = 1, .skin_relative = 0.3};
+}
+
+static int compare_radii(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* Geometric cuts: `count` classes between the smallest and the largest radius. */
+static void cuts_geometric(struct size_classes *classes, int count, double smallest, double largest) {
+    double ratio = pow(largest / smallest, 1.0 / count);
+    classes->count = count;
+    for (int c = 0; c < count - 1; c++)
+        classes->cut[c] = smallest * pow(ratio, c + 1);
+    classes->cut[count - 1] = INFINITY;
+}
+
+static void cuts_quantiles(struct size_classes *classes, int count, const double *radii, size_t n) {
+    classes->count = 0;
+    for (int c = 0; c < count - 1; c++) {
+        double cut = radii[(size_t)((double)(c + 1) / count * (double)(n - 1))];
+        if (classes->count == 0 || cut > classes->cut[classes->count - 1])
+            classes->cut[classes->count++] = cut;
+    }
+    classes->cut[classes->count++] = INFINITY;
+}
+
+static bool cuts_given(struct size_classes *classes, const struct classes_options *options,
+                       struct error *error) {
+    for (int c = 0; c < options->cut_count; c++) {
+        double before = c > 0 ? options->cut[c - 1] : 0;
+        if (!(options->cut[c] > before))
+            return error_set(error, ERROR_USER,
+                             "classes.cuts: cut %d is %g, after %g: cuts must be positive and increasing",
+                             c + 1, options->cut[c], before);
+        classes->cut[c] = options->cut[c];
+    }
+    classes->count = options->cut_count + 1;
+    classes->cut[options->cut_count] = INFINITY;
+    return true;
+}
+
+/* Radii, sorted, give each class its smallest and largest one; classes without a radius are removed. */
+static void classes_fill(struct size_classes *classes, const double *radii, size_t n) {
+    int kept = 0;
+    size_t k = 0;
+    for (int c = 0; c < classes->count; c++) {
+        size_t first = k;
+        while (k < n && radii[k] <= classes->cut[c])
+            k++;
+        if (k == first)
+            continue;
+        classes->cut[kept] = classes->cut[c];
+        classes->radius_min[kept] = radii[first];
+        classes->radius_max[kept] = radii[k - 1];
+        classes->population[kept] = k - first;
+        kept++;
+    }
+    classes->count = kept;
+    classes->cut[kept - 1] = INFINITY;
+}
+
+void classes_set_margins(struct size_classes *classes, const struct classes_options *options, double range) {
+    int n = classes->count;
+    classes->range = range;
+    for (int a = 0; a <= n; a++) {
+        for (int b = 0; b <= n; b++) {
+            int smaller = a < b ? a : b;
+            double skin = options->skin_given ? options->skin
+                          : smaller < n       ? options->skin_relative * classes->radius_min[smaller]
+                                              : 0;
+            classes->skin[a][b] = skin;
+            classes->margin[a][b] = range + skin;
+        }
+    }
+}
+
+bool classes_choose(struct size_classes *classes, const struct classes_options *options, double range,
+                    double *radii, size_t n, struct error *error) {
+    *classes = (struct size_classes){.count = 1, .cut = {INFINITY}};
+    if (n == 0) {
+        classes_set_margins(classes, options, range);
+        return true;
+    }
+    qsort(radii, n, sizeof *radii, compare_radii);
+    double smallest = radii[0], largest = radii[n - 1];
+    int wanted = options->count < 1 ? 1 : options->count > CLASS_MAX ? CLASS_MAX : options->count;
+    if (options->method == CLASSES_AUTO) {
+        double octaves = ceil(log(largest / smallest) / log(auto_ratio) - 1e-9);
+        wanted = octaves < 1 ? 1 : octaves > CLASS_MAX ? CLASS_MAX : (int)octaves;
+    }
+    if (options->method == CLASSES_CUTS) {
+        if (!cuts_given(classes, options, error))
+            return false;
+    } else if (options->method == CLASSES_QUANTILES) {
+        cuts_quantiles(classes, wanted, radii, n);
+    } else if (options->method != CLASSES_ONE) {
+        cuts_geometric(classes, wanted, smallest, largest);
+    }
+    classes_fill(classes, radii, n);
+    classes_set_margins(classes, options, range);
+    return true;
+}

@@ -1,0 +1,62 @@
+/* Size classes: particles of like radius, whatever their material. A search, a ghost layer and a skin are
+ * bounded per class pair, never by the largest radius of all.
+ *
+ * Classes are numbered from small to large: class c holds the radii in (cut[c-1], cut[c]]. They are the same
+ * on every rank. The margin of a class pair is what a pair adds to r_i + r_j: range (from the law) + skin.
+ * Walls count as one more class, number `count`. */
+#ifndef SCREE_PARTICLES_CLASSES_H
+#define SCREE_PARTICLES_CLASSES_H
+
+#include "core/error.h"
+#include <stddef.h>
+#include <stdint.h>
+
+enum { CLASS_MAX = 32 };
+
+/* How classes are chosen (scene key `classes`). */
+enum classes_method { CLASSES_AUTO, CLASSES_ONE, CLASSES_CUTS, CLASSES_QUANTILES, CLASSES_GEOMETRIC };
+
+struct classes_options {
+    enum classes_method
+        method;    /* CLASSES_AUTO: geometric with ratio 2, merged where a class would be (nearly) empty */
+    int count;     /* QUANTILES and GEOMETRIC: how many, 1 ... CLASS_MAX */
+    int cut_count; /* CUTS: number of given cuts, 0 ... CLASS_MAX - 1 */
+    double cut[CLASS_MAX]; /* CUTS: radii, increasing, length unit */
+    bool skin_given;       /* true: `skin` is a length, the same for all class pairs */
+    double skin;           /* length unit */
+    double skin_relative;  /* else: skin of a pair = this x the smaller of the two classes' smallest radii */
+};
+
+struct size_classes {
+    int count;                    /* >= 1 */
+    double cut[CLASS_MAX];        /* upper radius bound of each class; the last is >= every radius */
+    double radius_min[CLASS_MAX]; /* smallest and largest radius present, over all ranks, length unit */
+    double radius_max[CLASS_MAX];
+    uint64_t population[CLASS_MAX];              /* particles in the class, over all ranks */
+    double range;                                /* how far beyond touch the law acts, length unit */
+    double skin[CLASS_MAX + 1][CLASS_MAX + 1];   /* symmetric; row and column `count` are walls */
+    double margin[CLASS_MAX + 1][CLASS_MAX + 1]; /* range + skin */
+};
+
+/* The defaults: CLASSES_AUTO, skin_relative 0.3. */
+struct classes_options classes_options_default(void);
+
+/* Chooses cuts from a sample of radii (all of them, or a sample that is the same on every rank; sorted in
+ * place). Fills count, cut, radius_min/max of the sample, and the skins and margins for the given law range.
+ * n = 0 gives one empty class. Fails (user) if the cuts are not increasing or leave a radius above the last.
+ */
+bool classes_choose(struct size_classes *classes, const struct classes_options *options, double range,
+                    double *radii, size_t n, struct error *error);
+
+/* Recomputes skins and margins after radius_min or radius_max changed. */
+void classes_set_margins(struct size_classes *classes, const struct classes_options *options, double range);
+
+/* The class of a radius: the first c with radius <= cut[c] (the last class for anything larger). */
+static inline int classes_of(const struct size_classes *classes, double radius) {
+    int c = 0;
+    while (c < classes->count - 1 && radius > classes->cut[c])
+        c++;
+    return c;
+}
+
+#endif

@@ -1,0 +1,199 @@
+#include "particles/particles.h"
+#include "core/memory.h"
+#include "particles/storage.h"
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { CAPACITY_MIN = 16 };
+
+static void arrays_resize(struct particles *particles, size_t capacity) {
+    for (int a = 0; a < STORAGE_ARRAYS; a++) {
+        if (!storage_present(a, particles->features))
+            continue;
+        size_t stride = storage_stride(a, particles->features);
+        void *old = storage_get(particles, a);
+        storage_set(particles, a, memory_resize(old, capacity, stride, "particles"));
+        memory_free(particles->spare[a]);
+        particles->spare[a] = NULL;
+    }
+    particles->capacity = capacity;
+}
+
+struct particles *particles_create(unsigned features, size_t capacity) {
+    struct particles *particles = memory_allocate_zero(1, sizeof *particles, "particle set");
+    particles->features = features;
+    particles->force_stride = (features & PARTICLE_SPIN) ? 8 : 4;
+    arrays_resize(particles, capacity > CAPACITY_MIN ? capacity : CAPACITY_MIN);
+    return particles;
+}
+
+void particles_destroy(struct particles **particles) {
+    if (*particles == NULL)
+        return;
+    for (int a = 0; a < STORAGE_ARRAYS; a++) {
+        memory_free(storage_get(*particles, a));
+        memory_free((*particles)->spare[a]);
+    }
+    memory_free(*particles);
+    *particles = NULL;
+}
+
+void particles_reserve(struct particles *particles, size_t capacity) {
+    if (capacity <= particles->capacity)
+        return;
+    size_t grown = particles->capacity + particles->capacity / 8;
+    arrays_resize(particles, capacity > grown ? capacity : grown);
+}
+
+size_t particles_append(struct particles *particles) {
+    assert(particles->ghosts == 0);
+    if (particles->owned == particles->capacity)
+        particles_reserve(particles, 2 * particles->capacity);
+    size_t k = particles->owned++;
+    for (int a = 0; a < STORAGE_ARRAYS; a++) {
+        if (!storage_present(a, particles->features))
+            continue;
+        size_t stride = storage_stride(a, particles->features);
+        memset((char *)storage_get(particles, a) + k * stride, 0, stride);
+    }
+    particles->revision++;
+    return k;
+}
+
+size_t particles_remove(struct particles *particles, const uint8_t *remove) {
+    assert(particles->ghosts == 0);
+    size_t n = particles->owned, kept = 0;
+    for (int a = 0; a < STORAGE_ARRAYS; a++) {
+        if (!storage_present(a, particles->features))
+            continue;
+        size_t stride = storage_stride(a, particles->features);
+        char *base = storage_get(particles, a);
+        kept = 0;
+        for (size_t k = 0; k < n; k++) {
+            if (remove[k])
+                continue;
+            if (kept != k)
+                memcpy(base + kept * stride, base + k * stride, stride);
+            kept++;
+        }
+    }
+    particles->owned = kept;
+    if (kept != n)
+        particles->revision++;
+    return n - kept;
+}
+
+/* Gathers rows of a multiple of 8 bytes, or of 1 byte; the two cases that all arrays fall into except the
+ * images. */
+static void gather(char *restrict to, const char *restrict from, const uint32_t *order, size_t n,
+                   size_t stride) {
+    if (stride == 64) {
+#pragma omp parallel for schedule(static)
+        for (size_t k = 0; k < n; k++)
+            memcpy(to + k * 64, from + (size_t)order[k] * 64, 64);
+    } else if (stride == 32) {
+#pragma omp parallel for schedule(static)
+        for (size_t k = 0; k < n; k++)
+            memcpy(to + k * 32, from + (size_t)order[k] * 32, 32);
+    } else if (stride == 8) {
+#pragma omp parallel for schedule(static)
+        for (size_t k = 0; k < n; k++)
+            memcpy(to + k * 8, from + (size_t)order[k] * 8, 8);
+    } else {
+#pragma omp parallel for schedule(static)
+        for (size_t k = 0; k < n; k++)
+            memcpy(to + k * stride, from + (size_t)order[k] * stride, stride);
+    }
+}
+
+void particles_reorder(struct particles *particles, const uint32_t *order) {
+    assert(particles->ghosts == 0);
+    for (int a = 0; a < STORAGE_ARRAYS; a++) {
+        if (!storage_present(a, particles->features) || (a == STORAGE_FORCE && particles->force_clear))
+            continue;
+        size_t stride = storage_stride(a, particles->features);
+        void *now = storage_get(particles, a);
+        void *spare = particles->spare[a];
+        if (spare == NULL)
+            spare = memory_allocate(particles->capacity, stride, "particles, second array");
+        gather(spare, now, order, particles->owned, stride);
+        storage_set(particles, a, spare);
+        particles->spare[a] = now;
+    }
+    if (particles->force_clear)
+        memset(particles->force, 0, particles->owned * storage_stride(STORAGE_FORCE, particles->features));
+    particles->revision++;
+}
+
+void particles_classify(struct particles *particles, const struct size_classes *classes) {
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < particles->owned; k++)
+        particles->size_class[k] = (uint8_t)classes_of(classes, particles->state[k].radius);
+}
+
+void particles_wrap(struct particles *particles, const struct box *box) {
+    if (!box->periodic[0] && !box->periodic[1] && !box->periodic[2])
+        return;
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < particles->owned; k++) {
+        for (int d = 0; d < 3; d++) {
+            double x = particles->state[k].x[d], edge = box->edge[d];
+            if (!box->periodic[d] || (x >= 0 && x < edge))
+                continue;
+            double turns = floor(x / edge);
+            x -= turns * edge;
+            /* Rounding may leave x at the upper face, which is the lower one */
+            if (x >= edge) {
+                x = 0;
+                turns += 1;
+            }
+            particles->state[k].x[d] = x;
+            if (particles->image)
+                particles->image[k][d] += (int32_t)turns;
+        }
+    }
+}
+
+double particles_sphere_mass(double radius, double density) {
+    return 4.0 / 3.0 * M_PI * radius * radius * radius * density;
+}
+
+double particles_mass(const struct particles *particles, size_t i) {
+    const struct particle_state *state = &particles->state[i];
+    if (state->inverse_mass > 0)
+        return 1 / state->inverse_mass;
+    assert(particles->density);
+    return particles_sphere_mass(state->radius, particles->density[i]);
+}
+
+size_t particles_bytes_each(const struct particles *particles) {
+    size_t bytes = 0;
+    for (int a = 0; a < STORAGE_ARRAYS; a++) {
+        if (!storage_present(a, particles->features))
+            continue;
+        size_t stride = storage_stride(a, particles->features);
+        bytes += particles->spare[a] ? 2 * stride : stride;
+    }
+    return bytes;
+}
+
+bool particles_valid(const struct particles *particles, char *why, size_t why_size) {
+    if (particles->owned + particles->ghosts > particles->capacity) {
+        snprintf(why, why_size, "%zu owned + %zu ghosts exceed the capacity %zu", particles->owned,
+                 particles->ghosts, particles->capacity);
+        return false;
+    }
+    for (size_t k = 0; k < particles->owned + particles->ghosts; k++) {
+        const struct particle_state *s = &particles->state[k];
+        bool finite = isfinite(s->x[0]) && isfinite(s->x[1]) && isfinite(s->x[2]) && isfinite(s->v[0]) &&
+                      isfinite(s->v[1]) && isfinite(s->v[2]);
+        if (finite && s->radius > 0 && s->inverse_mass >= 0 && particles->id[k] >= 1)
+            continue;
+        snprintf(why, why_size, "particle %zu (id %lld): position %g %g %g, radius %g, 1/mass %g", k,
+                 (long long)particles->id[k], s->x[0], s->x[1], s->x[2], s->radius, s->inverse_mass);
+        return false;
+    }
+    return true;
+}

@@ -1,0 +1,106 @@
+/* The particle set of one rank: owned particles first (0 ... owned-1), then ghosts (owned ...
+ * owned+ghosts-1).
+ *
+ * The hot state is one record of a cache line a particle, because the force loop gathers it; everything else
+ * lies in arrays of its own, and exists only if the scene needs it (`features`). The field table (fields.h)
+ * names every field once and drives allocation, growth, reorder, packing for MPI, HDF5 and the docs.
+ *
+ * Velocity is that of the last half step, v(n-1/2): it led to the present positions. Full-step values are
+ * made for output from v + dt/2 f/m (integrate/). Forces are those at the present positions. */
+#ifndef SCREE_PARTICLES_PARTICLES_H
+#define SCREE_PARTICLES_PARTICLES_H
+
+#include "particles/box.h"
+#include "particles/classes.h"
+#include <stddef.h>
+#include <stdint.h>
+
+/* What a scene needs beyond position, velocity, radius, mass, force and id. Bits of `features`. */
+enum particle_feature {
+    PARTICLE_SPIN = 1,     /* angular velocity and torque: friction or rolling resistance somewhere */
+    PARTICLE_MATERIAL = 2, /* more than one material */
+    PARTICLE_GROUP = 4,    /* groups other than "free" */
+    PARTICLE_IMAGE = 8,    /* periodic direction: how often a particle crossed the box */
+    PARTICLE_FEATURES_ALL = 15
+};
+
+/* The hot record. */
+struct particle_state {
+    double x[3];         /* centre, box-relative, length unit */
+    double v[3];         /* velocity at the last half step, length/time */
+    double radius;       /* length unit */
+    double inverse_mass; /* 1/mass; 0 for particles whose motion is prescribed (frozen or moving groups) */
+} __attribute__((aligned(64)));
+
+/* At most so many arrays hold the fields. */
+enum { PARTICLE_ARRAYS_MAX = 16 };
+
+/* Local number of a particle. Pair lists give 27 bits to it (pairlist.h). */
+enum { PARTICLE_INDEX_BITS = 27 };
+
+struct particles {
+    size_t owned, ghosts; /* particles of this rank, copies of others */
+    size_t capacity;      /* records allocated */
+    unsigned features;    /* bits of enum particle_feature, fixed at creation */
+    uint64_t revision;    /* bumped whenever particles are added, removed or renumbered */
+    bool force_clear; /* every force is zero (between a drift and the next force evaluation): reorder need not
+                         move them */
+    struct particle_state *state;
+    double (*omega)[4];  /* SPIN: angular velocity, rad/time; the fourth component is padding, 0 */
+    double *force;       /* force_stride doubles a particle: fx fy fz 0 [tx ty tz 0 with SPIN] */
+    int force_stride;    /* 4, or 8 with SPIN */
+    int64_t *id;         /* unique over all ranks, >= 1 */
+    uint8_t *size_class; /* see classes.h */
+    uint8_t *material;   /* MATERIAL: index into the scene's materials */
+    uint8_t *group;      /* GROUP: index into the scene's groups, 0 = free */
+    double *density;     /* GROUP: mass / volume, kept because inverse_mass is 0 while motion is prescribed */
+    int32_t (*image)[3]; /* IMAGE: box crossings; unwrapped position = x + image * edge */
+    void *spare[PARTICLE_ARRAYS_MAX]; /* second arrays that a reorder gathers into and then exchanges;
+                                         allocated at first use */
+};
+
+/* Makes an empty set with room for `capacity` particles. Destroy frees it and nulls the pointer. One thread.
+ */
+struct particles *particles_create(unsigned features, size_t capacity);
+void particles_destroy(struct particles **particles);
+
+/* Makes room for `capacity` records at least, keeping the contents. Pointers into the arrays die. */
+void particles_reserve(struct particles *particles, size_t capacity);
+
+/* Appends one owned particle with zeroed fields and returns its number; only while ghosts == 0. The caller
+ * fills its fields. */
+size_t particles_append(struct particles *particles);
+
+/* Removes the owned particles whose entry in `remove[owned]` is non-zero, keeping the order of the rest; only
+ * while ghosts == 0. Returns how many were removed. */
+size_t particles_remove(struct particles *particles, const uint8_t *remove);
+
+/* Reorders the owned particles: the new particle k is the old order[k]. `order` has `owned` entries, a
+ * permutation. Only while ghosts == 0. Every field of the field table follows (forces included). Opens its
+ * own thread team. */
+void particles_reorder(struct particles *particles, const uint32_t *order);
+
+/* Sets size_class of the owned particles from their radii. Opens its own thread team. */
+void particles_classify(struct particles *particles, const struct size_classes *classes);
+
+/* Wraps owned particles into the box in the periodic directions (and counts crossings where IMAGE is kept).
+ */
+void particles_wrap(struct particles *particles, const struct box *box);
+
+/* Material of a particle: 0 where all are of one material. */
+static inline int particles_material(const struct particles *p, size_t i) {
+    return p->material ? p->material[i] : 0;
+}
+
+/* Mass of a sphere of a density; and of particle i (also where its motion is prescribed). */
+double particles_sphere_mass(double radius, double density);
+double particles_mass(const struct particles *particles, size_t i);
+
+/* Bytes that one particle takes in all allocated fields. */
+size_t particles_bytes_each(const struct particles *particles);
+
+/* True if the set's invariants hold (sizes, unique positive ids, finite positions, positive radii); else
+ * `why` gets one line. For tests and debug builds. */
+bool particles_valid(const struct particles *particles, char *why, size_t why_size);
+
+#endif
