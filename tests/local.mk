@@ -5,6 +5,8 @@ TEST_MPI_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS) $(HDF5_CFLAGS)
 
 EXTRA_DIST += tests/launch tests/lsan.supp
 
+dist_check_SCRIPTS += tests/lint
+
 check_PROGRAMS += \
 	tests/test_checksum \
 	tests/test_error \
