@@ -10,9 +10,8 @@
  * Over a rebuild a record is keyed by the two global ids and oriented from the lower id to the higher (the
  * spring vector of (j, i) is minus that of (i, j)): history_detach turns list records into rows by particle,
  * which travel with migrating and reordered particles; history_attach hands them to the pairs of the new
- * list. Two images of the same two particles are told apart by the image code of the pair in the same
- * orientation (wrapping a particle changes it, and the row with it), and by lying nearest where codes
- * changed. */
+ * list. Two images of the same two particles are told apart by their separation, which a rebuild does not
+ * change. */
 #ifndef SCREE_PAIRS_HISTORY_H
 #define SCREE_PAIRS_HISTORY_H
 
@@ -59,10 +58,11 @@ void history_reserve(struct history *history, int thread, size_t contacts);
 void history_flip(struct history *history);
 
 /* Turns the records of the list into rows of the owned particles (before migration and reorder; the list and
- * the particles still belong together). A row is kept for both ends if both are owned. Allocates into `rows`;
+ * the particles still belong together). A record lies with its row particle; if `both_ends`, also with its
+ * partner where that is owned, as it must be when one end may leave this rank. Allocates into `rows`;
  * history_rows_free releases. */
 void history_detach(const struct history *history, const struct pairlist *list,
-                    const struct particles *particles, struct history_rows *rows);
+                    const struct particles *particles, bool both_ends, struct history_rows *rows);
 
 /* Follows particles_reorder with the same order; and particles_remove with the same flags (ghosts == 0,
  * before the particles change). */
@@ -71,12 +71,11 @@ void history_rows_remove(struct history_rows *rows, const uint8_t *remove, size_
 void history_rows_free(struct history_rows *rows);
 
 /* Hands the rows to the pairs of the new list (after the rebuild); rows of pairs that are no longer in the
- * list are dropped. */
+ * list are dropped. Opens its own thread team. */
 void history_attach(struct history *history, const struct history_rows *rows, const struct pairlist *list,
                     const struct particles *particles);
 
-/* Contacts that hold a record, one-sided copies counted once where this rank is the pair's home. */
-size_t history_contacts(const struct history *history);
+/* Bytes held. */
 size_t history_memory(const struct history *history);
 
 #endif

@@ -2,19 +2,26 @@
  *
  * Threads own contiguous ranges of particles (of each size class, as classes lie one after another in
  * memory). The rows of a thread are cut into blocks, small enough for the cache. Pair k is (i[k], j[k]): i
- * the row, an owned particle of the block (or, in one-sided pairs, a ghost of the thread), j the partner with
- * the image code in its upper 5 bits. The pairs of a block lie together, in three segments that differ in who
- * gets the force:
+ * the row, j the partner with the image code in its upper 5 bits. The pairs of a block lie together, in three
+ * segments that differ in who gets the force:
  *
  *   both   [first_pair, one_sided)  i and j both get it; both belong to this thread
  *   one    [one_sided, slotted)     only i gets it: j belongs to another thread, which has the mirrored pair
- * in a block of its own, or is a ghost with newton off slot   [slotted, end_pair)      i gets it, j is a
- * particle with very many partners ("busy") or a ghost that several threads meet: its share goes into this
- * thread's slot for j, and slots are summed in thread order afterwards
+ *                                   in its mirror block, or j is a ghost with newton off
+ *   slot   [slotted, end_pair)      i gets it; j is "busy" (its class has very many partners), so its share
+ *                                   goes into this thread's slot for j; slots are summed in thread order
  *
- * Thus no atomics, and the result depends on the number of threads only through the order of sums. The *set*
- * of primary pairs is the same for any number of threads; the mirrored second copies of `one` pairs are
- * derived from it.
+ * The last two blocks of a thread have no rows of their own:
+ *   mirror block   second copies of pairs whose row belongs to another thread: row i here, one-sided
+ *   ghost block    all pairs with ghosts. With newton on a ghost belongs to the first thread that meets it;
+ * the others have it one-sided, and its thread the mirrored pair, whose row is the ghost
+ *
+ * Thus no atomics, and forces depend on the number of threads only through the order of sums. The set of
+ * primary pairs (all but the mirrored ones) is the same for any number of threads.
+ *
+ * Building: each thread visits its blocks once and appends to its own region of the list. If a region is too
+ * small, the visit goes on counting, the list is laid out anew from the counts, and filled (count, scan,
+ * fill); the counts of one build are the guess of the next.
  *
  * A list serves any law with a range: it knows nothing of contacts. */
 #ifndef SCREE_PAIRS_PAIRLIST_H
@@ -23,7 +30,7 @@
 #include "index/index.h"
 #include "particles/particles.h"
 
-enum { PAIR_INDEX_MASK = (1 << PARTICLE_INDEX_BITS) - 1 };
+enum { PAIR_INDEX_MASK = (1 << PARTICLE_INDEX_BITS) - 1, PAIR_THREADS_MAX = 255 };
 
 static inline uint32_t pair_partner(uint32_t j) {
     return j & PAIR_INDEX_MASK;
@@ -32,34 +39,40 @@ static inline unsigned pair_image(uint32_t j) {
     return j >> PARTICLE_INDEX_BITS;
 }
 
+enum pair_block_kind { PAIR_BLOCK_ROWS, PAIR_BLOCK_MIRROR, PAIR_BLOCK_GHOST };
+
 /* One block of rows and its pairs. */
 struct pair_block {
-    uint32_t first_row, last_row;                    /* owned particles [first_row, last_row) */
+    uint32_t first_row, last_row; /* ROWS: owned particles [first_row, last_row), else empty */
     size_t first_pair, one_sided, slotted, end_pair; /* segments, see above */
-    uint8_t size_class;                              /* of all rows */
+    enum pair_block_kind kind;
+    int size_class; /* ROWS: the class of all its rows */
 };
 
+struct pairlist_build; /* scratch of a build, private */
+
 struct pairlist {
-    uint32_t *i, *j;      /* pair_count entries, padded */
-    size_t pair_count;    /* with mirrored copies */
-    size_t primary_count; /* without: what an index found; the sum over ranks counts each pair once with
-                             newton on */
+    uint32_t *i, *j;      /* padded by INDEX_SINK_PAD entries; threads' regions may leave gaps between them */
+    size_t capacity;      /* entries allocated */
+    size_t pair_count;    /* pairs in all blocks, mirrored copies included */
+    size_t primary_count; /* without: what the index found */
     struct pair_block *blocks;
     int block_count;
     int threads;
-    int *thread_block; /* thread t runs blocks [thread_block[t], thread_block[t + 1]); the last block of a
-                          thread may have no rows and hold the one-sided pairs of its ghosts */
+    int *thread_block; /* thread t runs blocks [thread_block[t], thread_block[t + 1]) */
     uint32_t *busy;    /* particles with slots: slot_count entries */
-    size_t slot_count;
-    int32_t *slot_of; /* slot of particle k, -1: none; NULL if slot_count is 0. total entries */
+    size_t slot_count; /* 0 with one thread */
+    int32_t *slot_of;  /* slot of particle k (owned or ghost), -1: none; NULL if slot_count is 0 */
     double shift[BOX_IMAGE_CODES][4]; /* image code -> vector added to x_j */
     uint64_t revision;                /* of the particles it was built for */
+    struct pairlist_build *build;
 };
 
 struct pairlist_options {
     int threads;
     size_t block_rows; /* rows a block; 0: chosen for the cache */
-    size_t busy_bound; /* a particle whose class averages more partners than this gets slots; 0: default */
+    double
+        busy_bound; /* particles of a class with more partners on average than this get slots; 0: default */
 };
 
 /* Makes an empty list; destroy frees it and nulls the pointer. */
@@ -74,6 +87,12 @@ void pairlist_view(struct index_view *view, const struct particles *particles,
 /* Rebuilds the list from an index that was built for `view`: count, scan, fill. Opens its own thread team. */
 void pairlist_build(struct pairlist *list, const struct index *index, const struct index_view *view,
                     const struct particles *particles, const struct box *box);
+
+/* First pair number of a thread: what its history counts from. */
+static inline size_t pairlist_thread_first(const struct pairlist *list, int thread) {
+    int b = list->thread_block[thread];
+    return b < list->thread_block[thread + 1] ? list->blocks[b].first_pair : 0;
+}
 
 /* Bytes held. */
 size_t pairlist_memory(const struct pairlist *list);

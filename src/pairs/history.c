@@ -1,0 +1,294 @@
+#include "pairs/history.h"
+#include "core/memory.h"
+#include <assert.h>
+#include <math.h>
+#include <omp.h>
+#include <string.h>
+
+struct history *history_create(int components, int threads) {
+    assert(components > 0 && components <= HISTORY_COMPONENTS_MAX);
+    struct history *history = memory_allocate_zero(1, sizeof *history, "contact history");
+    history->components = components;
+    history->threads = threads;
+    for (int b = 0; b < 2; b++)
+        history->part[b] = memory_allocate_zero((size_t)threads, sizeof *history->part[b], "contact history");
+    return history;
+}
+
+void history_destroy(struct history **history) {
+    if (*history == NULL)
+        return;
+    for (int b = 0; b < 2; b++) {
+        for (int t = 0; t < (*history)->threads; t++) {
+            memory_free((*history)->part[b][t].pair);
+            memory_free((*history)->part[b][t].value);
+        }
+        memory_free((*history)->part[b]);
+    }
+    memory_free(*history);
+    *history = NULL;
+}
+
+/* Grows a part, keeping what it holds. */
+static void part_reserve(struct history_part *part, int components, size_t contacts) {
+    if (contacts <= part->capacity)
+        return;
+    part->capacity = contacts + contacts / 4 + 256;
+    part->pair = memory_resize(part->pair, part->capacity, sizeof *part->pair, "contact history");
+    part->value = memory_resize(part->value, part->capacity, (size_t)components * sizeof *part->value,
+                                "contact history");
+}
+
+void history_reserve(struct history *history, int thread, size_t contacts) {
+    part_reserve(&history->part[1 - history->now][thread], history->components, contacts);
+}
+
+void history_flip(struct history *history) {
+    history->now = 1 - history->now;
+}
+
+void history_rows_free(struct history_rows *rows) {
+    memory_free(rows->start);
+    memory_free(rows->row);
+    *rows = (struct history_rows){0};
+}
+
+size_t history_memory(const struct history *history) {
+    size_t bytes = 0;
+    for (int b = 0; b < 2; b++)
+        for (int t = 0; t < history->threads; t++)
+            bytes += history->part[b][t].capacity *
+                     (sizeof(uint32_t) + (size_t)history->components * sizeof(double));
+    return bytes;
+}
+
+/* The vector from i to j through the pair's image. */
+static void pair_separation(const struct pairlist *list, const struct particles *particles, uint32_t i,
+                            uint32_t j, double separation[3]) {
+    const double *shift = list->shift[pair_image(j)];
+    const double *xi = particles->state[i].x, *xj = particles->state[pair_partner(j)].x;
+    for (int d = 0; d < 3; d++)
+        separation[d] = xj[d] + shift[d] - xi[d];
+}
+
+/* One record of the list, on its way into rows. */
+struct record {
+    uint32_t i, j; /* j with image code */
+    const double *value;
+};
+
+/* Walks the primary records of a thread (not the mirrored copies of others'). Returns false at the end. */
+struct record_walk {
+    const struct history_part *part;
+    const struct pairlist *list;
+    size_t first, at;
+    size_t mirror_first, mirror_last; /* pairs to leave out */
+    size_t owned;
+    int components;
+};
+
+static struct record_walk record_walk_begin(const struct history *history, const struct pairlist *list,
+                                            size_t owned, int t) {
+    const struct pair_block *mirror = &list->blocks[list->thread_block[t + 1] - 2];
+    assert(mirror->kind == PAIR_BLOCK_MIRROR);
+    return (struct record_walk){.part = &history->part[history->now][t],
+                                .list = list,
+                                .first = pairlist_thread_first(list, t),
+                                .mirror_first = mirror->first_pair,
+                                .mirror_last = mirror->end_pair,
+                                .owned = owned,
+                                .components = history->components};
+}
+
+static bool record_walk_next(struct record_walk *walk, struct record *record) {
+    for (; walk->at < walk->part->count; walk->at++) {
+        size_t k = walk->first + walk->part->pair[walk->at];
+        uint32_t i = walk->list->i[k];
+        if ((k >= walk->mirror_first && k < walk->mirror_last) || i >= walk->owned)
+            continue;
+        record->i = i;
+        record->j = walk->list->j[k];
+        record->value = walk->part->value + walk->at * (size_t)walk->components;
+        walk->at++;
+        return true;
+    }
+    return false;
+}
+
+static void row_fill(struct history_row *row, const struct record *record, int64_t id_i, int64_t id_j,
+                     int components, const double separation[3]) {
+    double sign = id_i < id_j ? 1 : -1;
+    for (int c = 0; c < components; c++)
+        row->value[c] = sign * record->value[c];
+    for (int d = 0; d < 3; d++)
+        row->separation[d] = sign * separation[d];
+}
+
+/* Adds a thread's records to the rows, at the places that `cursor` counts up; without rows only counts. With
+ * both_ends particles of other threads' ranges are touched, hence the atomic increments; the order within a
+ * particle's rows is of no consequence, because rows are looked up by id. */
+static void records_scatter(struct record_walk walk, const struct particles *particles, bool both_ends,
+                            size_t *cursor, struct history_row *rows) {
+    struct record record;
+    while (record_walk_next(&walk, &record)) {
+        uint32_t end[2] = {record.i, pair_partner(record.j)};
+        int64_t id[2] = {particles->id[end[0]], particles->id[end[1]]};
+        double separation[3];
+        if (rows)
+            pair_separation(walk.list, particles, record.i, record.j, separation);
+        for (int e = 0; e < (both_ends && end[1] < walk.owned ? 2 : 1); e++) {
+            size_t at;
+#pragma omp atomic capture
+            at = cursor[end[e]]++;
+            if (rows == NULL)
+                continue;
+            rows[at].id = id[e];
+            rows[at].partner = id[1 - e];
+            row_fill(&rows[at], &record, id[0], id[1], walk.components, separation);
+        }
+    }
+}
+
+/* counts[k] becomes the start of k; returns the total. start has n + 1 entries. */
+static size_t starts_from_counts(size_t *start, size_t n) {
+    size_t sum = 0;
+    for (size_t k = 0; k < n; k++) {
+        size_t count = start[k];
+        start[k] = sum;
+        sum += count;
+    }
+    start[n] = sum;
+    return sum;
+}
+
+void history_detach(const struct history *history, const struct pairlist *list,
+                    const struct particles *particles, bool both_ends, struct history_rows *rows) {
+    size_t owned = particles->owned;
+    rows->start = memory_allocate_zero(owned + 1, sizeof *rows->start, "history rows");
+    if (list->block_count == 0) {
+        rows->count = 0;
+        rows->row = memory_allocate(0, sizeof *rows->row, "history rows");
+        return;
+    }
+#pragma omp parallel for num_threads(history->threads) schedule(static, 1)
+    for (int t = 0; t < history->threads; t++)
+        records_scatter(record_walk_begin(history, list, owned, t), particles, both_ends, rows->start, NULL);
+    rows->count = starts_from_counts(rows->start, owned);
+    rows->row = memory_allocate(rows->count, sizeof *rows->row, "history rows");
+#pragma omp parallel for num_threads(history->threads) schedule(static, 1)
+    for (int t = 0; t < history->threads; t++)
+        records_scatter(record_walk_begin(history, list, owned, t), particles, both_ends, rows->start,
+                        rows->row);
+    /* Each start has moved on to the next one's */
+    memmove(rows->start + 1, rows->start, owned * sizeof *rows->start);
+    rows->start[0] = 0;
+}
+
+void history_rows_reorder(struct history_rows *rows, const uint32_t *order, size_t owned) {
+    size_t *start = memory_allocate(owned + 1, sizeof *start, "history rows");
+    struct history_row *row = memory_allocate(rows->count, sizeof *row, "history rows");
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < owned; k++)
+        start[k] = rows->start[order[k] + 1] - rows->start[order[k]];
+    starts_from_counts(start, owned);
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < owned; k++)
+        memcpy(row + start[k], rows->row + rows->start[order[k]], (start[k + 1] - start[k]) * sizeof *row);
+    memory_free(rows->start);
+    memory_free(rows->row);
+    rows->start = start;
+    rows->row = row;
+}
+
+void history_rows_remove(struct history_rows *rows, const uint8_t *remove, size_t owned) {
+    size_t kept = 0, at = 0;
+    for (size_t k = 0; k < owned; k++) {
+        size_t first = rows->start[k], count = rows->start[k + 1] - first;
+        if (remove[k])
+            continue;
+        memmove(rows->row + at, rows->row + first, count * sizeof *rows->row);
+        rows->start[kept++] = at;
+        at += count;
+    }
+    rows->start[kept] = at;
+    rows->count = at;
+}
+
+/* What an attach works on. */
+struct attach {
+    const struct history_rows *rows;
+    const struct pairlist *list;
+    const struct particles *particles;
+    double near; /* separations that differ by less belong to the same image; squared length */
+};
+
+/* The row of particle `carrier` whose partner has id `partner`, or NULL; of several images the one at this
+ * separation. */
+static const struct history_row *row_find(const struct attach *a, uint32_t carrier, int64_t partner,
+                                          uint32_t i, uint32_t j) {
+    for (size_t k = a->rows->start[carrier]; k < a->rows->start[carrier + 1]; k++) {
+        const struct history_row *row = &a->rows->row[k];
+        if (row->partner != partner)
+            continue;
+        double separation[3], d2 = 0;
+        pair_separation(a->list, a->particles, i, j, separation);
+        double sign = a->particles->id[i] < a->particles->id[pair_partner(j)] ? 1 : -1;
+        for (int d = 0; d < 3; d++) {
+            double apart = sign * separation[d] - row->separation[d];
+            d2 += apart * apart;
+        }
+        if (d2 < a->near)
+            return row;
+    }
+    return NULL;
+}
+
+static const struct history_row *pair_find(const struct attach *a, size_t k) {
+    uint32_t i = a->list->i[k], j = a->list->j[k], partner = pair_partner(j);
+    const size_t *start = a->rows->start;
+    size_t owned = a->particles->owned;
+    const struct history_row *row = NULL;
+    if (i < owned && start[i] != start[i + 1])
+        row = row_find(a, i, a->particles->id[partner], i, j);
+    if (row == NULL && partner < owned && start[partner] != start[partner + 1])
+        row = row_find(a, partner, a->particles->id[i], i, j);
+    return row;
+}
+
+static void attach_thread(struct history *history, const struct attach *a, int t) {
+    const struct pairlist *list = a->list;
+    struct history_part *part = &history->part[history->now][t];
+    size_t first = pairlist_thread_first(list, t);
+    size_t components = (size_t)history->components;
+    part->count = 0;
+    for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
+        for (size_t k = list->blocks[b].first_pair; k < list->blocks[b].end_pair; k++) {
+            const struct history_row *row = pair_find(a, k);
+            if (row == NULL)
+                continue;
+            part_reserve(part, history->components, part->count + 1);
+            int64_t id_i = a->particles->id[list->i[k]], id_j = a->particles->id[pair_partner(list->j[k])];
+            double sign = id_i < id_j ? 1 : -1;
+            assert(k - first <= UINT32_MAX);
+            part->pair[part->count] = (uint32_t)(k - first);
+            for (size_t c = 0; c < components; c++)
+                part->value[part->count * components + c] = sign * row->value[c];
+            part->count++;
+        }
+    }
+}
+
+void history_attach(struct history *history, const struct history_rows *rows, const struct pairlist *list,
+                    const struct particles *particles) {
+    /* Images of one particle are a box edge apart: at least as far as the nearest two entries of the shift
+     * table */
+    double edge = INFINITY;
+    for (int d = 0; d < 3; d++) {
+        unsigned code = box_image_code(d == 0, d == 1, d == 2);
+        edge = list->shift[code][d] < edge ? list->shift[code][d] : edge;
+    }
+    struct attach attach = {rows, list, particles, 0.25 * edge * edge};
+#pragma omp parallel for num_threads(history->threads) schedule(static, 1)
+    for (int t = 0; t < history->threads; t++)
+        attach_thread(history, &attach, t);
+}

@@ -1,0 +1,126 @@
+#include "pairs/pairlist.h"
+#include "core/memory.h"
+#include "pairs/pairlist_build.h"
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { BLOCK_ROWS_DEFAULT = 2048 };
+static const double busy_bound_default = 48;
+
+struct pairlist *pairlist_create(const struct pairlist_options *options) {
+    assert(options->threads >= 1 && options->threads <= PAIR_THREADS_MAX);
+    struct pairlist *list = memory_allocate_zero(1, sizeof *list, "pair list");
+    list->threads = options->threads;
+    list->thread_block =
+        memory_allocate_zero((size_t)options->threads + 1, sizeof *list->thread_block, "pair list threads");
+    struct pairlist_build *build = memory_allocate_zero(1, sizeof *build, "pair list build");
+    build->worker =
+        memory_allocate_zero((size_t)options->threads, sizeof *build->worker, "pair list workers");
+    build->block_rows = options->block_rows ? options->block_rows : BLOCK_ROWS_DEFAULT;
+    build->busy_bound = options->busy_bound > 0 ? options->busy_bound : busy_bound_default;
+    list->build = build;
+    return list;
+}
+
+void pair_buffer_free(struct pair_buffer *buffer) {
+    memory_free(buffer->i);
+    memory_free(buffer->j);
+}
+
+void pairlist_destroy(struct pairlist **list) {
+    struct pairlist *l = *list;
+    if (l == NULL)
+        return;
+    for (int t = 0; t < l->threads; t++) {
+        struct pairlist_worker *w = &l->build->worker[t];
+        memory_free(w->sink.i);
+        memory_free(w->sink.j);
+        pair_buffer_free(&w->one);
+        pair_buffer_free(&w->slot);
+        pair_buffer_free(&w->mirror);
+        pair_buffer_free(&w->ghost);
+    }
+    memory_free(l->build->worker);
+    memory_free(l->build->thread_of);
+    memory_free(l->build);
+    memory_free(l->i);
+    memory_free(l->j);
+    memory_free(l->blocks);
+    memory_free(l->thread_block);
+    memory_free(l->busy);
+    memory_free(l->slot_of);
+    memory_free(l);
+    *list = NULL;
+}
+
+void pairlist_view(struct index_view *view, const struct particles *particles,
+                   const struct size_classes *classes, const struct box *box, const bool wrap[3]) {
+    *view = (struct index_view){
+        .owned = particles->owned,
+        .total = particles->owned + particles->ghosts,
+        .position = particles->state[0].x,
+        .radius = &particles->state[0].radius,
+        .stride = sizeof(struct particle_state) / sizeof(double),
+        .size_class = particles->size_class,
+        .id = particles->id,
+        .dimension = box->dimension,
+        .classes = classes->count,
+    };
+    _Static_assert((int)INDEX_CLASS_MAX == (int)CLASS_MAX, "the index serves all size classes");
+    for (int d = 0; d < 3; d++) {
+        view->edge[d] = box->edge[d];
+        view->periodic[d] = box->periodic[d] && wrap[d];
+    }
+    for (int a = 0; a < classes->count; a++) {
+        view->radius_max[a] = classes->radius_max[a];
+        for (int b = 0; b < classes->count; b++)
+            view->margin[a][b] = classes->margin[a][b];
+    }
+}
+
+static size_t buffer_bytes(const struct pair_buffer *buffer) {
+    return buffer->capacity * 2 * sizeof(uint32_t);
+}
+
+size_t pairlist_memory(const struct pairlist *list) {
+    size_t bytes = list->capacity * 2 * sizeof(uint32_t) + list->build->thread_of_capacity;
+    for (int t = 0; t < list->threads; t++) {
+        const struct pairlist_worker *w = &list->build->worker[t];
+        bytes += w->sink.capacity * 2 * sizeof(uint32_t) + buffer_bytes(&w->one) + buffer_bytes(&w->slot) +
+                 buffer_bytes(&w->mirror) + buffer_bytes(&w->ghost);
+    }
+    return bytes;
+}
+
+static double pair_gap(const struct pairlist *list, const struct index_view *view, size_t k) {
+    uint32_t i = list->i[k], j = pair_partner(list->j[k]);
+    const double *xi = view->position + i * view->stride, *xj = view->position + j * view->stride;
+    const double *shift = list->shift[pair_image(list->j[k])];
+    double d2 = 0;
+    for (int d = 0; d < 3; d++) {
+        double dx = xj[d] + shift[d] - xi[d];
+        d2 += dx * dx;
+    }
+    double reach = view->radius[i * view->stride] + view->radius[j * view->stride] +
+                   view->margin[view->size_class[i]][view->size_class[j]];
+    return sqrt(d2) - reach;
+}
+
+bool pairlist_valid(const struct pairlist *list, const struct index_view *view, char *why, size_t why_size) {
+    for (int b = 0; b < list->block_count; b++) {
+        const struct pair_block *block = &list->blocks[b];
+        for (size_t k = block->first_pair; k < block->end_pair; k++) {
+            uint32_t i = list->i[k], j = pair_partner(list->j[k]);
+            bool inside = i < view->total && j < view->total && i != j;
+            bool row = block->kind != PAIR_BLOCK_ROWS || (i >= block->first_row && i < block->last_row);
+            if (inside && row && pair_gap(list, view, k) <= 1e-9 * view->radius[i * view->stride])
+                continue;
+            snprintf(why, why_size, "block %d (rows %u ... %u): pair %zu is (%u, %u)", b, block->first_row,
+                     block->last_row, k, i, j);
+            return false;
+        }
+    }
+    return true;
+}

@@ -1,0 +1,359 @@
+/* How a pair list is built; the layout is told in pairlist.h. The order of events in one pass:
+ *
+ *   1. every thread visits its row blocks and sorts what it finds: into the segments of the block, into
+ * `mirror` (second copies for other threads), into `ghost`;
+ *   2. (one thread) each ghost is given to the first thread, in thread order, that meets it;
+ *   3. every thread appends its mirror block, picking its pairs from all threads' `mirror` in thread order,
+ * and its ghost block.
+ *
+ * A pass whose region overflowed has counted what it needs; the layout is made from the counts and the pass
+ * repeated. So it is if the set of busy classes turns out otherwise than assumed. */
+#include "pairs/pairlist_build.h"
+#include "core/memory.h"
+#include <assert.h>
+#include <omp.h>
+#include <string.h>
+
+enum { NO_THREAD = 255, SINK_FIRST = 1 << 14, REGION_SPARE = 1024 };
+
+static void buffer_put(struct pair_buffer *buffer, uint32_t i, uint32_t j) {
+    if (buffer->count == buffer->capacity) {
+        buffer->capacity = buffer->capacity ? 2 * buffer->capacity : SINK_FIRST;
+        buffer->i = memory_resize(buffer->i, buffer->capacity, sizeof *buffer->i, "pair buffer");
+        buffer->j = memory_resize(buffer->j, buffer->capacity, sizeof *buffer->j, "pair buffer");
+    }
+    buffer->i[buffer->count] = i;
+    buffer->j[buffer->count] = j;
+    buffer->count++;
+}
+
+/* Rows of one size class that lie together: [first, last). */
+struct class_run {
+    size_t first, last;
+    int size_class;
+};
+
+static struct class_run class_run_next(const struct index_view *view, size_t first) {
+    struct class_run run = {first, first, view->size_class[first]};
+    while (run.last < view->owned && view->size_class[run.last] == run.size_class)
+        run.last++;
+    return run;
+}
+
+static size_t blocks_add(struct pairlist *list, size_t at, struct pair_block block) {
+    struct pairlist_build *build = list->build;
+    if (at == (size_t)build->blocks_capacity) {
+        build->blocks_capacity = 2 * build->blocks_capacity + 64;
+        list->blocks =
+            memory_resize(list->blocks, (size_t)build->blocks_capacity, sizeof block, "pair blocks");
+    }
+    list->blocks[at] = block;
+    return at + 1;
+}
+
+/* Cuts the share of one thread into blocks: the t-th part of each run of a class. */
+static size_t blocks_of_thread(struct pairlist *list, const struct index_view *view, int t, size_t at) {
+    size_t step = list->build->block_rows, threads = (size_t)list->threads;
+    for (size_t first = 0; first < view->owned;) {
+        struct class_run run = class_run_next(view, first);
+        size_t n = run.last - run.first;
+        size_t begin = run.first + n * (size_t)t / threads, end = run.first + n * ((size_t)t + 1) / threads;
+        memset(list->build->thread_of + begin, t, end - begin);
+        for (size_t row = begin; row < end; row += step) {
+            size_t last = row + step < end ? row + step : end;
+            at = blocks_add(list, at,
+                            (struct pair_block){.first_row = (uint32_t)row,
+                                                .last_row = (uint32_t)last,
+                                                .kind = PAIR_BLOCK_ROWS,
+                                                .size_class = run.size_class});
+        }
+        first = run.last;
+    }
+    at = blocks_add(list, at, (struct pair_block){.kind = PAIR_BLOCK_MIRROR});
+    return blocks_add(list, at, (struct pair_block){.kind = PAIR_BLOCK_GHOST});
+}
+
+static void blocks_make(struct pairlist *list, const struct index_view *view) {
+    struct pairlist_build *build = list->build;
+    if (view->total > build->thread_of_capacity) {
+        build->thread_of_capacity = view->total + view->total / 8;
+        memory_free(build->thread_of);
+        build->thread_of = memory_allocate(build->thread_of_capacity, 1, "thread of each particle");
+    }
+    size_t at = 0;
+    for (int t = 0; t < list->threads; t++) {
+        list->thread_block[t] = (int)at;
+        at = blocks_of_thread(list, view, t, at);
+    }
+    list->thread_block[list->threads] = (int)at;
+    list->block_count = (int)at;
+}
+
+/* What a pass works on. */
+struct pass {
+    struct pairlist *list;
+    const struct index *index;
+    const struct index_view *view;
+};
+
+/* Everything the index finds in a block, in the worker's sink. */
+static void block_visit(const struct pass *pass, struct pairlist_worker *worker,
+                        const struct pair_block *block) {
+    struct index_sink *sink = &worker->sink;
+    for (;;) {
+        sink->count = 0;
+        index_visit(pass->index, pass->view, block->first_row, block->last_row, sink);
+        if (sink->count <= sink->capacity)
+            return;
+        sink->capacity = sink->count + sink->count / 4 + SINK_FIRST;
+        memory_free(sink->i);
+        memory_free(sink->j);
+        sink->i = memory_allocate(sink->capacity + INDEX_SINK_PAD, sizeof *sink->i, "pairs of a block");
+        sink->j = memory_allocate(sink->capacity + INDEX_SINK_PAD, sizeof *sink->j, "pairs of a block");
+    }
+}
+
+/* Appends pairs to the worker's region, or only counts where it is full. */
+static void region_put(struct pairlist *list, struct pairlist_worker *worker, uint32_t i, uint32_t j) {
+    if (worker->used < worker->room) {
+        list->i[worker->first + worker->used] = i;
+        list->j[worker->first + worker->used] = j;
+    }
+    worker->used++;
+}
+
+static void region_append(struct pairlist *list, struct pairlist_worker *worker, struct pair_buffer *buffer) {
+    for (size_t k = 0; k < buffer->count; k++)
+        region_put(list, worker, buffer->i[k], buffer->j[k]);
+    buffer->count = 0;
+}
+
+/* The mirror image of a pair (i, j). */
+static uint32_t mirror_partner(uint32_t i, uint32_t j) {
+    return i | box_image_opposite(pair_image(j)) << PARTICLE_INDEX_BITS;
+}
+
+static void block_sort(const struct pass *pass, struct pairlist_worker *worker, int t,
+                       const struct pair_block *block) {
+    struct pairlist *list = pass->list;
+    const struct pairlist_build *build = list->build;
+    const struct index_sink *sink = &worker->sink;
+    const struct index_view *view = pass->view;
+    for (size_t k = 0; k < sink->count; k++) {
+        uint32_t i = sink->i[k], j = sink->j[k], partner = pair_partner(j);
+        int class_j = view->size_class[partner];
+        worker->partners[class_j]++;
+        if (partner >= view->owned) {
+            buffer_put(&worker->ghost, i, j);
+        } else if (build->busy_class[class_j]) {
+            buffer_put(&worker->slot, i, j);
+        } else if (build->thread_of[partner] != t) {
+            buffer_put(&worker->one, i, j);
+            buffer_put(&worker->mirror, partner, mirror_partner(i, j));
+        } else {
+            region_put(list, worker, i, j);
+        }
+    }
+    worker->partners[block->size_class] += sink->count;
+}
+
+/* With one thread and no ghosts there is nothing to sort. */
+static void block_copy(const struct pass *pass, struct pairlist_worker *worker) {
+    const struct index_sink *sink = &worker->sink;
+    if (worker->used + sink->count <= worker->room) {
+        memcpy(pass->list->i + worker->first + worker->used, sink->i, sink->count * sizeof *sink->i);
+        memcpy(pass->list->j + worker->first + worker->used, sink->j, sink->count * sizeof *sink->j);
+    }
+    worker->used += sink->count;
+}
+
+static void pass_rows(const struct pass *pass, int t) {
+    struct pairlist *list = pass->list;
+    struct pairlist_worker *worker = &list->build->worker[t];
+    bool plain = list->threads == 1 && pass->view->total == pass->view->owned;
+    worker->used = worker->primary = worker->mirror.count = worker->ghost.count = 0;
+    memset(worker->partners, 0, sizeof worker->partners);
+    for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
+        struct pair_block *block = &list->blocks[b];
+        if (block->kind != PAIR_BLOCK_ROWS)
+            continue;
+        block_visit(pass, worker, block);
+        worker->primary += worker->sink.count;
+        block->first_pair = worker->first + worker->used;
+        if (plain)
+            block_copy(pass, worker);
+        else
+            block_sort(pass, worker, t, block);
+        block->one_sided = worker->first + worker->used;
+        region_append(list, worker, &worker->one);
+        block->slotted = worker->first + worker->used;
+        region_append(list, worker, &worker->slot);
+        block->end_pair = worker->first + worker->used;
+    }
+}
+
+/* Gives each ghost to the first thread that meets it. One thread. */
+static void ghosts_assign(const struct pass *pass) {
+    struct pairlist_build *build = pass->list->build;
+    const struct index_view *view = pass->view;
+    memset(build->thread_of + view->owned, NO_THREAD, view->total - view->owned);
+    for (int t = 0; t < pass->list->threads; t++) {
+        const struct pair_buffer *ghost = &build->worker[t].ghost;
+        for (size_t k = 0; k < ghost->count; k++) {
+            uint8_t *thread = &build->thread_of[pair_partner(ghost->j[k])];
+            if (*thread == NO_THREAD)
+                *thread = (uint8_t)t;
+        }
+    }
+}
+
+static void block_begin(struct pair_block *block, const struct pairlist_worker *worker) {
+    block->first_pair = block->one_sided = block->slotted = block->end_pair = worker->first + worker->used;
+}
+
+static void pass_mirror(const struct pass *pass, int t) {
+    struct pairlist *list = pass->list;
+    struct pairlist_build *build = list->build;
+    struct pairlist_worker *worker = &build->worker[t];
+    struct pair_block *block = &list->blocks[list->thread_block[t + 1] - 2];
+    block_begin(block, worker);
+    for (int from = 0; from < list->threads; from++) {
+        const struct pair_buffer *mirror = &build->worker[from].mirror;
+        for (size_t k = 0; k < mirror->count; k++)
+            if (build->thread_of[mirror->i[k]] == t)
+                region_put(list, worker, mirror->i[k], mirror->j[k]);
+    }
+    block->slotted = block->end_pair = worker->first + worker->used;
+}
+
+static void pass_ghosts(const struct pass *pass, int t) {
+    struct pairlist *list = pass->list;
+    struct pairlist_build *build = list->build;
+    struct pairlist_worker *worker = &build->worker[t];
+    struct pair_block *block = &list->blocks[list->thread_block[t + 1] - 1];
+    bool newton = pass->view->newton;
+    block_begin(block, worker);
+    for (size_t k = 0; k < worker->ghost.count; k++) {
+        uint32_t i = worker->ghost.i[k], j = worker->ghost.j[k], partner = pair_partner(j);
+        if (newton && build->busy_class[pass->view->size_class[partner]])
+            buffer_put(&worker->slot, i, j);
+        else if (newton && build->thread_of[partner] == t)
+            region_put(list, worker, i, j);
+        else
+            buffer_put(&worker->one, i, j);
+    }
+    block->one_sided = worker->first + worker->used;
+    region_append(list, worker, &worker->one);
+    for (int from = 0; newton && from < list->threads; from++) {
+        const struct pair_buffer *ghost = &build->worker[from].ghost;
+        for (size_t k = 0; from != t && k < ghost->count; k++) {
+            uint32_t partner = pair_partner(ghost->j[k]);
+            if (build->thread_of[partner] == t && !build->busy_class[pass->view->size_class[partner]])
+                region_put(list, worker, partner, mirror_partner(ghost->i[k], ghost->j[k]));
+        }
+    }
+    block->slotted = worker->first + worker->used;
+    region_append(list, worker, &worker->slot);
+    block->end_pair = worker->first + worker->used;
+}
+
+static void pass_run(const struct pass *pass) {
+    struct pairlist *list = pass->list;
+#pragma omp parallel num_threads(list->threads)
+    {
+        int t = omp_get_thread_num();
+        pass_rows(pass, t);
+#pragma omp barrier
+#pragma omp single
+        ghosts_assign(pass);
+        pass_mirror(pass, t);
+        pass_ghosts(pass, t);
+    }
+}
+
+/* True if every region was large enough; else lays the list out anew from what the pass counted. */
+static bool regions_suffice(struct pairlist *list) {
+    struct pairlist_build *build = list->build;
+    bool suffice = true;
+    for (int t = 0; t < list->threads; t++)
+        suffice = suffice && build->worker[t].used <= build->worker[t].room;
+    if (suffice)
+        return true;
+    size_t capacity = 0;
+    for (int t = 0; t < list->threads; t++) {
+        struct pairlist_worker *worker = &build->worker[t];
+        worker->first = capacity;
+        worker->room = worker->used + worker->used / 8 + REGION_SPARE;
+        capacity += worker->room;
+    }
+    memory_free(list->i);
+    memory_free(list->j);
+    list->i = memory_allocate(capacity + INDEX_SINK_PAD, sizeof *list->i, "pair list");
+    list->j = memory_allocate(capacity + INDEX_SINK_PAD, sizeof *list->j, "pair list");
+    list->capacity = capacity;
+    return false;
+}
+
+/* Decides which classes are busy from the partners counted; true if that is what the pass assumed. */
+static bool busy_settled(struct pairlist *list, const struct index_view *view) {
+    struct pairlist_build *build = list->build;
+    uint64_t population[CLASS_MAX] = {0}, partners[CLASS_MAX] = {0};
+    bool settled = true;
+    if (list->threads == 1)
+        return true;
+    for (size_t k = 0; k < view->total; k++)
+        population[view->size_class[k]]++;
+    for (int t = 0; t < list->threads; t++)
+        for (int c = 0; c < view->classes; c++)
+            partners[c] += build->worker[t].partners[c];
+    for (int c = 0; c < view->classes; c++) {
+        double mean = population[c] ? (double)partners[c] / (double)population[c] : 0;
+        bool busy = mean > (build->busy_class[c] ? build->busy_bound / 2 : build->busy_bound);
+        settled = settled && busy == build->busy_class[c];
+        build->busy_class[c] = busy;
+    }
+    return settled;
+}
+
+/* Numbers the slots of the particles of busy classes. */
+static void slots_make(struct pairlist *list, const struct index_view *view) {
+    const struct pairlist_build *build = list->build;
+    memory_free(list->busy);
+    memory_free(list->slot_of);
+    list->busy = NULL;
+    list->slot_of = NULL;
+    list->slot_count = 0;
+    bool any = false;
+    for (int c = 0; c < view->classes; c++)
+        any = any || build->busy_class[c];
+    if (!any)
+        return;
+    list->slot_of = memory_allocate(view->total, sizeof *list->slot_of, "slots");
+    for (size_t k = 0; k < view->total; k++)
+        list->slot_of[k] = build->busy_class[view->size_class[k]] ? (int32_t)list->slot_count++ : -1;
+    list->busy = memory_allocate(list->slot_count, sizeof *list->busy, "busy particles");
+    for (size_t k = 0; k < view->total; k++)
+        if (list->slot_of[k] >= 0)
+            list->busy[list->slot_of[k]] = (uint32_t)k;
+}
+
+void pairlist_build(struct pairlist *list, const struct index *index, const struct index_view *view,
+                    const struct particles *particles, const struct box *box) {
+    assert(view->total < (size_t)1 << PARTICLE_INDEX_BITS);
+    struct pass pass = {list, index, view};
+    box_image_shifts(box, list->shift);
+    blocks_make(list, view);
+    for (;;) {
+        pass_run(&pass);
+        bool settled = busy_settled(list, view);
+        if (regions_suffice(list) && settled)
+            break;
+    }
+    slots_make(list, view);
+    list->pair_count = list->primary_count = 0;
+    for (int t = 0; t < list->threads; t++) {
+        list->pair_count += list->build->worker[t].used;
+        list->primary_count += list->build->worker[t].primary;
+    }
+    list->revision = particles->revision;
+}

@@ -1,0 +1,38 @@
+/* Scratch of a pair list build, for pairlist.c and pairlist_build.c alone. It lives as long as the list, so
+ * that a rebuild allocates nothing new. */
+#ifndef SCREE_PAIRS_PAIRLIST_BUILD_H
+#define SCREE_PAIRS_PAIRLIST_BUILD_H
+
+#include "pairs/pairlist.h"
+
+/* A growing array of pairs. */
+struct pair_buffer {
+    uint32_t *i, *j;
+    size_t count, capacity;
+};
+
+/* One thread's part of a build. */
+struct pairlist_worker {
+    struct index_sink sink; /* what the index finds in one block */
+    struct pair_buffer one; /* the block's one-sided pairs, and its pairs with busy partners */
+    struct pair_buffer slot;
+    struct pair_buffer mirror; /* pairs (j, i) for other threads */
+    struct pair_buffer ghost;  /* pairs with ghosts */
+    size_t first, room, used;  /* region of the list; used > room: too small, counted only */
+    size_t primary;
+    uint64_t partners[CLASS_MAX]; /* how often a particle of the class is in a pair */
+};
+
+struct pairlist_build {
+    struct pairlist_worker *worker; /* one a thread */
+    uint8_t *thread_of; /* total entries: the thread that owns a particle, or meets a ghost first */
+    size_t thread_of_capacity;
+    bool busy_class[CLASS_MAX];
+    double busy_bound;
+    size_t block_rows;
+    int blocks_capacity;
+};
+
+void pair_buffer_free(struct pair_buffer *buffer);
+
+#endif

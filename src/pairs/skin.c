@@ -1,0 +1,96 @@
+#include "pairs/skin.h"
+#include "core/memory.h"
+#include <math.h>
+#include <string.h>
+
+struct skin *skin_create(void) {
+    return memory_allocate_zero(1, sizeof(struct skin), "skin");
+}
+
+void skin_destroy(struct skin **skin) {
+    if (*skin == NULL)
+        return;
+    memory_free((*skin)->anchor);
+    memory_free(*skin);
+    *skin = NULL;
+}
+
+void skin_reset(struct skin *skin, const struct particles *particles) {
+    if (particles->owned > skin->capacity) {
+        skin->capacity = particles->owned + particles->owned / 8;
+        memory_free(skin->anchor);
+        skin->anchor = memory_allocate(skin->capacity, sizeof *skin->anchor, "positions at the rebuild");
+    }
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < particles->owned; k++)
+        memcpy(skin->anchor[k], particles->state[k].x, sizeof *skin->anchor);
+    memset(skin->bound, 0, sizeof skin->bound);
+    memset(skin->second, 0, sizeof skin->second);
+    skin->rebuilds++;
+}
+
+void skin_moved(struct skin *skin, const double *speed, int classes, double dt, double walls) {
+    for (int c = 0; c < classes; c++) {
+        skin->bound[c] += speed[c] * dt;
+        skin->second[c] += speed[c] * dt;
+    }
+    skin->bound[classes] = walls;
+    skin->second[classes] = 0;
+}
+
+/* The two largest squared displacements of each class. */
+struct largest {
+    double first[CLASS_MAX], second[CLASS_MAX];
+};
+
+static void largest_put(struct largest *largest, int c, double d2) {
+    if (d2 > largest->first[c]) {
+        largest->second[c] = largest->first[c];
+        largest->first[c] = d2;
+    } else if (d2 > largest->second[c]) {
+        largest->second[c] = d2;
+    }
+}
+
+void skin_measure(struct skin *skin, const struct particles *particles, int classes) {
+    struct largest all = {0};
+#pragma omp parallel
+    {
+        struct largest mine = {0};
+#pragma omp for schedule(static)
+        for (size_t k = 0; k < particles->owned; k++) {
+            double d2 = 0;
+            for (int d = 0; d < 3; d++) {
+                double moved = particles->state[k].x[d] - skin->anchor[k][d];
+                d2 += moved * moved;
+            }
+            largest_put(&mine, particles->size_class[k], d2);
+        }
+#pragma omp critical(skin_largest)
+        for (int c = 0; c < classes; c++) {
+            largest_put(&all, c, mine.first[c]);
+            largest_put(&all, c, mine.second[c]);
+        }
+    }
+    for (int c = 0; c < classes; c++) {
+        skin->bound[c] = sqrt(all.first[c]);
+        skin->second[c] = sqrt(all.second[c]);
+    }
+    skin->measured++;
+}
+
+bool skin_due(const struct skin *skin, const struct size_classes *classes) {
+    for (int a = 0; a <= classes->count; a++) {
+        for (int b = a; b <= classes->count; b++) {
+            double moved = skin->bound[a] + (a == b ? skin->second[b] : skin->bound[b]);
+            bool still = skin->bound[a] == 0 && skin->bound[b] == 0;
+            if (!still && moved > classes->skin[a][b])
+                return true;
+        }
+    }
+    return false;
+}
+
+size_t skin_memory(const struct skin *skin) {
+    return skin->capacity * sizeof *skin->anchor;
+}

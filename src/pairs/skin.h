@@ -1,0 +1,42 @@
+/* When is a rebuild due? A pair list stays complete as long as the two largest displacements of each class
+ * pair add up to no more than its skin. Moving walls count as one more class.
+ *
+ * Exact displacements cost a pass over all particles, so a bound is kept instead: what a class may have moved
+ * at most, the sum of its largest speed times dt. Only when the bound reaches the skin are the displacements
+ * measured, and the bound falls back to them. */
+#ifndef SCREE_PAIRS_SKIN_H
+#define SCREE_PAIRS_SKIN_H
+
+#include "particles/particles.h"
+
+struct skin {
+    double bound[CLASS_MAX + 1];  /* no particle of the class has moved farther since the rebuild; the last
+                                     entry is walls; length */
+    double second[CLASS_MAX + 1]; /* the same for all but one particle of the class */
+    double (*anchor)[3];          /* position at the rebuild, owned particles */
+    size_t capacity;
+    uint64_t rebuilds,
+        dangerous;     /* dangerous: a force evaluation used a list that could have missed a pair */
+    uint64_t measured; /* exact measurements */
+};
+
+struct skin *skin_create(void);
+void skin_destroy(struct skin **skin);
+
+/* A rebuild has happened: displacements start from here. Opens its own thread team. */
+void skin_reset(struct skin *skin, const struct particles *particles);
+
+/* The largest speed of each class in the drift just made (this rank's, or all ranks'), and how far walls have
+ * moved in all. */
+void skin_moved(struct skin *skin, const double *speed, int classes, double dt, double walls);
+
+/* Replaces the bounds by the exact displacements of this rank's owned particles. Opens its own thread team.
+ */
+void skin_measure(struct skin *skin, const struct particles *particles, int classes);
+
+/* True if some class pair may have used up its skin. */
+bool skin_due(const struct skin *skin, const struct size_classes *classes);
+
+size_t skin_memory(const struct skin *skin);
+
+#endif
