@@ -1,0 +1,67 @@
+/* The threaded force loop over the pair list, in two stages: a cheap vectorised distance filter over the flat
+ * pairs of a block, then the contacts that really touch, in batches (docs/performance.md). The functions work
+ * block by block, so that a stepper may run other passes of the step on a block just before or after (DESIGN
+ * of the step in docs/architecture.md). */
+#ifndef SCREE_CONTACT_FORCE_H
+#define SCREE_CONTACT_FORCE_H
+
+#include "contact/law.h"
+#include "pairs/history.h"
+#include "pairs/pairlist.h"
+
+/* Sums of a force evaluation of this rank; a pair that two threads or ranks compute counts half on each. */
+struct force_sums {
+    double elastic_normal;     /* energy stored in normal springs */
+    double elastic_tangential; /* and in tangential and rolling ones */
+    double dissipated;  /* work taken by dampers and sliding in this step (energy; exact to first order) */
+    double virial[6];   /* sum of x_ij F_ij: xx yy zz xy xz yz, energy */
+    double overlap_max; /* largest overlap / smaller radius, and who */
+    int64_t overlap_id[2];
+    size_t contacts; /* pairs that touch */
+};
+
+/* One evaluated contact, for the contact list (force chains). */
+struct force_contact {
+    int64_t id_i, id_j;
+    double normal[3]; /* unit vector from i to j */
+    double overlap;   /* length unit */
+    double force[3];  /* on j, normal and tangential together */
+};
+
+struct force_context {
+    struct particles *particles;
+    const struct pairlist *list;
+    struct history *history; /* NULL where the law has none */
+    const struct law *law;
+    double dt;            /* by which histories advance; 0 in the first evaluation of a run (they stay) */
+    bool want_sums;       /* fill sums.* beyond contacts and overlap_max (observables due) */
+    double overlap_bound; /* guard: largest overlap / smaller radius allowed; overlap_max is always found */
+};
+
+/* A force loop's own memory (slots, batches of each thread). */
+struct force_loop;
+struct force_loop *force_loop_create(int threads);
+void force_loop_destroy(struct force_loop **loop);
+size_t force_loop_memory(const struct force_loop *loop);
+
+/* Prepares for a new pair list (slots, room for history). One thread, after each rebuild. */
+void force_loop_prepare(struct force_loop *loop, const struct force_context *context);
+
+/* Computes the pairs of one block by thread `thread`; blocks of a thread in increasing order, all of them,
+ * then force_loop_finish. Adds to particles.force (zeroed before by the integrator). Many threads at once,
+ * each its own blocks. */
+void force_loop_block(struct force_loop *loop, const struct force_context *context, int thread, int block);
+
+/* Ends the evaluation: adds the slots in thread order, flips the history, adds up the sums. Called by one
+ * thread after all have finished their blocks. */
+void force_loop_finish(struct force_loop *loop, const struct force_context *context, struct force_sums *sums);
+
+/* All blocks, all threads: the plain order. */
+void force_loop_run(struct force_loop *loop, const struct force_context *context, struct force_sums *sums);
+
+/* Evaluates the present contacts again without touching forces or history, and hands them out, for output. Of
+ * a pair that two threads or ranks hold only the home's is given. Returns how many; `contacts` is allocated
+ * (memory_free). One thread. */
+size_t force_loop_contacts(const struct force_context *context, struct force_contact **contacts);
+
+#endif

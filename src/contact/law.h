@@ -1,0 +1,99 @@
+/* Contact laws: what two spheres (or a sphere and a wall) that touch do to each other.
+ *
+ * A law sees two particles and a contact; never a loop, a thread or a rank. The functions that the force
+ * loops call are the `static inline` ones of law_kernel.h, specialised by constant arguments; this header
+ * holds what is prepared once: options and the table of coefficients for each pair of materials.
+ *
+ * Normal force (overlap d > 0, approach speed v_n, effective mass m*, effective radius R*, n from i to j):
+ *   hooke   F_n = k_n d + c v_n                      c = gamma_n m*   (coefficients given)  or  from the
+ * restitution e hertz   F_n = K d^(3/2) + c v_n, K = 4/3 E* sqrt(R*)   c = alpha sqrt(m* K) d^(1/4)  (Antypov
+ * and Elliott 2011) Tangential spring xi with history, F_t = -k_t xi - c_t v_t, |F_t| <= mu |F_n|: hooke k_t
+ * given as a ratio to k_n ;  hertz   Mindlin, k_t = 8 G* sqrt(R* d) Sources: references named in
+ * docs/physics.md. */
+#ifndef SCREE_CONTACT_LAW_H
+#define SCREE_CONTACT_LAW_H
+
+#include "core/error.h"
+#include <stdbool.h>
+
+enum { LAW_MATERIALS_MAX = 32, LAW_NAME_MAX = 64 };
+
+enum law_normal { LAW_HOOKE, LAW_HERTZ };
+/* Where the damping comes from: the restitution asked for, or LAMMPS's coefficients per unit of effective
+ * mass. */
+enum law_damping { LAW_DAMPING_RESTITUTION, LAW_DAMPING_COEFFICIENT };
+/* When a contact ends: at zero overlap (the damper may attract just before), or where the force would
+ * attract. */
+enum law_end { LAW_END_OVERLAP, LAW_END_FORCE };
+enum law_tangential { LAW_FRICTIONLESS, LAW_TANGENTIAL_HISTORY };
+enum law_rolling { LAW_ROLLING_NONE, LAW_ROLLING_SPRING };
+
+/* Options of the law (scene key `contact`). Plain data. */
+struct law_options {
+    enum law_normal normal;
+    enum law_damping damping;
+    enum law_end end;
+    enum law_tangential tangential; /* frictionless: no spin, no torque, no history anywhere */
+    enum law_rolling rolling;
+    double tangential_damping_ratio; /* hertz: c_t = ratio x normal damping coefficient scaled by sqrt(k_t /
+                                        k_n) (default), see law_kernel.h */
+    bool tangential_damping_equal; /* true: c_t = c_n (as LAMMPS's pair_style granular does); cross-code runs
+                                    */
+    bool lammps_hooke; /* LAMMPS gran/hooke/history to the letter: lever arm r, an empty spring over the
+                          Coulomb limit gives F_t = 0 */
+    bool synchronised; /* history with the half-step normal (Vyas et al. 2025); set from the integrator */
+};
+
+/* A material (scene key `materials`). */
+struct law_material {
+    char name[LAW_NAME_MAX];
+    double density;        /* mass/volume */
+    double young, poisson; /* hertz; pressure, 1 */
+};
+
+/* Coefficients of a pair of materials (scene key `material_pairs`; missing pairs are an error unless one
+ * default is given). */
+struct law_pair {
+    double restitution;      /* 0 ... 1 */
+    double friction;         /* Coulomb coefficient mu >= 0 */
+    double rolling_friction; /* mu_r >= 0 */
+    double k_n, k_t;         /* hooke: stiffness, force/length */
+    double gamma_n, gamma_t; /* hooke with given coefficients: 1/time, per unit of effective mass */
+};
+
+/* What the kernel needs of a pair of materials, made once. */
+struct law_coefficients {
+    double k_n; /* hooke: k_n;  hertz: 4/3 E*                    */
+    double k_t; /* hooke: k_t;  hertz: 8 G*                      */
+    double c_n; /* hooke, given: gamma_n; hooke, restitution: c_n = this x sqrt(k_n m*); hertz: alpha */
+    double c_t; /* the same for the tangential damper */
+    double friction, rolling_friction;
+};
+
+struct law {
+    struct law_options options;
+    int materials;
+    struct law_coefficients pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX]; /* symmetric */
+    double young_effective[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];       /* E*, hertz */
+    double range;           /* how far beyond touch the law acts: 0 here */
+    int history_components; /* doubles of history a contact: 0, 3 or 6 */
+    bool spin;              /* particles need angular velocity and torque */
+};
+
+/* The defaults: hertz, restitution, end at zero overlap, history, no rolling. */
+struct law_options law_options_default(void);
+
+/* Makes the table of coefficients. Fails (user) on values out of range. One thread. */
+bool law_prepare(struct law *law, const struct law_options *options, int materials,
+                 const struct law_material *material,
+                 struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX], struct error *error);
+
+/* Damping ratio zeta of the linear spring-dashpot for a restitution (accuracy notes d2; zeta = 1 for e = 0):
+ * end at zero overlap in closed form, end at zero force by inverting Schwager and Poeschel 2007. */
+double law_hooke_damping_ratio(double restitution, enum law_end end);
+
+/* The Hertz damping coefficient alpha for a restitution: -ln e sqrt5 / sqrt(pi^2 + ln^2 e), sqrt5 for e = 0;
+ * end at zero force inverts a table made by integration. */
+double law_hertz_alpha(double restitution, enum law_end end);
+
+#endif

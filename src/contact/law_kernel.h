@@ -1,0 +1,209 @@
+/* The contact laws themselves, as `static inline` functions: one contact in, forces and torques out. Sphere
+ * against sphere and sphere against wall use the same function; the caller brings geometry, this file the
+ * physics (docs/physics.md).
+ *
+ * How to use it: fill a `struct law_case` with constants, so that the compiler drops what the law has not;
+ * fill a `struct law_contact`; call law_respond. There are no branches that a vectorising compiler could not
+ * turn into selects, and no memory: a loop that calls it once an iteration vectorises
+ * (contact/force_physics.c does).
+ *
+ * Signs. The normal n points from i to j (wall: from the sphere to the wall). Velocities are those of j minus
+ * those of i. Force, rolling torque and springs are those of j; the negatives hold for i. With n, velocities
+ * and springs negated (the pair seen from j) every result is the negative to the last bit, as no operation
+ * prefers a side; `moment` keeps its sign: the torques are i: lever_i moment - rolling        j: lever_j
+ * moment + rolling.
+ *
+ * Spheres: velocity = v_j - v_i of the centres, surface = lever_i omega_i + lever_j omega_j, spin = omega_j -
+ * omega_i, mass and radius the effective ones. The lever is r for hooke and r - overlap / 2 for hertz: the
+ * contact point lies in the middle of the overlap whatever the radii, so that the levers add up to the
+ * distance and angular momentum is conserved. Walls: velocity = that of the wall's material point at the
+ * contact point - v of the sphere's centre, surface = lever_i omega_i, spin = omega of the wall - omega_i,
+ * mass and radius those of the sphere. */
+#ifndef SCREE_CONTACT_LAW_KERNEL_H
+#define SCREE_CONTACT_LAW_KERNEL_H
+
+#include "contact/law.h"
+#include <float.h>
+#include <math.h>
+
+struct law_vector {
+    double x, y, z;
+};
+
+/* What a specialised loop knows beforehand: compile-time constants there. */
+struct law_case {
+    bool hertz;        /* else hooke */
+    bool coefficient;  /* the damper is a coefficient times the effective mass (hooke); else it comes from the
+                          restitution */
+    bool friction;     /* a tangential spring with history */
+    bool rolling;      /* and a rolling one */
+    bool synchronised; /* springs advance in the half-step tangent plane */
+    bool energies;     /* fill the three energies of the response */
+};
+
+/* What is the same for all contacts of one evaluation; from law_step_of. */
+struct law_step {
+    double dt;           /* by which springs advance, time; 0: they stay */
+    double force_least;  /* the normal force is never less: 0, or -DBL_MAX where it may attract */
+    double spring_least; /* an over-limit spring of this square length or less gives no force; -1: never, 0:
+                            empty ones (LAMMPS's gran/hooke) */
+    bool rescale;        /* a turned spring keeps its length (else it is projected only) */
+};
+
+/* One contact. The third block matters with friction only, `spin` and `roll` with rolling only. */
+struct law_contact {
+    double overlap, mass,
+        radius; /* length, effective mass (0: both sides are prescribed, no damping), effective radius */
+    struct law_vector normal;             /* unit vector from i to j, now */
+    struct law_vector velocity;           /* length/time, half-step */
+    struct law_coefficients coefficients; /* of the two materials */
+
+    struct law_vector half_normal; /* unit vector half a step ago (synchronised) */
+    struct law_vector surface;     /* sum of lever x angular velocity, length/time */
+    struct law_vector spin;        /* difference of the angular velocities, 1/time */
+    struct law_vector spring;      /* tangential spring so far, length */
+    struct law_vector roll;        /* rolling spring so far, length */
+};
+
+struct law_response {
+    struct law_vector force;        /* on j, normal and tangential */
+    struct law_vector moment;       /* torque per lever, on both sides */
+    struct law_vector rolling;      /* torque on j */
+    struct law_vector spring, roll; /* the springs to remember */
+    double normal_energy;           /* stored in the normal spring */
+    double spring_energy;           /* stored in the tangential and rolling springs */
+    double dissipated;              /* in this step by dampers and sliding */
+};
+
+static inline double law_dot(struct law_vector a, struct law_vector b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/* a + s b */
+static inline struct law_vector law_add(struct law_vector a, double s, struct law_vector b) {
+    return (struct law_vector){a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
+}
+
+static inline struct law_vector law_scale(double s, struct law_vector a) {
+    return (struct law_vector){s * a.x, s * a.y, s * a.z};
+}
+
+static inline struct law_vector law_cross(struct law_vector a, struct law_vector b) {
+    return (struct law_vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/* The part of `a` in the plane with unit normal n. */
+static inline struct law_vector law_project(struct law_vector a, struct law_vector n) {
+    return law_add(a, -law_dot(a, n), n);
+}
+
+/* Turns `a` into the plane with unit normal n: projected, and with `rescale` brought back to its length
+ * (Luding 2008). */
+static inline struct law_vector law_turn(struct law_vector a, struct law_vector n, bool rescale) {
+    struct law_vector p = law_project(a, n);
+    if (!rescale)
+        return p;
+    double before = law_dot(a, a), after = law_dot(p, p);
+    double factor = sqrt(before / (after > DBL_MIN ? after : 1.0));
+    return law_scale(after > DBL_MIN ? factor : 0.0, p);
+}
+
+/* The numbers of one evaluation of a law with time step dt. */
+static inline struct law_step law_step_of(const struct law_options *options, double dt) {
+    return (struct law_step){.dt = dt,
+                             .force_least = options->end == LAW_END_FORCE ? 0.0 : -DBL_MAX,
+                             .spring_least = options->lammps_hooke ? 0.0 : -1.0,
+                             .rescale = !options->lammps_hooke};
+}
+
+/* The case of a law's options, for callers that do not specialise. */
+static inline struct law_case law_case_of(const struct law_options *options, bool energies) {
+    bool friction = options->tangential != LAW_FRICTIONLESS;
+    return (struct law_case){.hertz = options->normal == LAW_HERTZ,
+                             .coefficient = options->damping == LAW_DAMPING_COEFFICIENT,
+                             .friction = friction,
+                             .rolling = friction && options->rolling != LAW_ROLLING_NONE,
+                             .synchronised = options->synchronised,
+                             .energies = energies};
+}
+
+/* The lever arm of a sphere (length) against another: r for hooke, r - overlap / 2 for hertz. */
+static inline double law_lever(struct law_case law, double radius, double overlap) {
+    return law.hertz ? radius - 0.5 * overlap : radius;
+}
+
+/* One spring-dashpot with a sliding limit: advances `spring` by dt x rate, turns it into the tangent plane,
+ * and cuts it back where the force passes `limit`. `rate` is taken in the half-step plane if synchronised.
+ * Returns the force; energies are added to the response. */
+static inline struct law_vector law_slide(struct law_case law, struct law_step step,
+                                          const struct law_contact *in, struct law_vector rate,
+                                          struct law_vector *spring, double stiffness, double damping,
+                                          double limit, struct law_response *out) {
+    struct law_vector plane = law.synchronised ? in->half_normal : in->normal;
+    struct law_vector trial = law_add(law_turn(*spring, plane, step.rescale), step.dt, rate);
+    if (law.synchronised) {
+        trial = law_turn(trial, in->normal, true);
+        rate = law_project(rate, in->normal);
+    }
+    struct law_vector force = law_add(law_scale(-stiffness, trial), -damping, rate);
+    double square = law_dot(force, force);
+    bool sliding = square > limit * limit;
+    bool loaded = law_dot(trial, trial) > step.spring_least;
+    double ratio = limit / sqrt(sliding ? square : 1.0);
+    double keep = sliding && loaded ? ratio : 1.0;
+    double relaxation = damping / (stiffness > 0.0 ? stiffness : 1.0);
+    force = law_scale(sliding && !loaded ? 0.0 : keep, force);
+    *spring = law_add(law_scale(keep, trial), (keep - 1.0) * relaxation, rate);
+    if (law.energies) {
+        struct law_vector slip = law_add(trial, -1.0, *spring);
+        struct law_vector stretch = law_add(law_scale(step.dt, rate), -1.0, slip);
+        out->spring_energy += 0.5 * stiffness * law_dot(*spring, *spring);
+        out->dissipated -= step.dt * law_dot(force, rate) + stiffness * law_dot(*spring, stretch);
+    }
+    return force;
+}
+
+/* Tangential and rolling part of law_respond; normal_force, stiffness and damping are those found there. */
+static inline void law_rub(struct law_case law, struct law_step step, const struct law_contact *in,
+                           double normal_force, double scale, double base, struct law_response *out) {
+    struct law_vector plane = law.synchronised ? in->half_normal : in->normal;
+    struct law_vector rate = law_add(law_project(in->velocity, plane), -1.0, law_cross(in->surface, plane));
+    double stiffness = in->coefficients.k_t * scale, damping = in->coefficients.c_t * base;
+    double pressure = fabs(normal_force);
+
+    out->spring = in->spring;
+    struct law_vector force = law_slide(law, step, in, rate, &out->spring, stiffness, damping,
+                                        in->coefficients.friction * pressure, out);
+    out->force = law_add(out->force, 1.0, force);
+    out->moment = law_cross(force, in->normal);
+    if (!law.rolling)
+        return;
+    rate = law_scale(in->radius, law_project(in->spin, plane));
+    out->roll = in->roll;
+    force = law_slide(law, step, in, rate, &out->roll, stiffness, damping,
+                      in->coefficients.rolling_friction * pressure, out);
+    out->rolling = law_scale(in->radius, force);
+}
+
+/* What the contact does: formulas in law.h and docs/physics.md. Any thread. */
+static inline struct law_response law_respond(struct law_case law, struct law_step step,
+                                              const struct law_contact *in) {
+    struct law_response out = {0};
+    double scale = law.hertz ? sqrt(in->radius * in->overlap) : 1.0;
+    double stiffness = in->coefficients.k_n * scale; /* elastic force / overlap */
+    double base = law.coefficient ? in->mass : sqrt(in->mass * stiffness);
+    double elastic = stiffness * in->overlap;
+    double rate = law_dot(in->velocity, in->normal);
+    double force = elastic - in->coefficients.c_n * base * rate;
+    force = force > step.force_least ? force : step.force_least;
+    out.force = law_scale(force, in->normal);
+    if (law.energies) {
+        out.normal_energy = (law.hertz ? 0.4 : 0.5) * elastic * in->overlap;
+        out.dissipated = (elastic - force) * rate * step.dt;
+    }
+    if (law.friction)
+        law_rub(law, step, in, force, scale, base, &out);
+    return out;
+}
+
+#endif

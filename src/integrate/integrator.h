@@ -1,0 +1,56 @@
+/* Integrators. Both are leapfrog forms of velocity Verlet: the state holds v(n-1/2), one pass kicks by dt
+ * f(n)/m and drifts by dt v(n+1/2); they differ in the contact's history only (law_options.synchronised):
+ *   synchronised_verlet  (default) the tangential history advances with half-step velocity and half-step
+ * normal (Vyas et al., Comput. Phys. Commun. 310 (2025) 109524) velocity_verlet      plain: half-step
+ * velocity with full-step normal, as LAMMPS (29 Sep 2021) does Every pass works on a contiguous range of
+ * particles, so that it can be fused with others, block by block. */
+#ifndef SCREE_INTEGRATE_INTEGRATOR_H
+#define SCREE_INTEGRATE_INTEGRATOR_H
+
+#include "particles/particles.h"
+
+struct integrator {
+    const char *name;
+    const char *summary;
+    bool synchronised;
+};
+
+/* The table of integrators; the one of a name or NULL. */
+int integrator_count(void);
+const struct integrator *integrator_get(int k);
+const struct integrator *integrator_find(const char *name);
+
+enum { INTEGRATOR_GROUPS_MAX = 64 };
+
+/* Motion of a group: free, or prescribed (frozen: both zero). */
+struct integrator_motion {
+    bool prescribed;
+    double velocity[3], omega[3];
+};
+
+/* What a pass needs besides particles. */
+struct integrator_context {
+    double dt;
+    double gravity[3];
+    int dimension;
+    int groups; /* 1: only "free" */
+    struct integrator_motion motion[INTEGRATOR_GROUPS_MAX];
+};
+
+/* Kicks and drifts the owned particles [first, last): v += dt (f/m + g), omega += dt torque/I, x += dt v;
+ * sets their force record to zero; sets prescribed motion. In 2D z stays. Returns the largest |v|^2 of the
+ * range (speed for the skin). Any thread, disjoint ranges. */
+double integrator_advance(struct particles *particles, const struct integrator_context *context, size_t first,
+                          size_t last);
+
+/* Turns the initial full-step velocities into v(-1/2), once the forces at the start are known: v -= dt/2 (f/m
+ * + g), omega likewise. */
+void integrator_stagger(struct particles *particles, const struct integrator_context *context, size_t first,
+                        size_t last);
+
+/* Full-step velocity and angular velocity of particle i, from the half-step state and the present force.
+ * omega may be NULL. */
+void integrator_full_step(const struct particles *particles, const struct integrator_context *context,
+                          size_t i, double velocity[3], double omega[3]);
+
+#endif
