@@ -1,0 +1,27 @@
+/* Conversions between file formats: LAMMPS data, LAMMPS dump and H5MD in; LAMMPS data, dump, H5MD (with XDMF)
+ * and the XDMF of an H5MD file out. */
+#ifndef SCREE_OUTPUT_CONVERT_H
+#define SCREE_OUTPUT_CONVERT_H
+
+#include "comm/comm.h"
+#include "core/error.h"
+#include <stdbool.h>
+#include <stdint.h>
+
+enum convert_format { CONVERT_BY_NAME, CONVERT_LAMMPS_DATA, CONVERT_LAMMPS_DUMP, CONVERT_H5MD, CONVERT_XDMF };
+
+struct convert_options {
+    enum convert_format to; /* BY_NAME: .data/.lammps, .lammpstrj/.dump, .h5, .xdmf */
+    bool one_frame;         /* only `frame`; else all (a data file holds one: the last) */
+    int64_t frame;          /* from 0, negative from the end */
+    bool overwrite;         /* else a present output is refused */
+};
+
+/* The format of a name ("lammps-data", "lammps-dump", "h5md", "xdmf"); BY_NAME if unknown. */
+enum convert_format convert_format_find(const char *name);
+
+/* Converts. comm is that of one rank. */
+bool convert_file(const char *in, const char *out, const struct convert_options *options,
+                  const struct comm *comm, struct error *error);
+
+#endif

@@ -1,0 +1,18 @@
+/* What is in a file, as text for a reader: H5MD trajectories, checkpoints, LAMMPS data files and dumps. The
+ * kind is found from the content. */
+#ifndef SCREE_OUTPUT_INFO_H
+#define SCREE_OUTPUT_INFO_H
+
+#include "comm/comm.h"
+#include "core/error.h"
+#include <stdio.h>
+
+enum info_kind { INFO_UNKNOWN, INFO_H5MD, INFO_CHECKPOINT, INFO_LAMMPS_DATA, INFO_LAMMPS_DUMP };
+
+/* The kind of a file by its first bytes (fails, naming the file, if it cannot be read). */
+bool info_kind(const char *path, enum info_kind *kind, struct error *error);
+
+/* Prints frames, particles, fields, box, histogram of sizes. comm is that of one rank. */
+bool info_print(const char *path, const struct comm *comm, FILE *file, struct error *error);
+
+#endif

@@ -1,0 +1,77 @@
+/* The run report: DIR/report.json and the table on the terminal, both from one plain struct that app/ fills.
+ */
+#ifndef SCREE_OUTPUT_REPORT_H
+#define SCREE_OUTPUT_REPORT_H
+
+#include "comm/comm.h"
+#include "core/timer.h"
+#include "particles/classes.h"
+#include <stdbool.h>
+#include <stdio.h>
+
+enum { REPORT_LEVELS_MAX = CLASS_MAX, REPORT_NAME_MAX = 64 };
+
+struct report_level {
+    double cell;    /* cell size, length unit; 0: no cells */
+    uint64_t cells; /* over all ranks */
+    uint64_t particles;
+    double radius_min, radius_max;
+};
+
+struct report_stage {
+    double min, mean, max; /* seconds, over ranks */
+};
+
+/* All counts are over all ranks and since the start of this program, unless said otherwise. */
+struct report {
+    uint64_t steps;     /* done by this program */
+    uint64_t step_last; /* number of the last step of the run */
+    double time;        /* simulated time at the end */
+    double dt;
+    uint64_t particles;
+    int ranks, threads;
+    char index[REPORT_NAME_MAX], law[REPORT_NAME_MAX], integrator[REPORT_NAME_MAX];
+    bool newton;
+    int levels;
+    struct report_level level[REPORT_LEVELS_MAX];
+    uint64_t *ghosts;     /* copies held at the end, one a rank; owned by the report */
+    uint64_t *bytes_sent; /* one a rank; owned by the report */
+    struct report_stage stage[TIMER_STAGES];
+    double seconds; /* wall clock without set-up, largest over ranks */
+    double seconds_setup;
+    uint64_t pairs;    /* in the last list */
+    uint64_t contacts; /* at the end */
+    uint64_t rebuilds, partial_rebuilds, dangerous_rebuilds;
+    double bytes_per_particle; /* counted memory of all ranks / particles */
+    uint64_t memory_peak;      /* largest peak resident set of a rank, bytes */
+    uint64_t inserted, deleted;
+    uint64_t seed;
+    bool dimensionless;
+    bool reproducible;
+    char stopped[REPORT_NAME_MAX * 2]; /* why the run ended early; "": it did not */
+};
+
+/* Zeros, and arrays of `ranks` entries. */
+void report_create(struct report *report, int ranks);
+void report_destroy(struct report *report);
+
+/* Fills ghosts, bytes_sent (one a rank), stage, seconds and memory_peak from each rank's own values.
+ * Collective. */
+struct report_mine {
+    const struct timers *timers;
+    uint64_t ghosts, bytes_sent;
+    double seconds, seconds_setup;
+};
+void report_gather(struct report *report, const struct comm *comm, const struct report_mine *mine);
+
+/* Steps x particles / seconds. */
+double report_speed(const struct report *report);
+
+/* Writes `path` (rank 0 alone calls) by a temporary name; version, revision, compiler, flags, host and CPU
+ * are added. */
+bool report_write_json(const struct report *report, const char *path, struct error *error);
+
+/* The same as a readable table. */
+void report_print(const struct report *report, FILE *file);
+
+#endif

@@ -1,0 +1,51 @@
+/* Particles as a file gives them: plain arrays, in the user's coordinates. What a file does not have is NULL.
+ */
+#ifndef SCREE_OUTPUT_ROWS_H
+#define SCREE_OUTPUT_ROWS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum rows_column {
+    ROWS_POSITION = 1,
+    ROWS_VELOCITY = 2,
+    ROWS_ANGULAR_VELOCITY = 4,
+    ROWS_RADIUS = 8,
+    ROWS_MASS = 16,
+    ROWS_ID = 32,
+    ROWS_MATERIAL = 64,
+    ROWS_IMAGE = 128,
+    ROWS_ALL = 255
+};
+
+struct rows {
+    size_t count;          /* rows held here */
+    uint64_t first, total; /* place of row 0 among all rows of the file; all rows */
+    double (*position)[3]; /* length unit */
+    double (*velocity)[3];
+    double (*angular_velocity)[3]; /* rad/time */
+    double *radius;
+    double *mass;
+    int64_t *id;
+    int32_t *material; /* number from 0 (LAMMPS: type - 1) */
+    int32_t (*image)[3];
+    int dimension; /* 2 (z and what belongs to it is 0) or 3 */
+    bool box_given, periodic_given;
+    double lower[3], upper[3]; /* of the box */
+    bool periodic[3];
+    uint64_t step;
+    double time; /* 0 where the file does not say */
+};
+
+/* Allocates the named columns (bits of enum rows_column) for `count` rows, zeroed, all rows held here; the
+ * rest of the struct is zeroed, dimension 3. */
+void rows_create(struct rows *rows, size_t count, unsigned columns);
+
+/* Frees the arrays and zeroes the struct. */
+void rows_free(struct rows *rows);
+
+/* The columns that are there. */
+unsigned rows_columns(const struct rows *rows);
+
+#endif
