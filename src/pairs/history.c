@@ -133,7 +133,7 @@ static void records_scatter(struct record_walk walk, const struct particles *par
     while (record_walk_next(&walk, &record)) {
         uint32_t end[2] = {record.i, pair_partner(record.j)};
         int64_t id[2] = {particles->id[end[0]], particles->id[end[1]]};
-        double separation[3];
+        double separation[3] = {0, 0, 0};
         if (rows)
             pair_separation(walk.list, particles, record.i, record.j, separation);
         for (int e = 0; e < (both_ends && end[1] < walk.owned ? 2 : 1); e++) {
