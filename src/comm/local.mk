@@ -1,4 +1,11 @@
 noinst_LTLIBRARIES += libcomm.la
-libcomm_la_SOURCES =
+libcomm_la_SOURCES = \
+	src/comm/comm.c src/comm/comm.h \
+	src/comm/copies.c src/comm/copies.h \
+	src/comm/domain.c src/comm/domain.h \
+	src/comm/exchange.c src/comm/exchange.h \
+	src/comm/ghosts.c src/comm/ghosts.h \
+	src/comm/groups.c src/comm/groups.h \
+	src/comm/migrate.c src/comm/migrate.h
 libcomm_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 libcomm_la_LIBADD = $(MPI_LIBS)

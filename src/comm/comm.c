@@ -1,0 +1,163 @@
+#include "comm/comm.h"
+
+#include "core/memory.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* MPI counts are ints: longer messages go in pieces. */
+static const size_t piece_bytes = (size_t)1 << 30;
+
+void comm_check(int code, const char *call) {
+    if (code == MPI_SUCCESS)
+        return;
+    char text[MPI_MAX_ERROR_STRING];
+    int length = 0;
+    if (MPI_Error_string(code, text, &length) != MPI_SUCCESS)
+        snprintf(text, sizeof text, "error code %d", code);
+    error_fatal("%s failed: %s", call, text);
+}
+
+void comm_start(struct comm *comm, int *argc, char ***argv) {
+    int provided = MPI_THREAD_SINGLE;
+    comm_check(MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided), "MPI_Init_thread");
+    comm_check(MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN), "MPI_Comm_set_errhandler");
+    comm_check(MPI_Comm_dup(MPI_COMM_WORLD, &comm->handle), "MPI_Comm_dup");
+    comm_check(MPI_Comm_set_errhandler(comm->handle, MPI_ERRORS_RETURN), "MPI_Comm_set_errhandler");
+    comm_check(MPI_Comm_rank(comm->handle, &comm->rank), "MPI_Comm_rank");
+    comm_check(MPI_Comm_size(comm->handle, &comm->size), "MPI_Comm_size");
+    error_set_abort(comm->rank, comm_abort);
+    if (provided < MPI_THREAD_FUNNELED)
+        error_fatal("this MPI offers no threads beside it (MPI_THREAD_FUNNELED)");
+}
+
+void comm_stop(struct comm *comm) {
+    comm_check(MPI_Comm_free(&comm->handle), "MPI_Comm_free");
+    error_set_abort(comm->rank, NULL);
+    comm_check(MPI_Finalize(), "MPI_Finalize");
+}
+
+void comm_abort(int status) {
+    MPI_Abort(MPI_COMM_WORLD, status);
+    _Exit(status);
+}
+
+bool comm_agree(const struct comm *comm, struct error *error) {
+    int first = error->kind != ERROR_NONE ? comm->rank : comm->size;
+    comm_check(MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, comm->handle), "MPI_Allreduce");
+    if (first == comm->size)
+        return true;
+    int kind = error->kind;
+    comm_check(MPI_Bcast(&kind, 1, MPI_INT, first, comm->handle), "MPI_Bcast");
+    comm_check(MPI_Bcast(error->text, ERROR_TEXT_MAX, MPI_CHAR, first, comm->handle), "MPI_Bcast");
+    error->kind = (enum error_kind)kind;
+    return false;
+}
+
+void comm_broadcast(const struct comm *comm, void *data, size_t bytes) {
+    for (size_t done = 0; done < bytes; done += piece_bytes) {
+        size_t piece = bytes - done < piece_bytes ? bytes - done : piece_bytes;
+        comm_check(MPI_Bcast((char *)data + done, (int)piece, MPI_BYTE, 0, comm->handle), "MPI_Bcast");
+    }
+}
+
+static void reduce(const struct comm *comm, void *values, int n, MPI_Datatype type, MPI_Op op) {
+    comm_check(MPI_Allreduce(MPI_IN_PLACE, values, n, type, op, comm->handle), "MPI_Allreduce");
+}
+
+void comm_sum(const struct comm *comm, double *values, int n) {
+    reduce(comm, values, n, MPI_DOUBLE, MPI_SUM);
+}
+
+void comm_max(const struct comm *comm, double *values, int n) {
+    reduce(comm, values, n, MPI_DOUBLE, MPI_MAX);
+}
+
+void comm_min(const struct comm *comm, double *values, int n) {
+    reduce(comm, values, n, MPI_DOUBLE, MPI_MIN);
+}
+
+void comm_sum_int(const struct comm *comm, int64_t *values, int n) {
+    reduce(comm, values, n, MPI_INT64_T, MPI_SUM);
+}
+
+void comm_max_int(const struct comm *comm, int64_t *values, int n) {
+    reduce(comm, values, n, MPI_INT64_T, MPI_MAX);
+}
+
+void comm_max_begin(const struct comm *comm, double *values, int n, struct comm_reduction *reduction) {
+    comm_check(
+        MPI_Iallreduce(MPI_IN_PLACE, values, n, MPI_DOUBLE, MPI_MAX, comm->handle, &reduction->request),
+        "MPI_Iallreduce");
+}
+
+void comm_max_end(struct comm_reduction *reduction) {
+    comm_check(MPI_Wait(&reduction->request, MPI_STATUS_IGNORE), "MPI_Wait");
+}
+
+int64_t comm_scan(const struct comm *comm, int64_t value) {
+    int64_t before = 0;
+    comm_check(MPI_Exscan(&value, &before, 1, MPI_INT64_T, MPI_SUM, comm->handle), "MPI_Exscan");
+    return comm->rank == 0 ? 0 : before;
+}
+
+void comm_gather_all(const struct comm *comm, const void *mine, size_t bytes, void *all) {
+    if (bytes > INT_MAX)
+        error_fatal("comm_gather_all of %zu bytes a rank: at most %d are possible", bytes, INT_MAX);
+    comm_check(MPI_Allgather(mine, (int)bytes, MPI_BYTE, all, (int)bytes, MPI_BYTE, comm->handle),
+               "MPI_Allgather");
+}
+
+static void send_to_root(const struct comm *comm, const char *data, size_t bytes) {
+    for (size_t done = 0; done < bytes; done += piece_bytes) {
+        size_t piece = bytes - done < piece_bytes ? bytes - done : piece_bytes;
+        comm_check(MPI_Send(data + done, (int)piece, MPI_BYTE, 0, COMM_TAG_GATHER, comm->handle), "MPI_Send");
+    }
+}
+
+static void receive_at_root(const struct comm *comm, int source, char *data, size_t bytes) {
+    for (size_t done = 0; done < bytes; done += piece_bytes) {
+        size_t piece = bytes - done < piece_bytes ? bytes - done : piece_bytes;
+        MPI_Status status;
+        comm_check(
+            MPI_Recv(data + done, (int)piece, MPI_BYTE, source, COMM_TAG_GATHER, comm->handle, &status),
+            "MPI_Recv");
+        int got = 0;
+        comm_check(MPI_Get_count(&status, MPI_BYTE, &got), "MPI_Get_count");
+        if ((size_t)got != piece)
+            error_fatal("MPI_Recv: rank %d sent %d bytes where %zu were announced", source, got, piece);
+    }
+}
+
+size_t comm_gather_varying(const struct comm *comm, const void *mine, size_t bytes, void **all,
+                           size_t *counts) {
+    *all = NULL;
+    uint64_t own = bytes;
+    uint64_t *announced = NULL;
+    if (comm->rank == 0)
+        announced = memory_allocate((size_t)comm->size, sizeof *announced, "sizes to gather");
+    comm_check(MPI_Gather(&own, 1, MPI_UINT64_T, announced, 1, MPI_UINT64_T, 0, comm->handle), "MPI_Gather");
+    if (comm->rank != 0) {
+        send_to_root(comm, mine, bytes);
+        return 0;
+    }
+    size_t total = 0;
+    for (int r = 0; r < comm->size; r++) {
+        total += announced[r];
+        if (counts != NULL)
+            counts[r] = announced[r];
+    }
+    char *data = memory_allocate(total, 1, "gathered data");
+    if (bytes > 0)
+        memcpy(data, mine, bytes);
+    size_t at = bytes;
+    for (int r = 1; r < comm->size; r++) {
+        receive_at_root(comm, r, data + at, announced[r]);
+        at += announced[r];
+    }
+    memory_free(announced);
+    *all = data;
+    return total;
+}

@@ -1,0 +1,38 @@
+/* Which ranks need a copy of which particle, for ghosts.c.
+ *
+ * Rank q computes the pairs that are at home there. With newton on, the home of a pair is its smaller
+ * particle (index_pair_home): so p, as the larger one, must be known wherever a particle of its own or a
+ * smaller class may lie within reach, and nowhere else. With newton off, or with full ghosts, all classes
+ * count. Hence q needs p under an image iff
+ *
+ *     dist(x_p + image, subdomain of q) <= r_p + reach(class of p),
+ *     reach(a) = max over the classes c that count of (radius_max(c) + margin(a, c)).
+ *
+ * Distances are to the cuboid, not to its bounding box of any kind, and q is any rank: large particles reach
+ * beyond neighbours. The bound is widened by a few units in the last place, because r_p + (r_c + margin) and
+ * the pair's (r_p + r_c) + margin may differ by that much. */
+#ifndef SCREE_COMM_COPIES_H
+#define SCREE_COMM_COPIES_H
+
+#include "comm/domain.h"
+#include "comm/groups.h"
+#include "particles/particles.h"
+
+/* How far beyond its own surface a particle of each class must be known. */
+void copies_reach(const struct size_classes *classes, bool reduced, double reach[CLASS_MAX]);
+
+/* Copies to send: record k is a copy of the owned particle particle[k] under the image code image[k]; sorted
+ * by rank (groups), then by particle. */
+struct copies {
+    struct groups groups; /* of records, in their order: item[k] == k */
+    uint32_t *particle;
+    uint8_t *image;
+};
+
+/* Finds the copies of all owned particles. A copy that would stand where its original does is none. Opens its
+ * own thread team; the result does not depend on its size. _free releases. */
+void copies_select(struct copies *copies, const struct comm *comm, const struct domain *domain,
+                   const struct box *box, const struct particles *particles, const double reach[CLASS_MAX]);
+void copies_free(struct copies *copies);
+
+#endif

@@ -1,0 +1,65 @@
+/* Messages between ranks, for migrate.c and ghosts.c: one aggregated message per neighbour and direction.
+ *
+ * Two forms:
+ *   sparse   nobody knows who will write to him (rebuild). Synchronous sends, and a non-blocking barrier that
+ *            a rank enters once its own have been received: when the barrier is through, nothing is under way
+ *            (Hoefler, Siebert, Lumsdaine, "Scalable communication protocols for dynamic sparse data
+ *            exchange", PPoPP 2010). Nothing in it has the length of the rank count.
+ *   planned  both sides know the lengths (every step): receives and sends are posted by _start, awaited by
+ *            _finish. A message of another length than planned ends the program by name.
+ *
+ * A message to the own rank is a copy in memory. Messages above `piece` bytes go in several: as messages of
+ * one pair of ranks and one tag do not overtake each other, the pieces arrive in order, and in a sparse
+ * exchange a piece shorter than `piece` is the last. */
+#ifndef SCREE_COMM_EXCHANGE_H
+#define SCREE_COMM_EXCHANGE_H
+
+#include "comm/comm.h"
+
+/* A message to or from `rank`. */
+struct exchange_message {
+    int rank;
+    size_t bytes;
+    char *data;
+};
+
+struct exchange {
+    const struct comm *comm;  /* borrowed */
+    size_t piece;             /* bytes of the longest single MPI message */
+    unsigned round;           /* sparse exchanges so far: neighbouring rounds use different tags */
+    uint64_t messages, bytes; /* sent to other ranks so far */
+};
+
+/* What came in: sorted by source, at most one message of each. */
+struct exchange_inbox {
+    struct exchange_message *message;
+    size_t count, capacity;
+};
+
+/* What a planned exchange has under way. */
+struct exchange_flight {
+    MPI_Request *request;
+    size_t *expected; /* bytes of a receive; SIZE_MAX for a send */
+    int *peer;
+    size_t count, capacity;
+};
+
+/* Ready to use; borrows `comm`. */
+void exchange_init(struct exchange *exchange, const struct comm *comm);
+
+/* Delivers the `n` messages in `out` (at most one per rank; the own rank and 0 bytes are allowed) and
+ * collects what the others sent to this rank. Collective. */
+void exchange_sparse(struct exchange *exchange, const struct exchange_message *out, size_t n,
+                     struct exchange_inbox *inbox);
+void exchange_inbox_free(struct exchange_inbox *inbox);
+
+/* Posts `outs` sends and `ins` receives into in[].data, all with their planned lengths; the buffers belong to
+ * the exchange until _finish, which waits for all of them. The two sides of a message state the same length.
+ */
+void exchange_start(struct exchange *exchange, enum comm_tag tag, const struct exchange_message *out,
+                    size_t outs, const struct exchange_message *in, size_t ins,
+                    struct exchange_flight *flight);
+void exchange_finish(struct exchange_flight *flight);
+void exchange_flight_free(struct exchange_flight *flight);
+
+#endif

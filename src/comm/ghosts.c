@@ -1,0 +1,396 @@
+/* The plan of the copies.
+ *
+ * Invariants, from ghosts_make until ghosts_drop:
+ *   - `to` and `from` are sorted by rank; peers may appear in one of them alone (reduced ghosts), and the own
+ *     rank in both (copies of own particles).
+ *   - to[t] covers the entries [first, first + count) of `original`: owned particles, increasing within a
+ *     peer, one entry a copy. from[f] covers the ghosts owned + [first, first + count).
+ *   - What rank a sends to b is, in number and order, what b has from a: no lengths travel with values.
+ *   - Values cross in one message per peer; forward and reverse use the same two buffers the other way round,
+ *     never at the same time.
+ *   - Sums (reverse) run over `to` in rank order and inside a peer in entry order: fixed for a layout.
+ */
+#include "comm/ghosts.h"
+
+#include "comm/copies.h"
+#include "comm/exchange.h"
+#include "core/memory.h"
+#include "particles/fields.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Copies exchanged with one rank. */
+struct peer {
+    int rank;
+    size_t first, count;
+};
+
+struct ghosts {
+    const struct comm *comm;
+    const struct domain *domain;
+    const struct box *box;
+    struct ghosts_options options;
+    struct exchange exchange;
+    struct exchange_flight flight;
+    struct peer *to, *from;
+    size_t to_count, from_count;
+    uint32_t *original; /* owned particle of each copy sent */
+    size_t sent;
+    uint32_t *border; /* owned particles that have copies, each once */
+    size_t border_count;
+    uint8_t *image;   /* code of each ghost */
+    uint32_t *number; /* of each ghost: owned + k */
+    size_t held;
+    char *to_buffer, *from_buffer; /* values of all copies sent, and of all held */
+    size_t to_room, from_room;
+    struct exchange_message *to_message, *from_message;
+    double shift[BOX_IMAGE_CODES][4];
+    uint64_t revision; /* of the particles when the copies were made */
+    uint64_t migrated;
+    uint64_t class_count[CLASS_MAX];
+};
+
+struct ghosts *ghosts_create(const struct comm *comm, const struct domain *domain, const struct box *box,
+                             const struct ghosts_options *options) {
+    assert(options->newton || !options->reduced);
+    struct ghosts *ghosts = memory_allocate_zero(1, sizeof *ghosts, "ghost plan");
+    ghosts->comm = comm;
+    ghosts->domain = domain;
+    ghosts->box = box;
+    ghosts->options = *options;
+    exchange_init(&ghosts->exchange, comm);
+    return ghosts;
+}
+
+static void plan_free(struct ghosts *ghosts) {
+    memory_free(ghosts->to);
+    memory_free(ghosts->from);
+    memory_free(ghosts->original);
+    memory_free(ghosts->border);
+    memory_free(ghosts->image);
+    memory_free(ghosts->number);
+    memory_free(ghosts->to_message);
+    memory_free(ghosts->from_message);
+    ghosts->to = ghosts->from = NULL;
+    ghosts->original = ghosts->border = ghosts->number = NULL;
+    ghosts->image = NULL;
+    ghosts->to_message = ghosts->from_message = NULL;
+    ghosts->to_count = ghosts->from_count = ghosts->sent = ghosts->border_count = ghosts->held = 0;
+    memset(ghosts->class_count, 0, sizeof ghosts->class_count);
+}
+
+void ghosts_destroy(struct ghosts **ghosts) {
+    if (*ghosts == NULL)
+        return;
+    assert((*ghosts)->flight.count == 0);
+    plan_free(*ghosts);
+    exchange_flight_free(&(*ghosts)->flight);
+    memory_free((*ghosts)->to_buffer);
+    memory_free((*ghosts)->from_buffer);
+    memory_free(*ghosts);
+    *ghosts = NULL;
+}
+
+void ghosts_migrate_rows(struct ghosts *ghosts, struct particles *particles, struct migrate_rows *rows,
+                         int n) {
+    assert(ghosts->held == 0);
+    ghosts->migrated += migrate_particles(&ghosts->exchange, ghosts->domain, particles, rows, n);
+}
+
+_Static_assert(sizeof(struct history_row) == 2 * 8 + 8 * HISTORY_COMPONENTS_MAX + 3 * 8, "rows have padding");
+
+void ghosts_migrate(struct ghosts *ghosts, struct particles *particles, struct history_rows *rows) {
+    if (rows == NULL) {
+        ghosts_migrate_rows(ghosts, particles, NULL, 0);
+        return;
+    }
+    struct migrate_rows set = {rows->start, rows->row, rows->count, sizeof *rows->row};
+    ghosts_migrate_rows(ghosts, particles, &set, 1);
+    *rows = (struct history_rows){set.start, set.row, set.count};
+}
+
+/* Calls for parts of a transfer by several threads where it is long enough. */
+enum { PART = 4096 };
+
+static void pack(const struct particles *particles, unsigned use, const uint32_t *list, size_t n,
+                 char *buffer) {
+    size_t each = fields_packed_bytes(particles, use);
+#pragma omp parallel for schedule(static) if (n > PART)
+    for (size_t first = 0; first < n; first += PART) {
+        size_t part = n - first < PART ? n - first : PART;
+        fields_pack(particles, use, list + first, part, buffer + first * each);
+    }
+}
+
+/* Fills the ghosts [first, first + n), counted from the first ghost, and shifts them to where they stand. */
+static void unpack(const struct ghosts *ghosts, struct particles *particles, unsigned use, size_t first,
+                   size_t n, const char *buffer) {
+    size_t each = fields_packed_bytes(particles, use);
+#pragma omp parallel for schedule(static) if (n > PART)
+    for (size_t k = first; k < first + n; k += PART) {
+        size_t part = first + n - k < PART ? first + n - k : PART;
+        fields_unpack(particles, use, particles->owned + k, part, buffer + (k - first) * each);
+        for (size_t g = k; g < k + part; g++) {
+            const double *shift = ghosts->shift[ghosts->image[g]];
+            double *x = particles->state[particles->owned + g].x;
+            for (int d = 0; d < 3; d++)
+                x[d] += shift[d];
+        }
+    }
+}
+
+static void plan_sends(struct ghosts *ghosts, struct copies *copies, size_t owned) {
+    const struct groups *groups = &copies->groups;
+    ghosts->to_count = groups->count;
+    ghosts->to = memory_allocate(groups->count, sizeof *ghosts->to, "peers");
+    for (size_t g = 0; g < groups->count; g++)
+        ghosts->to[g] =
+            (struct peer){groups->rank[g], groups->start[g], groups->start[g + 1] - groups->start[g]};
+    ghosts->sent = groups->start[groups->count];
+    ghosts->original = copies->particle;
+    copies->particle = NULL;
+    uint8_t *has_copy = memory_allocate_zero(owned, 1, "border particles");
+    for (size_t k = 0; k < ghosts->sent; k++)
+        has_copy[ghosts->original[k]] = 1;
+    ghosts->border = memory_allocate(ghosts->sent, sizeof *ghosts->border, "border particles");
+    for (size_t k = 0; k < owned; k++)
+        if (has_copy[k])
+            ghosts->border[ghosts->border_count++] = (uint32_t)k;
+    memory_free(has_copy);
+}
+
+/* A message that makes copies: n (8 bytes), n image codes, the GHOST fields of n particles. */
+static void make_message(struct exchange_message *message, const struct ghosts *ghosts,
+                         const struct peer *peer, const uint8_t *image, const struct particles *particles) {
+    uint64_t n = peer->count;
+    message->rank = peer->rank;
+    message->bytes = sizeof n + n + n * fields_packed_bytes(particles, FIELD_GHOST);
+    message->data = memory_allocate(message->bytes, 1, "copies to send");
+    memcpy(message->data, &n, sizeof n);
+    memcpy(message->data + sizeof n, image + peer->first, n);
+    pack(particles, FIELD_GHOST, ghosts->original + peer->first, n, message->data + sizeof n + n);
+}
+
+static size_t made_count(const struct exchange_message *message, const struct particles *particles) {
+    uint64_t n = 0;
+    size_t each = 1 + fields_packed_bytes(particles, FIELD_GHOST);
+    if (message->bytes >= sizeof n)
+        memcpy(&n, message->data, sizeof n);
+    if (message->bytes < sizeof n || (message->bytes - sizeof n) / each != n ||
+        (message->bytes - sizeof n) % each != 0)
+        error_fatal("copies: the message from rank %d has %zu bytes, which is not the length of %llu copies",
+                    message->rank, message->bytes, (unsigned long long)n);
+    return n;
+}
+
+static void plan_receives(struct ghosts *ghosts, const struct exchange_inbox *inbox,
+                          const struct particles *particles) {
+    ghosts->from_count = inbox->count;
+    ghosts->from = memory_allocate(inbox->count, sizeof *ghosts->from, "peers");
+    for (size_t f = 0; f < inbox->count; f++) {
+        size_t n = made_count(&inbox->message[f], particles);
+        ghosts->from[f] = (struct peer){inbox->message[f].rank, ghosts->held, n};
+        ghosts->held += n;
+    }
+    size_t total = particles->owned + ghosts->held;
+    if (total > (size_t)1 << PARTICLE_INDEX_BITS)
+        error_fatal("%zu particles with copies on one rank, at most %zu are possible: use more ranks", total,
+                    (size_t)1 << PARTICLE_INDEX_BITS);
+    ghosts->image = memory_allocate(ghosts->held, 1, "images of copies");
+    ghosts->number = memory_allocate(ghosts->held, sizeof *ghosts->number, "numbers of copies");
+    for (size_t k = 0; k < ghosts->held; k++)
+        ghosts->number[k] = (uint32_t)(particles->owned + k);
+}
+
+static void append_copies(struct ghosts *ghosts, const struct exchange_inbox *inbox,
+                          struct particles *particles) {
+    particles_reserve(particles, particles->owned + ghosts->held);
+    for (size_t f = 0; f < inbox->count; f++) {
+        const struct peer *peer = &ghosts->from[f];
+        const char *codes = inbox->message[f].data + sizeof(uint64_t);
+        memcpy(ghosts->image + peer->first, codes, peer->count);
+        for (size_t k = peer->first; k < peer->first + peer->count; k++)
+            if (ghosts->image[k] >= BOX_IMAGE_CODES)
+                error_fatal("copies: rank %d sent image code %d", peer->rank, ghosts->image[k]);
+        unpack(ghosts, particles, FIELD_GHOST, peer->first, peer->count, codes + peer->count);
+    }
+    size_t stride = (size_t)particles->force_stride;
+    memset(particles->force + particles->owned * stride, 0, ghosts->held * stride * sizeof(double));
+    for (size_t k = 0; k < ghosts->held; k++)
+        ghosts->class_count[particles->size_class[particles->owned + k]]++;
+    particles->ghosts = ghosts->held;
+    particles->revision++;
+    ghosts->revision = particles->revision;
+}
+
+static char *buffer_room(char *buffer, size_t *room, size_t bytes) {
+    if (bytes <= *room)
+        return buffer;
+    *room = bytes + bytes / 8;
+    memory_free(buffer);
+    return memory_allocate(*room, 1, "values of copies");
+}
+
+/* Buffers for either direction, and the messages that point into them (lengths set at each exchange). */
+static void plan_buffers(struct ghosts *ghosts, const struct particles *particles) {
+    size_t forward = fields_packed_bytes(particles, FIELD_FORWARD);
+    size_t reverse = fields_packed_bytes(particles, FIELD_REVERSE);
+    size_t each = forward > reverse ? forward : reverse;
+    ghosts->to_buffer = buffer_room(ghosts->to_buffer, &ghosts->to_room, ghosts->sent * each);
+    ghosts->from_buffer = buffer_room(ghosts->from_buffer, &ghosts->from_room, ghosts->held * each);
+    ghosts->to_message = memory_allocate(ghosts->to_count, sizeof *ghosts->to_message, "messages");
+    ghosts->from_message = memory_allocate(ghosts->from_count, sizeof *ghosts->from_message, "messages");
+}
+
+void ghosts_make(struct ghosts *ghosts, struct particles *particles, const struct size_classes *classes) {
+    assert(particles->ghosts == 0 && ghosts->held == 0 && ghosts->flight.count == 0);
+    plan_free(ghosts);
+    box_image_shifts(ghosts->box, ghosts->shift);
+    ghosts->revision = particles->revision;
+    if (ghosts->comm->size == 1)
+        return;
+    double reach[CLASS_MAX];
+    struct copies copies;
+    copies_reach(classes, ghosts->options.reduced, reach);
+    copies_select(&copies, ghosts->comm, ghosts->domain, ghosts->box, particles, reach);
+    plan_sends(ghosts, &copies, particles->owned);
+    struct exchange_message *out = memory_allocate(ghosts->to_count, sizeof *out, "messages");
+    for (size_t t = 0; t < ghosts->to_count; t++)
+        make_message(&out[t], ghosts, &ghosts->to[t], copies.image, particles);
+    struct exchange_inbox inbox;
+    exchange_sparse(&ghosts->exchange, out, ghosts->to_count, &inbox);
+    plan_receives(ghosts, &inbox, particles);
+    append_copies(ghosts, &inbox, particles);
+    plan_buffers(ghosts, particles);
+    for (size_t t = 0; t < ghosts->to_count; t++)
+        memory_free(out[t].data);
+    memory_free(out);
+    exchange_inbox_free(&inbox);
+    copies_free(&copies);
+}
+
+void ghosts_drop(struct ghosts *ghosts, struct particles *particles) {
+    assert(ghosts->flight.count == 0);
+    plan_free(ghosts);
+    if (particles->ghosts > 0)
+        particles->revision++;
+    particles->ghosts = 0;
+}
+
+/* The messages of an exchange in which a copy has `each` bytes. */
+static void plan_messages(const struct peer *peer, size_t peers, size_t each, char *buffer,
+                          struct exchange_message *message) {
+    for (size_t k = 0; k < peers; k++)
+        message[k] =
+            (struct exchange_message){peer[k].rank, peer[k].count * each, buffer + peer[k].first * each};
+}
+
+static void plan_ready(const struct ghosts *ghosts, const struct particles *particles) {
+    (void)particles;
+    (void)ghosts;
+    assert(ghosts->flight.count == 0);
+    assert(particles->ghosts == ghosts->held && particles->revision == ghosts->revision);
+}
+
+void ghosts_forward_begin(struct ghosts *ghosts, struct particles *particles) {
+    plan_ready(ghosts, particles);
+    size_t each = fields_packed_bytes(particles, FIELD_FORWARD);
+    plan_messages(ghosts->to, ghosts->to_count, each, ghosts->to_buffer, ghosts->to_message);
+    plan_messages(ghosts->from, ghosts->from_count, each, ghosts->from_buffer, ghosts->from_message);
+    pack(particles, FIELD_FORWARD, ghosts->original, ghosts->sent, ghosts->to_buffer);
+    exchange_start(&ghosts->exchange, COMM_TAG_FORWARD, ghosts->to_message, ghosts->to_count,
+                   ghosts->from_message, ghosts->from_count, &ghosts->flight);
+}
+
+void ghosts_forward_end(struct ghosts *ghosts, struct particles *particles) {
+    exchange_finish(&ghosts->flight);
+    unpack(ghosts, particles, FIELD_FORWARD, 0, ghosts->held, ghosts->from_buffer);
+}
+
+void ghosts_reverse(struct ghosts *ghosts, struct particles *particles) {
+    if (!ghosts->options.newton)
+        return;
+    plan_ready(ghosts, particles);
+    size_t each = fields_packed_bytes(particles, FIELD_REVERSE);
+    plan_messages(ghosts->to, ghosts->to_count, each, ghosts->to_buffer, ghosts->to_message);
+    plan_messages(ghosts->from, ghosts->from_count, each, ghosts->from_buffer, ghosts->from_message);
+    pack(particles, FIELD_REVERSE, ghosts->number, ghosts->held, ghosts->from_buffer);
+    exchange_start(&ghosts->exchange, COMM_TAG_REVERSE, ghosts->from_message, ghosts->from_count,
+                   ghosts->to_message, ghosts->to_count, &ghosts->flight);
+    exchange_finish(&ghosts->flight);
+    fields_unpack_add(particles, ghosts->original, ghosts->sent, ghosts->to_buffer);
+}
+
+const uint32_t *ghosts_originals(const struct ghosts *ghosts, size_t *count) {
+    *count = ghosts->border_count;
+    return ghosts->border;
+}
+
+unsigned ghosts_image(const struct ghosts *ghosts, size_t k) {
+    assert(k < ghosts->held);
+    return ghosts->image[k];
+}
+
+/* Other ranks in either list; both are sorted. */
+static size_t count_neighbours(const struct ghosts *ghosts) {
+    size_t t = 0, f = 0, count = 0;
+    while (t < ghosts->to_count || f < ghosts->from_count) {
+        int a = t < ghosts->to_count ? ghosts->to[t].rank : ghosts->comm->size;
+        int b = f < ghosts->from_count ? ghosts->from[f].rank : ghosts->comm->size;
+        int rank = a < b ? a : b;
+        t += a == rank;
+        f += b == rank;
+        count += rank != ghosts->comm->rank;
+    }
+    return count;
+}
+
+void ghosts_count(const struct ghosts *ghosts, struct ghosts_counts *counts) {
+    *counts = (struct ghosts_counts){.ghosts = ghosts->held,
+                                     .neighbours = count_neighbours(ghosts),
+                                     .messages = ghosts->exchange.messages,
+                                     .bytes = ghosts->exchange.bytes,
+                                     .migrated = ghosts->migrated};
+    memcpy(counts->ghosts_class, ghosts->class_count, sizeof counts->ghosts_class);
+}
+
+size_t ghosts_memory(const struct ghosts *ghosts) {
+    return sizeof *ghosts + ghosts->to_room + ghosts->from_room +
+           ghosts->sent * (sizeof *ghosts->original + sizeof *ghosts->border) +
+           ghosts->held * (sizeof *ghosts->number + sizeof *ghosts->image) +
+           (ghosts->to_count + ghosts->from_count) * (sizeof(struct peer) + sizeof(struct exchange_message));
+}
+
+static bool peers_valid(const struct peer *peer, size_t peers, size_t total) {
+    size_t at = 0;
+    for (size_t k = 0; k < peers; k++) {
+        if (peer[k].first != at || peer[k].count == 0 || (k > 0 && peer[k].rank <= peer[k - 1].rank))
+            return false;
+        at += peer[k].count;
+    }
+    return at == total;
+}
+
+bool ghosts_valid(const struct ghosts *ghosts, const struct particles *particles, char *why,
+                  size_t why_size) {
+    if (particles->ghosts != ghosts->held || particles->revision != ghosts->revision)
+        return snprintf(why, why_size, "plan of %zu copies, revision %llu, but %zu copies, revision %llu",
+                        ghosts->held, (unsigned long long)ghosts->revision, particles->ghosts,
+                        (unsigned long long)particles->revision) < 0;
+    if (!peers_valid(ghosts->to, ghosts->to_count, ghosts->sent) ||
+        !peers_valid(ghosts->from, ghosts->from_count, ghosts->held))
+        return snprintf(why, why_size, "peers are out of order or do not add up") < 0;
+    for (size_t t = 0; t < ghosts->to_count; t++)
+        for (size_t k = ghosts->to[t].first; k < ghosts->to[t].first + ghosts->to[t].count; k++)
+            if (ghosts->original[k] >= particles->owned ||
+                (k > ghosts->to[t].first && ghosts->original[k] < ghosts->original[k - 1]))
+                return snprintf(why, why_size, "original %u of copy %zu for rank %d is out of order",
+                                ghosts->original[k], k, ghosts->to[t].rank) < 0;
+    for (size_t f = 0; f < ghosts->from_count; f++)
+        for (size_t k = ghosts->from[f].first; k < ghosts->from[f].first + ghosts->from[f].count; k++)
+            if (ghosts->from[f].rank == ghosts->comm->rank && ghosts->image[k] == 0)
+                return snprintf(why, why_size, "copy %zu stands where its original does", k) < 0;
+    return true;
+}

@@ -1,0 +1,82 @@
+/* Migration, and copies of particles that other ranks need (ghosts): made at a rebuild, valid until the next;
+ * between rebuilds only values travel, along a plan that was made once. Neighbours are a graph, never "the
+ * 26".
+ *
+ * The order of a rebuild: ghosts_drop, particles_wrap, ghosts_migrate, (classify, reorder), ghosts_make. A
+ * copy stands where it is needed: at x + image * edge, next to the receiver's subdomain; a rank may hold
+ * several copies of one particle, and in a periodic direction divided among ranks also copies of its own. In
+ * wrapped directions (domain_wrap) there are none: the index wraps them. */
+#ifndef SCREE_COMM_GHOSTS_H
+#define SCREE_COMM_GHOSTS_H
+
+#include "comm/domain.h"
+#include "comm/migrate.h"
+#include "pairs/history.h"
+#include "particles/particles.h"
+
+struct ghosts_options {
+    bool newton;
+    bool reduced; /* small particles travel only as far as small partners; needs newton */
+};
+
+struct ghosts; /* the plan */
+
+/* Makes an empty plan; borrows comm, domain and box until destroyed. Newton off with reduced ghosts is a
+ * programmer's mistake here: the scene refuses it. */
+struct ghosts *ghosts_create(const struct comm *comm, const struct domain *domain, const struct box *box,
+                             const struct ghosts_options *options);
+void ghosts_destroy(struct ghosts **ghosts);
+
+/* Sends every owned particle (wrapped before) to the rank that owns its place, with its history rows. ghosts
+ * == 0 before and after. `rows` may be NULL where there is no history. Fields that do not migrate are 0 in
+ * those who arrive: size classes are set by particles_classify afterwards. Collective. */
+void ghosts_migrate(struct ghosts *ghosts, struct particles *particles, struct history_rows *rows);
+
+/* As ghosts_migrate, with any `n` sets of rows (at most MIGRATE_SETS_MAX), whose arrays are replaced. */
+void ghosts_migrate_rows(struct ghosts *ghosts, struct particles *particles, struct migrate_rows *rows,
+                         int n);
+
+/* Makes the copies: rank q gets p iff dist(x_p + image, subdomain of q) <= r_p + max over the classes c whose
+ * pair with p q computes of (radius_max(c) + margin); see copies.h. Sets the GHOST fields, and forces to 0.
+ * Copies lie behind the owned particles, by source rank, then in the order there. Needs classified particles
+ * where they belong (after ghosts_migrate). Collective. */
+void ghosts_make(struct ghosts *ghosts, struct particles *particles, const struct size_classes *classes);
+
+/* Drops all copies. Not collective. */
+void ghosts_drop(struct ghosts *ghosts, struct particles *particles);
+
+/* Sends the FORWARD fields of the originals to their copies. begin packs and posts, end waits and unpacks;
+ * between them the copies keep their old values and originals may change. Collective (neighbours). */
+void ghosts_forward_begin(struct ghosts *ghosts, struct particles *particles);
+void ghosts_forward_end(struct ghosts *ghosts, struct particles *particles);
+
+/* Newton on: sends the REVERSE fields (forces) of the copies back and adds them to the originals, in a fixed
+ * order: by the rank that held the copy, then in the order of the originals. Newton off: nothing. The copies
+ * keep theirs. Collective (neighbours). */
+void ghosts_reverse(struct ghosts *ghosts, struct particles *particles);
+
+/* The owned particles that have copies elsewhere (or here), increasing, each once: what an integrator moves
+ * first. Borrowed until the next ghosts_make or ghosts_drop. */
+const uint32_t *ghosts_originals(const struct ghosts *ghosts, size_t *count);
+
+/* The image code under which copy number k (of particles.owned + k) stands. */
+unsigned ghosts_image(const struct ghosts *ghosts, size_t k);
+
+/* What the communication of this rank amounts to. */
+struct ghosts_counts {
+    uint64_t ghosts; /* copies held now */
+    uint64_t ghosts_class[CLASS_MAX];
+    uint64_t neighbours;      /* other ranks talked to now */
+    uint64_t messages, bytes; /* sent to other ranks since the start, all kinds */
+    uint64_t migrated;        /* particles sent away since the start */
+};
+void ghosts_count(const struct ghosts *ghosts, struct ghosts_counts *counts);
+
+/* Bytes held by the plan and its buffers. */
+size_t ghosts_memory(const struct ghosts *ghosts);
+
+/* True if the plan fits the particles: numbers, order of the peers, classes and images. For tests and debug
+ * builds; not collective. */
+bool ghosts_valid(const struct ghosts *ghosts, const struct particles *particles, char *why, size_t why_size);
+
+#endif

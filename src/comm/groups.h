@@ -1,0 +1,23 @@
+/* Items sorted by the rank that they concern, for migrate.c and copies.c: the step between "who needs what"
+ * and one message per neighbour. Takes an array of the length of the rank count while it works, as is allowed
+ * at a rebuild. */
+#ifndef SCREE_COMM_GROUPS_H
+#define SCREE_COMM_GROUPS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/* Group g belongs to rank[g] (increasing) and holds item[start[g]] ... item[start[g + 1] - 1], in their
+ * order. */
+struct groups {
+    size_t count;
+    int *rank;
+    size_t *start; /* count + 1 entries */
+    uint32_t *item;
+};
+
+/* Sorts the items 0 ... n-1 by rank[item], each in 0 ... size-1; stable. _free releases what it allocated. */
+void groups_make(struct groups *groups, const int *rank, size_t n, int size);
+void groups_free(struct groups *groups);
+
+#endif

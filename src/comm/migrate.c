@@ -1,0 +1,226 @@
+/* A message holds, for n particles: n (8 bytes), their MIGRATE fields (fields_pack), and for each row set n
+ * counts (8 bytes each) and the rows themselves, particle after particle. The receiver checks that the parts
+ * add up to the length that came. */
+#include "comm/migrate.h"
+
+#include "comm/groups.h"
+#include "core/memory.h"
+#include "particles/fields.h"
+
+#include <assert.h>
+#include <string.h>
+
+/* Those who leave, grouped by destination: groups.item numbers `particle`. */
+struct leavers {
+    struct groups groups;
+    uint32_t *particle;
+    size_t count;
+};
+
+static void find_leavers(struct leavers *leavers, const struct comm *comm, const struct domain *domain,
+                         const struct particles *particles) {
+    size_t owned = particles->owned;
+    int *owner = memory_allocate(owned, sizeof *owner, "owners");
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < owned; k++)
+        owner[k] = domain_owner(domain, particles->state[k].x);
+    leavers->count = 0;
+    for (size_t k = 0; k < owned; k++)
+        leavers->count += owner[k] != comm->rank;
+    leavers->particle = memory_allocate(leavers->count, sizeof *leavers->particle, "particles that leave");
+    size_t n = 0;
+    for (size_t k = 0; k < owned; k++) {
+        if (owner[k] == comm->rank)
+            continue;
+        leavers->particle[n] = (uint32_t)k;
+        owner[n++] = owner[k];
+    }
+    groups_make(&leavers->groups, owner, n, comm->size);
+    memory_free(owner);
+    /* From here on `particle` is sorted by destination */
+    uint32_t *sorted = memory_allocate(n, sizeof *sorted, "particles that leave");
+    for (size_t k = 0; k < n; k++)
+        sorted[k] = leavers->particle[leavers->groups.item[k]];
+    memory_free(leavers->particle);
+    leavers->particle = sorted;
+}
+
+static size_t rows_of(const struct migrate_rows *rows, uint32_t k) {
+    return rows->start[k + 1] - rows->start[k];
+}
+
+static char *put(char *to, const void *from, size_t bytes) {
+    if (bytes > 0)
+        memcpy(to, from, bytes);
+    return to + bytes;
+}
+
+static char *pack_rows(const struct migrate_rows *rows, const uint32_t *list, size_t n, char *to) {
+    for (size_t k = 0; k < n; k++) {
+        uint64_t count = rows_of(rows, list[k]);
+        to = put(to, &count, sizeof count);
+    }
+    for (size_t k = 0; k < n; k++) {
+        const char *from = (const char *)rows->row + rows->start[list[k]] * rows->row_bytes;
+        to = put(to, from, rows_of(rows, list[k]) * rows->row_bytes);
+    }
+    return to;
+}
+
+/* Makes the message with the particles list[0 ... n-1]. */
+static void pack_message(struct exchange_message *message, const struct particles *particles,
+                         const struct migrate_rows *rows, int sets, const uint32_t *list, size_t n) {
+    size_t bytes = sizeof(uint64_t) + n * fields_packed_bytes(particles, FIELD_MIGRATE);
+    for (int s = 0; s < sets; s++)
+        for (size_t k = 0; k < n; k++)
+            bytes += sizeof(uint64_t) + rows_of(&rows[s], list[k]) * rows[s].row_bytes;
+    message->bytes = bytes;
+    message->data = memory_allocate(bytes, 1, "particles that leave");
+    uint64_t count = n;
+    char *to = put(message->data, &count, sizeof count);
+    to = fields_pack(particles, FIELD_MIGRATE, list, n, to);
+    for (int s = 0; s < sets; s++)
+        to = pack_rows(&rows[s], list, n, to);
+    assert(to == message->data + bytes);
+}
+
+/* A message that came in, taken apart. */
+struct arrivals {
+    size_t count;       /* particles */
+    const char *fields; /* packed */
+    struct {
+        const char *counts, *rows;
+        size_t total;
+    } set[MIGRATE_SETS_MAX];
+};
+
+static uint64_t read_count(const char *from, size_t k) {
+    uint64_t count;
+    memcpy(&count, from + k * sizeof count, sizeof count);
+    return count;
+}
+
+/* Takes the part of `count` items of `size` bytes off the front of what is left of a message. */
+static const char *take(const struct exchange_message *message, size_t *left, uint64_t count, size_t size) {
+    const char *part = message->data + (message->bytes - *left);
+    if (size > 0 && count > *left / size)
+        error_fatal("migration: the message from rank %d ends after %zu bytes, too early", message->rank,
+                    message->bytes);
+    *left -= count * size;
+    return part;
+}
+
+static struct arrivals take_apart(const struct exchange_message *message, const struct particles *particles,
+                                  const struct migrate_rows *rows, int sets) {
+    struct arrivals arrivals;
+    size_t left = message->bytes;
+    arrivals.count = read_count(take(message, &left, 1, sizeof(uint64_t)), 0);
+    arrivals.fields = take(message, &left, arrivals.count, fields_packed_bytes(particles, FIELD_MIGRATE));
+    for (int s = 0; s < sets; s++) {
+        arrivals.set[s].counts = take(message, &left, arrivals.count, sizeof(uint64_t));
+        arrivals.set[s].total = 0;
+        for (size_t k = 0; k < arrivals.count; k++)
+            arrivals.set[s].total += read_count(arrivals.set[s].counts, k);
+        arrivals.set[s].rows = take(message, &left, arrivals.set[s].total, rows[s].row_bytes);
+    }
+    if (left != 0)
+        error_fatal("migration: the message from rank %d has %zu bytes, %zu more than its contents",
+                    message->rank, message->bytes, left);
+    return arrivals;
+}
+
+/* Row set `s` anew: the rows of those who stay, then those of the arrivals. */
+static void join_rows(struct migrate_rows *rows, int s, const uint8_t *leaves, size_t owned,
+                      const struct arrivals *arrivals, size_t messages) {
+    size_t particles = owned, count = rows->count;
+    for (size_t m = 0; m < messages; m++) {
+        particles += arrivals[m].count;
+        count += arrivals[m].set[s].total;
+    }
+    struct migrate_rows joined = {.row_bytes = rows->row_bytes};
+    joined.start = memory_allocate(particles + 1, sizeof *joined.start, "rows by particle");
+    joined.row = memory_allocate(count, rows->row_bytes, "rows by particle");
+    char *to = joined.row;
+    size_t p = 0;
+    for (size_t k = 0; k < owned; k++) {
+        if (leaves[k])
+            continue;
+        size_t n = rows->start[k + 1] - rows->start[k];
+        joined.start[p++] = joined.count;
+        to = put(to, (const char *)rows->row + rows->start[k] * rows->row_bytes, n * rows->row_bytes);
+        joined.count += n;
+    }
+    for (size_t m = 0; m < messages; m++) {
+        for (size_t k = 0; k < arrivals[m].count; k++) {
+            joined.start[p++] = joined.count;
+            joined.count += read_count(arrivals[m].set[s].counts, k);
+        }
+        to = put(to, arrivals[m].set[s].rows, arrivals[m].set[s].total * rows->row_bytes);
+    }
+    joined.start[p] = joined.count;
+    memory_free(rows->start);
+    memory_free(rows->row);
+    *rows = joined;
+}
+
+static void join_particles(struct particles *particles, const uint8_t *leaves,
+                           const struct arrivals *arrivals, size_t messages) {
+    particles_remove(particles, leaves);
+    size_t total = particles->owned;
+    for (size_t m = 0; m < messages; m++)
+        total += arrivals[m].count;
+    if (total > (size_t)1 << PARTICLE_INDEX_BITS)
+        error_fatal("%zu particles on one rank, at most %zu are possible: use more ranks", total,
+                    (size_t)1 << PARTICLE_INDEX_BITS);
+    particles_reserve(particles, total);
+    for (size_t m = 0; m < messages; m++) {
+        size_t first = particles->owned;
+        for (size_t k = 0; k < arrivals[m].count; k++)
+            particles_append(particles);
+        fields_unpack(particles, FIELD_MIGRATE, first, arrivals[m].count, arrivals[m].fields);
+    }
+}
+
+static void settle(struct particles *particles, struct migrate_rows *rows, int sets,
+                   const struct leavers *leavers, const struct exchange_inbox *inbox) {
+    size_t owned = particles->owned;
+    uint8_t *leaves = memory_allocate_zero(owned, 1, "particles that leave");
+    for (size_t k = 0; k < leavers->count; k++)
+        leaves[leavers->particle[k]] = 1;
+    struct arrivals *arrivals = memory_allocate(inbox->count, sizeof *arrivals, "arrivals");
+    for (size_t m = 0; m < inbox->count; m++)
+        arrivals[m] = take_apart(&inbox->message[m], particles, rows, sets);
+    for (int s = 0; s < sets; s++)
+        join_rows(&rows[s], s, leaves, owned, arrivals, inbox->count);
+    join_particles(particles, leaves, arrivals, inbox->count);
+    memory_free(arrivals);
+    memory_free(leaves);
+}
+
+size_t migrate_particles(struct exchange *exchange, const struct domain *domain, struct particles *particles,
+                         struct migrate_rows *rows, int n) {
+    assert(particles->ghosts == 0 && n <= MIGRATE_SETS_MAX);
+    if (exchange->comm->size == 1)
+        return 0;
+    struct leavers leavers;
+    find_leavers(&leavers, exchange->comm, domain, particles);
+    size_t peers = leavers.groups.count;
+    struct exchange_message *out = memory_allocate(peers, sizeof *out, "messages");
+    for (size_t g = 0; g < peers; g++) {
+        size_t first = leavers.groups.start[g], last = leavers.groups.start[g + 1];
+        out[g].rank = leavers.groups.rank[g];
+        pack_message(&out[g], particles, rows, n, leavers.particle + first, last - first);
+    }
+    struct exchange_inbox inbox;
+    exchange_sparse(exchange, out, peers, &inbox);
+    if (leavers.count > 0 || inbox.count > 0)
+        settle(particles, rows, n, &leavers, &inbox);
+    for (size_t g = 0; g < peers; g++)
+        memory_free(out[g].data);
+    memory_free(out);
+    exchange_inbox_free(&inbox);
+    size_t sent = leavers.count;
+    groups_free(&leavers.groups);
+    memory_free(leavers.particle);
+    return sent;
+}

@@ -1,0 +1,26 @@
+/* Particles change ranks, with whatever travels with them. */
+#ifndef SCREE_COMM_MIGRATE_H
+#define SCREE_COMM_MIGRATE_H
+
+#include "comm/domain.h"
+#include "comm/exchange.h"
+#include "particles/particles.h"
+
+enum { MIGRATE_SETS_MAX = 4 };
+
+/* Rows that travel with particles (contact history): owned particle k carries the rows start[k] ... start[k +
+ * 1] - 1 of row_bytes bytes each. Both arrays come from memory_allocate and are replaced; rows have no
+ * padding and hold no local numbers. */
+struct migrate_rows {
+    size_t *start; /* owned + 1 entries */
+    void *row;
+    size_t count, row_bytes;
+};
+
+/* Sends every owned particle to the rank that owns its position, which may be any. Those who stay keep their
+ * order, arrivals follow by source rank, then in their order there. The `n` row sets follow. Returns how many
+ * particles this rank sent away. Collective. */
+size_t migrate_particles(struct exchange *exchange, const struct domain *domain, struct particles *particles,
+                         struct migrate_rows *rows, int n);
+
+#endif
