@@ -1,0 +1,95 @@
+/* Particles inserted during a run, and deleted. What is to be inserted depends on seed, region and the number of the particle alone:
+ * no rank or thread enters. Whether a place is free is for the caller to find out, with all ranks:
+ *
+ *     n = insertion_due(options, time) - state.placed            particles due
+ *     for round = 0 ... attempts - 1, while some are unplaced:
+ *         insertion_propose(...)                                 the same candidates on every rank
+ *         each rank sets blocked[k] where candidate k touches one of its particles or a wall; maximum over ranks
+ *         insertion_settle(...)                                  those neither blocked nor touching an accepted one are accepted
+ *     the owner of each accepted candidate appends it; state.placed += accepted
+ *
+ * What found no place waits for the next call: a full region slows down and catches up, and is reported. */
+#ifndef SCREE_SCENE_INSERTION_H
+#define SCREE_SCENE_INSERTION_H
+
+#include "particles/box.h"
+#include "scene/source.h"
+
+enum { INSERTIONS_MAX = 32, DELETIONS_MAX = 32, INSERTION_BATCH_MAX = 4096 };
+
+struct insertion_options {
+    char name[SOURCE_NAME_MAX];
+    struct region region;
+    struct sizes_options sizes;
+    double rate;          /* particles a time unit */
+    double mass_rate;     /* or mass a time unit; one of the two is > 0 */
+    double start, stop;   /* time */
+    int64_t count;        /* at most so many in all; 0: no bound */
+    int64_t attempts;     /* rounds of places tried at one step */
+    double velocity[3], velocity_sigma;
+    double omega[3];
+    int material, group;
+    double density;       /* 0: the material's */
+};
+
+struct deletion_options {
+    char name[SOURCE_NAME_MAX];
+    struct region region; /* a particle whose centre lies in it is deleted ... */
+    double start, stop;   /* ... at a step with start <= t < stop */
+    int64_t every;        /* looked at every so many steps */
+};
+
+/* What a checkpoint stores of an insertion region. */
+struct insertion_state {
+    uint64_t placed; /* particles inserted so far */
+    uint64_t tried;  /* rounds so far: the counter of the random places */
+    double mass;     /* mass inserted so far */
+};
+
+/* The fixed part of an insertion, made once. */
+struct insertion {
+    struct insertion_options options;
+    struct sizes_sampler sampler;
+    struct region_space space;
+    struct box box;
+    uint64_t seed;
+    int number;       /* of the region in the scene: chooses its random numbers */
+    double density;
+    double mean_mass; /* of a particle, for mass_rate */
+};
+
+/* One candidate; positions box-relative. */
+struct insertion_candidate {
+    uint64_t number; /* the how-manieth particle of this region: fixes radius and velocity */
+    double x[3], v[3], omega[3];
+    double radius, density;
+    int material, group;
+    bool settled, accepted;
+};
+
+/* Prepares an insertion. `density` is that of its material. */
+bool insertion_prepare(struct insertion *insertion, const struct insertion_options *options, int number, double density,
+                       uint64_t seed, const struct box *box, struct error *error);
+
+/* Particles that should have been inserted by `time`, all in all. */
+uint64_t insertion_due(const struct insertion *insertion, double time);
+
+/* Fills `n` candidates for the particles state->placed ... with radii and velocities, unsettled and without a place. */
+void insertion_begin(const struct insertion *insertion, const struct insertion_state *state, struct insertion_candidate *candidate, size_t n);
+
+/* Gives every unsettled candidate the place of this round and counts the round in state->tried. A candidate for which the region has no
+ * room is marked in blocked[k] (n bytes, the rest set to 0). */
+void insertion_propose(const struct insertion *insertion, struct insertion_state *state, struct insertion_candidate *candidate,
+                       uint8_t *blocked, size_t n);
+
+/* Accepts, in order, the unsettled candidates that are not blocked and touch no accepted one (periodic images counted). Returns how many are still unsettled. */
+size_t insertion_settle(const struct insertion *insertion, struct insertion_candidate *candidate, const uint8_t *blocked, size_t n);
+
+/* Counts the accepted candidates into the state. Returns how many were accepted. A candidate not placed leaves its number to a
+ * later call. */
+size_t insertion_end(const struct insertion *insertion, struct insertion_state *state, const struct insertion_candidate *candidate, size_t n);
+
+/* True if a deletion is active at this step. */
+bool deletion_due(const struct deletion_options *options, double time, int64_t step);
+
+#endif

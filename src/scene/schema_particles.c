@@ -1,0 +1,204 @@
+/* Rows of the schema: particle sources, size laws, regions, groups, insertion and deletion. */
+#include "scene/scene.h"
+#include "scene/schema_rows.h"
+
+static const struct schema_name region_names[] = {
+    {"all", REGION_ALL, "the whole box"}, {"box", REGION_BOX, NULL}, {"sphere", REGION_SPHERE, NULL}, {"cylinder", REGION_CYLINDER, NULL}, {0}};
+static const struct schema_row region_rows[] = {
+    {.key = "shape", .type = SCHEMA_NAME, .names = region_names, .fallback = "all", AT(struct region, shape), .help = "the shape"},
+    {.key = "lower", .type = SCHEMA_VECTOR, .unit = "m", .when = "shape=box", .required = true, AT(struct region, lower), .help = "lower corner",
+     .example = "[0, 0, 10 mm]"},
+    {.key = "upper", .type = SCHEMA_VECTOR, .unit = "m", .when = "shape=box", .required = true, AT(struct region, upper), .help = "upper corner",
+     .example = "[5 cm, 5 cm, 10 cm]"},
+    {.key = "centre", .type = SCHEMA_VECTOR, .unit = "m", .when = "shape=sphere|cylinder", .required = true, AT(struct region, centre),
+     .help = "centre of the sphere; middle of the cylinder's axis", .example = "[0, 0, 5 cm]"},
+    {.key = "axis", .type = SCHEMA_VECTOR, .when = "shape=cylinder", .fallback = "[0, 0, 1]", AT(struct region, axis),
+     .help = "direction of the axis; in two dimensions z"},
+    {.key = "radius", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "shape=sphere|cylinder", .required = true,
+     AT(struct region, radius), .help = "radius", .example = "2 cm"},
+    {.key = "length", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "shape=cylinder", .required = true, AT(struct region, length),
+     .help = "whole length along the axis", .example = "10 cm"},
+};
+const struct schema_table schema_region = TABLE(region_rows);
+
+static const struct schema_name sizes_names[] = {
+    {"fixed", SIZES_FIXED, "one radius"},
+    {"uniform", SIZES_UNIFORM, "every radius in [min, max] alike"},
+    {"normal", SIZES_NORMAL, "normal with mean and sigma, cut to [min, max]"},
+    {"lognormal", SIZES_LOGNORMAL, "ln r normal about ln mean with width, cut to [min, max]"},
+    {"power", SIZES_POWER, "number of particles of radius r as r^exponent in [min, max]"},
+    {"table", SIZES_TABLE, "a sieve curve: radii and the part that passes"},
+    {"discrete", SIZES_DISCRETE, "a few radii with weights"},
+    {0}};
+static const struct schema_name by_names[] = {{"number", SIZES_BY_NUMBER, NULL}, {"mass", SIZES_BY_MASS, NULL}, {0}};
+static const struct schema_row sizes_rows[] = {
+    {.key = "law", .type = SCHEMA_NAME, .names = sizes_names, .fallback = "fixed", AT(struct sizes_options, law), .help = "the distribution of radii"},
+    {.key = "radius", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "law=fixed", .required = true, AT(struct sizes_options, radius),
+     .help = "the radius", .example = "1 mm"},
+    {.key = "min", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "law=uniform|normal|lognormal|power", .required = true,
+     AT(struct sizes_options, min), .help = "smallest radius", .example = "0.5 mm"},
+    {.key = "max", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "law=uniform|normal|lognormal|power", .required = true,
+     AT(struct sizes_options, max), .help = "largest radius", .example = "2 mm"},
+    {.key = "mean", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "law=normal|lognormal", .required = true,
+     AT(struct sizes_options, mean), .help = "mean radius of the normal law, median of the lognormal", .example = "1 mm"},
+    {.key = "sigma", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "law=normal", .required = true, AT(struct sizes_options, sigma),
+     .help = "standard deviation of the radius", .example = "0.1 mm"},
+    {.key = "width", .type = SCHEMA_REAL, .range = "(0, inf)", .when = "law=lognormal", .required = true, AT(struct sizes_options, width),
+     .help = "standard deviation of ln r", .example = "0.3"},
+    {.key = "exponent", .type = SCHEMA_REAL, .when = "law=power", .required = true, AT(struct sizes_options, exponent),
+     .help = "exponent of the number density; -3 gives equal volumes to equal ranges of radius", .example = "-3"},
+    {.key = "by", .type = SCHEMA_NAME, .names = by_names, .fallback = "mass", .when = "law=table|discrete", AT(struct sizes_options, by),
+     .help = "what passing and weights count"},
+    {.key = "radii", .type = SCHEMA_REALS, .unit = "m", .range = "(0, inf)", .when = "law=table|discrete", .required = true,
+     ARRAY_AT(struct sizes_options, radii, points), .help = "radii of the sieves' openings (half of them), increasing; or the sizes themselves",
+     .example = "[0.5 mm, 1 mm, 2 mm]"},
+    {.key = "passing", .type = SCHEMA_REALS, .range = "[0, 1]", .when = "law=table", .required = true, ARRAY_AT(struct sizes_options, share, values),
+     .help = "part that is smaller than each radius: from 0 rising to 1", .example = "[0, 0.4, 1]"},
+    {.key = "weights", .type = SCHEMA_REALS, .range = "[0, inf)", .when = "law=discrete", .required = true, ARRAY_AT(struct sizes_options, share, values),
+     .help = "share of each size, normalised to their sum", .example = "[9, 1]"},
+};
+const struct schema_table schema_sizes = TABLE(sizes_rows);
+
+static const struct schema_name kind_names[] = {
+    {"file", SOURCE_FILE, "read from a file"},
+    {"lattice", SOURCE_LATTICE, "on a lattice"},
+    {"random", SOURCE_RANDOM, "at random places without overlap (random sequential addition, largest first)"},
+    {"single", SOURCE_SINGLE, "one particle"},
+    {0}};
+static const struct schema_name format_names[] = {
+    {"lammps-data", SOURCE_LAMMPS_DATA, "LAMMPS data file, atom_style sphere, also compressed (.gz)"},
+    {"table", SOURCE_TABLE, "numbers in columns, also compressed (.gz)"},
+    {"h5md", SOURCE_H5MD, "H5MD, as this program writes it"},
+    {0}};
+static const struct schema_name lattice_names[] = {
+    {"sc", SOURCE_SC, "simple cubic"},
+    {"fcc", SOURCE_FCC, "face-centred cubic"},
+    {"hcp", SOURCE_HCP, "hexagonal close-packed"},
+    {"square", SOURCE_SQUARE, "two dimensions"},
+    {"hexagonal", SOURCE_HEXAGONAL, "two dimensions"},
+    {0}};
+
+#define SOURCE(member) AT(struct source_options, member)
+
+static const struct schema_row source_rows[] = {
+    {.key = "name", .type = SCHEMA_TEXT, .fallback = "", SOURCE(name), .help = "for messages", .example = "bed"},
+    {.key = "from", .type = SCHEMA_NAME, .names = kind_names, .fallback = "file", SOURCE(kind), .help = "where the particles come from"},
+    {.key = "file", .type = SCHEMA_PATH, .when = "from=file", .required = true, SOURCE(file), .help = "the file", .example = "packing.data"},
+    {.key = "format", .type = SCHEMA_NAME, .names = format_names, .when = "from=file", .required = true, SOURCE(format), .help = "its format",
+     .example = "table"},
+    {.key = "columns", .type = SCHEMA_TEXTS, .when = "format=table", ARRAY_AT(struct source_options, column, column_count),
+     .help = "what the columns hold: id radius diameter density x y z vx vy vz omega_x omega_y omega_z material skip; left out: as the header line says",
+     .example = "[radius, x, y, z]"},
+    {.key = "skip_rows", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", .when = "format=table", SOURCE(skip_rows),
+     .help = "rows left out after the header"},
+    {.key = "rows", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", .when = "format=table", SOURCE(rows),
+     .help = "rows read; what follows is ignored; 0: all", .example = "25000"},
+    {.key = "frame", .type = SCHEMA_LONG, .fallback = "-1", .when = "format=h5md", SOURCE(frame), .help = "which stored step, from 0; negative: from the end"},
+    {.key = "scale", .type = SCHEMA_REAL, .range = "(0, inf)", .fallback = "1", .when = "from=file", SOURCE(scale), .help = "lengths in the file times this"},
+    {.key = "offset", .type = SCHEMA_VECTOR, .unit = "m", .fallback = "[0, 0, 0]", .when = "from=file", SOURCE(offset), .help = "added to positions, after scaling"},
+    {.key = "types", .type = SCHEMA_REFS, .target = "materials", .when = "from=file", ARRAY_AT(struct source_options, type_material, type_count),
+     .help = "materials of type 1, 2, ... of the file; left out: type t is material number t of the scene", .example = "[glass, steel]"},
+    {.key = "radius_above", .type = SCHEMA_REAL, .unit = "m", .range = "[0, inf)", .fallback = "0", .when = "from=file", SOURCE(radius_above),
+     .help = "only particles of larger radius are taken from the file", .example = "1.5 mm"},
+    {.key = "radius_upto", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf]", .fallback = ".inf", .when = "from=file", SOURCE(radius_upto),
+     .help = "only particles of this radius or less are taken from the file", .example = "1.5 mm"},
+    {.key = "lattice", .type = SCHEMA_NAME, .names = lattice_names, .when = "from=lattice", .required = true, SOURCE(lattice), .help = "the lattice", .example = "hcp"},
+    {.key = "spacing", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "from=lattice", .required = true, SOURCE(spacing),
+     .help = "distance of nearest neighbours", .example = "2.1 mm"},
+    {.key = "jitter", .type = SCHEMA_REAL, .range = "[0, 1]", .fallback = "0", .when = "from=lattice", SOURCE(jitter),
+     .help = "random displacement, as a part of the gap that keeps neighbours from overlapping"},
+    {.key = "region", .type = SCHEMA_SECTION, .sub = &schema_region, .when = "from=lattice|random", .offset = offsetof(struct source_options, region),
+     .help = "where; spheres lie wholly inside"},
+    {.key = "sizes", .type = SCHEMA_SECTION, .sub = &schema_sizes, .when = "from=lattice|random", .main = "radius", .offset = offsetof(struct source_options, sizes),
+     .help = "how large; a bare length is one radius for all"},
+    {.key = "count", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", .when = "from=lattice|random", SOURCE(count),
+     .help = "how many; 0: as many as the lattice has places, or by volume_fraction", .example = "10000"},
+    {.key = "volume_fraction", .type = SCHEMA_REAL, .range = "[0, 0.74]", .fallback = "0", .when = "from=random", SOURCE(volume_fraction),
+     .help = "instead of count: solid volume (area in two dimensions) over that of the region; equal spheres placed at random end at 0.38 (discs 0.54), wide size laws higher",
+     .example = "0.3"},
+    {.key = "attempts", .type = SCHEMA_LONG, .range = "[1, inf)", .fallback = "20000", .when = "from=random", SOURCE(attempts),
+     .help = "places tried for one sphere before giving up"},
+    {.key = "position", .type = SCHEMA_VECTOR, .unit = "m", .when = "from=single", .required = true, SOURCE(position), .help = "its centre", .example = "[0, 0, 6 cm]"},
+    {.key = "radius", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "from=single", .required = true, SOURCE(radius), .help = "its radius",
+     .example = "1 cm"},
+    {.key = "id", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", .when = "from=single", SOURCE(id),
+     .help = "its number, for observables; 0: the next free one (the first particle of the first source is 1)"},
+    {.key = "material", .type = SCHEMA_REF, .target = "materials", SOURCE(material),
+     .help = "the material, whatever the file says; may be left out where there is only one or the file has types", .example = "glass"},
+    {.key = "group", .type = SCHEMA_REF, .target = "groups", SOURCE(group), .help = "the group; left out: as the groups select", .example = "frozen_floor"},
+    {.key = "velocity", .type = SCHEMA_VECTOR, .unit = "m/s", .fallback = "[0, 0, 0]", SOURCE(velocity), .help = "added to what the file holds",
+     .example = "[0, 0, -5]"},
+    {.key = "velocity_sigma", .type = SCHEMA_REAL, .unit = "m/s", .range = "[0, inf)", .fallback = "0", SOURCE(velocity_sigma),
+     .help = "standard deviation of each component of a random velocity, added too"},
+    {.key = "omega", .type = SCHEMA_VECTOR, .unit = "rad/s", .fallback = "[0, 0, 0]", SOURCE(omega), .help = "angular velocity, added to what the file holds"},
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "[0, inf)", .fallback = "0", SOURCE(density),
+     .help = "density of these particles; 0: the file's, else the material's"},
+};
+static const struct schema_table source_table = TABLE(source_rows);
+
+static const struct schema_row particles_rows[] = {
+    {.key = "sources", .type = SCHEMA_LIST, .sub = &source_table, .short_form = true, ARRAY_AT(struct scene, source, sources),
+     .help = "files and generators, one after the other"},
+};
+const struct schema_table schema_particles = TABLE(particles_rows);
+
+static const struct schema_name group_names[] = {
+    {"free", SCENE_FREE, "moves as forces tell"},
+    {"frozen", SCENE_FROZEN, "stays where it is"},
+    {"moving", SCENE_MOVING, "moves with the given velocity and spin, whatever the forces"},
+    {0}};
+static const struct schema_row select_rows[] = {
+    {.key = "material", .type = SCHEMA_REF, .target = "materials", AT(struct scene_group, material), .help = "of this material", .example = "steel"},
+    {.key = "ids", .type = SCHEMA_LONGS, .range = "[1, inf)", ARRAY_AT(struct scene_group, id, id_count), .help = "of these numbers", .example = "[1, 2, 17]"},
+    {.key = "radius_above", .type = SCHEMA_REAL, .unit = "m", .range = "[0, inf)", AT(struct scene_group, radius_above), .help = "of larger radius", .example = "1.5 mm"},
+    {.key = "radius_upto", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", AT(struct scene_group, radius_upto), .help = "of this radius or less",
+     .example = "1.5 mm"},
+    {.key = "region", .type = SCHEMA_SECTION, .sub = &schema_region, .offset = offsetof(struct scene_group, region), .help = "whose centre lies there at the start"},
+};
+static const struct schema_table select_table = TABLE(select_rows);
+static const struct schema_row group_rows[] = {
+    {.key = "name", .type = SCHEMA_TEXT, .required = true, AT(struct scene_group, name), .help = "by which sources refer to it", .example = "floor"},
+    {.key = "motion", .type = SCHEMA_NAME, .names = group_names, .fallback = "free", AT(struct scene_group, motion), .help = "how its particles move"},
+    {.key = "velocity", .type = SCHEMA_VECTOR, .unit = "m/s", .fallback = "[0, 0, 0]", .when = "motion=moving", AT(struct scene_group, velocity), .help = "their velocity",
+     .example = "[1 cm/s, 0, 0]"},
+    {.key = "omega", .type = SCHEMA_VECTOR, .unit = "rad/s", .fallback = "[0, 0, 0]", .when = "motion=moving", AT(struct scene_group, omega),
+     .help = "their spin, each about its own centre"},
+    {.key = "select", .type = SCHEMA_SECTION, .sub = &select_table, .help = "particles that belong to it at the start: those that meet all that is given here"},
+};
+const struct schema_table schema_group = TABLE(group_rows);
+
+#define INSERTION(member) AT(struct insertion_options, member)
+
+static const struct schema_row insertion_rows[] = {
+    {.key = "name", .type = SCHEMA_TEXT, .fallback = "", INSERTION(name), .help = "for messages", .example = "feed"},
+    {.key = "region", .type = SCHEMA_SECTION, .sub = &schema_region, .offset = offsetof(struct insertion_options, region), .help = "where; spheres lie wholly inside"},
+    {.key = "sizes", .type = SCHEMA_SECTION, .sub = &schema_sizes, .main = "radius", .offset = offsetof(struct insertion_options, sizes),
+     .help = "how large; a bare length is one radius for all"},
+    {.key = "rate", .type = SCHEMA_REAL, .unit = "1/s", .range = "[0, inf)", .fallback = "0", INSERTION(rate), .help = "particles a time unit", .example = "1000"},
+    {.key = "mass_rate", .type = SCHEMA_REAL, .unit = "kg/s", .range = "[0, inf)", .fallback = "0", INSERTION(mass_rate),
+     .help = "instead of rate: mass a time unit, on average", .example = "1 g/s"},
+    {.key = "start", .type = SCHEMA_REAL, .unit = "s", .fallback = "0", INSERTION(start), .help = "from this time on"},
+    {.key = "stop", .type = SCHEMA_REAL, .unit = "s", .fallback = ".inf", .range = "[-inf, inf]", INSERTION(stop), .help = "and until this time"},
+    {.key = "count", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", INSERTION(count), .help = "at most so many in all; 0: no bound"},
+    {.key = "attempts", .type = SCHEMA_LONG, .range = "[1, 1000]", .fallback = "10", INSERTION(attempts), .help = "places tried for a particle at one step"},
+    {.key = "velocity", .type = SCHEMA_VECTOR, .unit = "m/s", .fallback = "[0, 0, 0]", INSERTION(velocity), .help = "their velocity", .example = "[0, 0, -1]"},
+    {.key = "velocity_sigma", .type = SCHEMA_REAL, .unit = "m/s", .range = "[0, inf)", .fallback = "0", INSERTION(velocity_sigma),
+     .help = "standard deviation of each component of a random velocity, added"},
+    {.key = "omega", .type = SCHEMA_VECTOR, .unit = "rad/s", .fallback = "[0, 0, 0]", INSERTION(omega), .help = "their angular velocity"},
+    {.key = "material", .type = SCHEMA_REF, .target = "materials", INSERTION(material), .help = "the material; may be left out where there is only one",
+     .example = "glass"},
+    {.key = "group", .type = SCHEMA_REF, .target = "groups", INSERTION(group), .help = "the group; left out: free"},
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "[0, inf)", .fallback = "0", INSERTION(density), .help = "density; 0: the material's"},
+};
+const struct schema_table schema_insertion = TABLE(insertion_rows);
+
+#define DELETION(member) AT(struct deletion_options, member)
+
+static const struct schema_row deletion_rows[] = {
+    {.key = "name", .type = SCHEMA_TEXT, .fallback = "", DELETION(name), .help = "for messages", .example = "outlet"},
+    {.key = "region", .type = SCHEMA_SECTION, .sub = &schema_region, .offset = offsetof(struct deletion_options, region), .help = "where: a particle's centre counts"},
+    {.key = "start", .type = SCHEMA_REAL, .unit = "s", .fallback = "0", DELETION(start), .help = "from this time on"},
+    {.key = "stop", .type = SCHEMA_REAL, .unit = "s", .fallback = ".inf", .range = "[-inf, inf]", DELETION(stop), .help = "and until this time"},
+    {.key = "every", .type = SCHEMA_LONG, .range = "[1, inf)", .fallback = "100", DELETION(every), .help = "looked at every so many steps"},
+};
+const struct schema_table schema_deletion = TABLE(deletion_rows);

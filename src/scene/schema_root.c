@@ -1,0 +1,243 @@
+/* Rows of the schema: the top level, box, step, materials, contact, index. */
+#include "scene/scene.h"
+#include "scene/schema_rows.h"
+
+static const struct schema_name units_names[] = {
+    {"si", SCENE_UNITS_SI, "numbers are in m, kg, s; other units may be written behind a number: 5 mm, 2 GPa"},
+    {"none", SCENE_UNITS_NONE, "dimensionless: a unit behind a number is an error"},
+    {0}};
+static const struct schema_name leave_names[] = {
+    {"keep", BOX_KEEP, "it flies on outside"},
+    {"delete", BOX_DELETE, "it is removed"},
+    {"error", BOX_ERROR, "the run stops with a message"},
+    {0}};
+
+static const struct schema_row leave_rows[] = {
+    {.key = "all", .type = SCHEMA_NAME, .names = leave_names, .fallback = "keep", AT(struct scene, leave_all),
+     .help = "all open sides that are not named", .example = "delete"},
+    {.key = "x_lower", .type = SCHEMA_NAME, .names = leave_names, AT(struct scene, leave_side[0][0]), .help = "the side at the lower end of x"},
+    {.key = "x_upper", .type = SCHEMA_NAME, .names = leave_names, AT(struct scene, leave_side[0][1]), .help = "the side at the upper end of x"},
+    {.key = "y_lower", .type = SCHEMA_NAME, .names = leave_names, AT(struct scene, leave_side[1][0]), .help = "the side at the lower end of y"},
+    {.key = "y_upper", .type = SCHEMA_NAME, .names = leave_names, AT(struct scene, leave_side[1][1]), .help = "the side at the upper end of y"},
+    {.key = "z_lower", .type = SCHEMA_NAME, .names = leave_names, AT(struct scene, leave_side[2][0]), .help = "the side at the lower end of z"},
+    {.key = "z_upper", .type = SCHEMA_NAME, .names = leave_names, AT(struct scene, leave_side[2][1]), .help = "the side at the upper end of z"},
+};
+static const struct schema_table leave_table = TABLE(leave_rows);
+
+static const struct schema_row box_rows[] = {
+    {.key = "dimension", .type = SCHEMA_INT, .fallback = "3", .range = "[2, 3]", AT(struct scene, box.dimension),
+     .help = "2: centres stay in the middle plane of z, nothing turns out of it"},
+    {.key = "lower", .type = SCHEMA_VECTOR, .unit = "m", AT(struct scene, box_lower),
+     .help = "lower corner; may be left out, with upper, where the first particle file has a box", .example = "[0, 0, 0]"},
+    {.key = "upper", .type = SCHEMA_VECTOR, .unit = "m", AT(struct scene, box_upper), .help = "upper corner", .example = "[10 cm, 10 cm, 20 cm]"},
+    {.key = "periodic", .type = SCHEMA_BOOLS, .fallback = "false", AT(struct scene, box.periodic),
+     .help = "periodic directions; the others are open", .example = "[true, true, false]"},
+    {.key = "leave", .type = SCHEMA_SECTION, .sub = &leave_table, .main = "all",
+     .help = "what happens to a particle whose centre leaves through an open side"},
+};
+static const struct schema_table box_table = TABLE(box_rows);
+
+static const struct schema_row step_rows[] = {
+    {.key = "dt", .type = SCHEMA_REAL, .unit = "s", .range = "(0, inf)", AT(struct scene_step, dt),
+     .help = "time step; refused above the stable step unless step.force is set", .example = "0.5 us"},
+    {.key = "fraction", .type = SCHEMA_REAL, .range = "(0, inf)", AT(struct scene_step, fraction),
+     .help = "instead of dt: the step as a fraction of the stable one; with neither, the default fraction that `scree check` prints", .example = "0.5"},
+    {.key = "count", .type = SCHEMA_LONG, .range = "[0, inf)", AT(struct scene_step, count), .help = "number of steps, unless duration is given",
+     .example = "1000"},
+    {.key = "force", .type = SCHEMA_BOOL, .fallback = "false", AT(struct scene_step, force), .help = "run although the step is above the stable one"},
+    {.key = "contacts", .type = SCHEMA_INT, .fallback = "0", .range = "[0, 100]", AT(struct scene_step, contacts),
+     .help = "simultaneous contacts of a particle counted for the stable step; 0: the built-in number"},
+    {.key = "speed_max", .type = SCHEMA_REAL, .unit = "m/s", .fallback = "0", .range = "[0, inf)", AT(struct scene_step, speed_max),
+     .help = "largest impact speed expected, for the stable step; 0: from the particles at the start"},
+};
+static const struct schema_table step_table = TABLE(step_rows);
+
+static const struct schema_row material_rows[] = {
+    {.key = "name", .type = SCHEMA_TEXT, .required = true, AT(struct law_material, name), .help = "by which others refer to it", .example = "glass"},
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "(0, inf)", .required = true, AT(struct law_material, density),
+     .help = "mass of a sphere by its volume, in two dimensions too", .example = "2500"},
+    {.key = "young", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)", .when = "/contact.law=hertz", .required = true,
+     AT(struct law_material, young), .help = "Young's modulus", .example = "70 GPa"},
+    {.key = "poisson", .type = SCHEMA_REAL, .range = "(-1, 0.5]", .when = "/contact.law=hertz", .required = true, AT(struct law_material, poisson),
+     .help = "Poisson's ratio", .example = "0.2"},
+};
+static const struct schema_table material_table = TABLE(material_rows);
+
+static const struct schema_row pair_rows[] = {
+    {.key = "between", .type = SCHEMA_REFS, .target = "materials", ARRAY_AT(struct scene_pair, material, between_count),
+     .help = "the two materials; left out: the values of every pair that is not named", .example = "[glass, steel]"},
+    {.key = "restitution", .type = SCHEMA_REAL, .range = "[0, 1]", .when = "/contact.damping=restitution", .required = true,
+     AT(struct scene_pair, restitution), .help = "coefficient of restitution, normal, at any size and speed", .example = "0.5"},
+    {.key = "friction", .type = SCHEMA_REAL, .range = "[0, inf)", .when = "/contact.tangential=history", .fallback = "0",
+     AT(struct scene_pair, friction), .help = "Coulomb's coefficient of friction", .example = "0.3"},
+    {.key = "rolling_friction", .type = SCHEMA_REAL, .range = "[0, inf)", .when = "/contact.rolling=spring", .fallback = "0",
+     AT(struct scene_pair, rolling_friction), .help = "coefficient of rolling friction", .example = "0.01"},
+    {.key = "k_n", .type = SCHEMA_REAL, .unit = "N/m", .range = "(0, inf)", .when = "/contact.law=hooke", .required = true,
+     AT(struct scene_pair, k_n), .help = "normal stiffness", .example = "1e5"},
+    {.key = "k_t", .type = SCHEMA_REAL, .unit = "N/m", .range = "[0, inf)", .when = "/contact.law=hooke & /contact.tangential=history",
+     AT(struct scene_pair, k_t), .help = "tangential stiffness; left out: 2/7 of k_n", .example = "2.857e4"},
+    {.key = "gamma_n", .type = SCHEMA_REAL, .unit = "1/s", .range = "[0, inf)", .when = "/contact.damping=coefficient", .required = true,
+     AT(struct scene_pair, gamma_n), .help = "normal damping per unit of effective mass", .example = "50"},
+    {.key = "gamma_t", .type = SCHEMA_REAL, .unit = "1/s", .range = "[0, inf)", .when = "/contact.damping=coefficient & /contact.tangential=history",
+     AT(struct scene_pair, gamma_t), .help = "tangential damping per unit of effective mass; left out: half of gamma_n", .example = "25"},
+};
+static const struct schema_table pair_table = TABLE(pair_rows);
+
+static const struct schema_name law_names[] = {
+    {"hooke", LAW_HOOKE, "linear spring and dashpot"}, {"hertz", LAW_HERTZ, "elastic spheres, Hertz and Mindlin"}, {0}};
+static const struct schema_name damping_names[] = {
+    {"restitution", LAW_DAMPING_RESTITUTION, "from the restitution asked for"},
+    {"coefficient", LAW_DAMPING_COEFFICIENT, "from gamma_n and gamma_t, per unit of effective mass, as LAMMPS has it"},
+    {0}};
+static const struct schema_name end_names[] = {
+    {"overlap", LAW_END_OVERLAP, "when the surfaces part; the damper may pull just before"},
+    {"force", LAW_END_FORCE, "when the force would pull"},
+    {0}};
+static const struct schema_name tangential_names[] = {
+    {"none", LAW_FRICTIONLESS, "no friction: no spin, no torque, no history anywhere"},
+    {"history", LAW_TANGENTIAL_HISTORY, "a spring that remembers, up to Coulomb's limit"},
+    {0}};
+static const struct schema_name rolling_names[] = {
+    {"none", LAW_ROLLING_NONE, NULL}, {"spring", LAW_ROLLING_SPRING, "a spring and dashpot against rolling, up to a limit"}, {0}};
+
+static const struct schema_row contact_rows[] = {
+    {.key = "law", .type = SCHEMA_NAME, .names = law_names, .fallback = "hertz", AT(struct law_options, normal), .help = "the normal force"},
+    {.key = "damping", .type = SCHEMA_NAME, .names = damping_names, .fallback = "restitution", AT(struct law_options, damping),
+     .help = "where the damping comes from"},
+    {.key = "end", .type = SCHEMA_NAME, .names = end_names, .fallback = "overlap", AT(struct law_options, end), .help = "when a contact ends"},
+    {.key = "tangential", .type = SCHEMA_NAME, .names = tangential_names, .fallback = "history", AT(struct law_options, tangential),
+     .help = "the tangential force"},
+    {.key = "rolling", .type = SCHEMA_NAME, .names = rolling_names, .fallback = "none", .when = "tangential=history",
+     AT(struct law_options, rolling), .help = "resistance to rolling"},
+    {.key = "tangential_damping_ratio", .type = SCHEMA_REAL, .range = "[0, inf)", .fallback = "1", .when = "damping=restitution & tangential=history",
+     AT(struct law_options, tangential_damping_ratio), .help = "tangential damping, relative to the same damping ratio as the normal spring has"},
+    {.key = "tangential_damping_equal", .type = SCHEMA_BOOL, .fallback = "false", .when = "damping=restitution & tangential=history",
+     AT(struct law_options, tangential_damping_equal), .help = "the tangential damping coefficient equals the normal one, as in LAMMPS's pair_style granular"},
+    {.key = "lammps_hooke", .type = SCHEMA_BOOL, .fallback = "false", .when = "law=hooke", AT(struct law_options, lammps_hooke),
+     .help = "gran/hooke/history of LAMMPS to the letter, for comparisons"},
+};
+static const struct schema_table contact_table = TABLE(contact_rows);
+
+static const char *index_choice(int k, const char **help) {
+    if (k >= index_registry_count())
+        return NULL;
+    *help = index_registry_get(k)->summary;
+    return index_registry_get(k)->name;
+}
+
+static const char *integrator_choice(int k, const char **help) {
+    if (k >= integrator_count())
+        return NULL;
+    *help = integrator_get(k)->summary;
+    return integrator_get(k)->name;
+}
+
+static const struct schema_row index_rows[] = {
+    {.key = "name", .type = SCHEMA_CHOICE, .choice = index_choice, .fallback = "hgrid", AT(struct scene_index, name),
+     .help = "how pairs are searched for; the results are the same"},
+    {.key = "cell_factor", .type = SCHEMA_REAL, .range = "[0, 1000]", .fallback = "0", AT(struct scene_index, params.cell_factor),
+     .help = "cell edge as a multiple of the cut-off that the index builds on; 0: its own default", .example = "0.5"},
+    {.key = "levels", .type = SCHEMA_INT, .range = "[0, 32]", .fallback = "0", .when = "name=hgrid", AT(struct scene_index, params.levels),
+     .help = "number of levels; 0: one for each size class"},
+    {.key = "level_cells", .type = SCHEMA_REALS, .unit = "m", .range = "[0, inf)", .when = "name=hgrid",
+     ARRAY_AT(struct scene_index, params.level_cell, level_cells), .help = "cell edge of each level, from small to large; 0: by cell_factor",
+     .example = "[2 mm, 20 mm]"},
+};
+static const struct schema_table index_table = TABLE(index_rows);
+
+static const struct schema_name classes_names[] = {
+    {"auto", CLASSES_AUTO, "geometric with ratio 2, (nearly) empty ones merged"},
+    {"one", CLASSES_ONE, "all sizes in one class"},
+    {"cuts", CLASSES_CUTS, "between the radii in classes.cuts"},
+    {"quantiles", CLASSES_QUANTILES, "classes.count classes of as many particles each"},
+    {"geometric", CLASSES_GEOMETRIC, "classes.count classes, a constant ratio of radii each"},
+    {0}};
+static const struct schema_row classes_rows[] = {
+    {.key = "method", .type = SCHEMA_NAME, .names = classes_names, .fallback = "auto", AT(struct classes_options, method),
+     .help = "how particles are put into size classes; materials play no part"},
+    {.key = "count", .type = SCHEMA_INT, .range = "[1, 32]", .required = true, .when = "method=quantiles|geometric", AT(struct classes_options, count),
+     .help = "number of classes", .example = "4"},
+    {.key = "cuts", .type = SCHEMA_REALS, .unit = "m", .range = "(0, inf)", .required = true, .when = "method=cuts",
+     .offset = offsetof(struct classes_options, cut), .size = sizeof(double), .max = CLASS_MAX - 1,
+     .count_offset = offsetof(struct classes_options, cut_count), .help = "radii that separate the classes, increasing", .example = "[1.5 mm, 6 mm]"},
+};
+static const struct schema_table classes_table = TABLE(classes_rows);
+
+static const struct schema_row skin_rows[] = {
+    {.key = "relative", .type = SCHEMA_REAL, .range = "(0, 10]", .fallback = "0.3", AT(struct classes_options, skin_relative),
+     .help = "skin of a pair of classes as a multiple of the smaller class's smallest radius"},
+    {.key = "length", .type = SCHEMA_REAL, .unit = "m", .range = "[0, inf)", AT(struct classes_options, skin),
+     .help = "instead: one length for all pairs", .example = "0.3 mm"},
+};
+static const struct schema_table skin_table = TABLE(skin_rows);
+
+static const struct schema_name ghosts_names[] = {
+    {"full", 0, "every copy that any partner might need"},
+    {"reduced", 1, "small particles travel only as far as small partners; needs newton: on"},
+    {0}};
+static const struct schema_name domain_names[] = {{"brick", 0, "equal bricks"}, {0}};
+static const struct schema_row domain_rows[] = {
+    {.key = "name", .type = SCHEMA_NAME, .names = domain_names, .fallback = "brick", AT(struct scene, domain_name), .help = "how the box is divided among ranks"},
+    {.key = "x", .type = SCHEMA_INT, .range = "[0, inf)", .fallback = "0", AT(struct scene, domain.grid[0]), .help = "ranks along x; 0: chosen"},
+    {.key = "y", .type = SCHEMA_INT, .range = "[0, inf)", .fallback = "0", AT(struct scene, domain.grid[1]), .help = "ranks along y; 0: chosen"},
+    {.key = "z", .type = SCHEMA_INT, .range = "[0, inf)", .fallback = "0", AT(struct scene, domain.grid[2]), .help = "ranks along z; 0: chosen"},
+};
+static const struct schema_table domain_table = TABLE(domain_rows);
+static const struct schema_name sync_names[] = {{"neighbours", 0, "between neighbouring subdomains"}, {0}};
+
+static const struct schema_name guard_names[] = {
+    {"stop", SCENE_GUARD_STOP, "stop, after a checkpoint to look at"}, {"warn", SCENE_GUARD_WARN, "one warning, then on"}, {"off", SCENE_GUARD_OFF, NULL}, {0}};
+static const struct schema_row guards_rows[] = {
+    {.key = "overlap", .type = SCHEMA_NAME, .names = guard_names, .fallback = "stop", AT(struct scene_guards, overlap),
+     .help = "an overlap beyond guards.overlap_bound"},
+    {.key = "overlap_bound", .type = SCHEMA_REAL, .range = "(0, 2]", .fallback = "0.5", AT(struct scene_guards, overlap_bound),
+     .help = "largest overlap allowed, as a part of the smaller radius"},
+    {.key = "nan", .type = SCHEMA_NAME, .names = guard_names, .fallback = "stop", AT(struct scene_guards, nan), .help = "a position or velocity that is not a number"},
+    {.key = "speed", .type = SCHEMA_NAME, .names = guard_names, .fallback = "warn", AT(struct scene_guards, speed),
+     .help = "a particle faster than its skin in one step"},
+};
+static const struct schema_table guards_table = TABLE(guards_rows);
+
+static const struct schema_row root_rows[] = {
+    {.key = "title", .type = SCHEMA_TEXT, .fallback = "", AT(struct scene, title), .help = "for people; copied into every output", .example = "ball into glass beads"},
+    {.key = "units", .type = SCHEMA_NAME, .names = units_names, .fallback = "si", AT(struct scene, units), .help = "what numbers mean"},
+    {.key = "seed", .type = SCHEMA_SEED, .fallback = "1", AT(struct scene, seed), .help = "seed of all random numbers"},
+    {.key = "box", .type = SCHEMA_SECTION, .sub = &box_table, .help = "the simulation box"},
+    {.key = "gravity", .type = SCHEMA_VECTOR, .unit = "m/s2", .fallback = "[0, 0, 0]", AT(struct scene, gravity), .help = "acceleration of free particles",
+     .example = "[0, 0, -9.81]"},
+    {.key = "duration", .type = SCHEMA_REAL, .unit = "s", .range = "[0, inf)", AT(struct scene, duration), .help = "time to simulate; beats step.count",
+     .example = "0.1 s"},
+    {.key = "step", .type = SCHEMA_SECTION, .sub = &step_table, .offset = offsetof(struct scene, step), .help = "the time step"},
+    {.key = "integrator", .type = SCHEMA_CHOICE, .choice = integrator_choice, .fallback = "synchronised_verlet", AT(struct scene, integrator),
+     .help = "how the motion is integrated"},
+    {.key = "threads", .type = SCHEMA_INT, .range = "[0, 1024]", .fallback = "0", AT(struct scene, threads), .help = "threads a rank; 0: OMP_NUM_THREADS, or all cores"},
+    {.key = "fused", .type = SCHEMA_BOOL, .fallback = "true", AT(struct scene, fused),
+     .help = "passes of the step share a visit of each block of particles; false: pass after pass, with the same results"},
+    {.key = "contact", .type = SCHEMA_SECTION, .sub = &contact_table, .main = "law", .offset = offsetof(struct scene, law), .help = "the contact law, of walls too"},
+    {.key = "materials", .type = SCHEMA_LIST, .sub = &material_table, .required = true, ARRAY_AT(struct scene, material, materials),
+     .help = "what particles and walls are made of"},
+    {.key = "material_pairs", .type = SCHEMA_LIST, .sub = &pair_table, .required = true, ARRAY_AT(struct scene, pair, pairs),
+     .help = "coefficients of each pair of materials that may meet, like with like included"},
+    {.key = "groups", .type = SCHEMA_LIST, .sub = &schema_group, .first = 1, ARRAY_AT(struct scene, group, groups),
+     .help = "particles that move otherwise than freely; `free` is always there"},
+    {.key = "walls", .type = SCHEMA_LIST, .sub = &schema_wall, ARRAY_AT(struct scene, wall, walls), .help = "planes, cylinders and triangle meshes"},
+    {.key = "particles", .type = SCHEMA_SECTION, .sub = &schema_particles, .help = "where the particles come from; with one source, its keys may stand here directly"},
+    {.key = "insertions", .type = SCHEMA_LIST, .sub = &schema_insertion, ARRAY_AT(struct scene, insertion, insertions),
+     .help = "regions in which particles appear during the run"},
+    {.key = "deletions", .type = SCHEMA_LIST, .sub = &schema_deletion, ARRAY_AT(struct scene, deletion, deletions),
+     .help = "regions in which particles disappear"},
+    {.key = "index", .type = SCHEMA_SECTION, .sub = &index_table, .main = "name", .offset = offsetof(struct scene, index), .help = "the search for pairs"},
+    {.key = "classes", .type = SCHEMA_SECTION, .sub = &classes_table, .main = "method", .offset = offsetof(struct scene, classes), .help = "size classes"},
+    {.key = "skin", .type = SCHEMA_SECTION, .sub = &skin_table, .main = "length", .offset = offsetof(struct scene, classes),
+     .help = "how much farther than contact pairs are kept, so that the search need not run at every step"},
+    {.key = "newton", .type = SCHEMA_BOOL, .fallback = "true", AT(struct scene, ghosts.newton),
+     .help = "a pair across ranks is computed once, its force sent back (on), or on both sides (off)"},
+    {.key = "ghosts", .type = SCHEMA_NAME, .names = ghosts_names, .fallback = "full", AT(struct scene, ghosts_name), .help = "which copies a rank gets"},
+    {.key = "domain", .type = SCHEMA_SECTION, .sub = &domain_table, .main = "name", .help = "the division of the box among ranks"},
+    {.key = "sync", .type = SCHEMA_NAME, .names = sync_names, .fallback = "neighbours", AT(struct scene, sync), .help = "how copies are kept up to date"},
+    {.key = "guards", .type = SCHEMA_SECTION, .sub = &guards_table, .offset = offsetof(struct scene, guards), .help = "what happens on physical nonsense"},
+    {.key = "output", .type = SCHEMA_SECTION, .sub = &schema_output, .offset = offsetof(struct scene, output), .help = "files that the run writes, into the folder of -o"},
+    {.key = "observables", .type = SCHEMA_SECTION, .sub = &schema_observables, .offset = offsetof(struct scene, output.observables),
+     .help = "numbers about the run, a row at a time, in observables.csv"},
+};
+const struct schema_table schema_root = TABLE(root_rows);

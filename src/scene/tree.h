@@ -1,0 +1,51 @@
+/* A YAML text as a tree of nodes that know their lines. Anchors, aliases, tags and several documents are refused: a scene says what it means
+ * in place. Duplicate keys are refused here. */
+#ifndef SCREE_SCENE_TREE_H
+#define SCREE_SCENE_TREE_H
+
+#include "core/error.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+enum tree_kind { TREE_SCALAR, TREE_LIST, TREE_MAP };
+
+struct tree_node {
+    enum tree_kind kind;
+    char *text;               /* SCALAR: owned */
+    bool quoted;              /* SCALAR: was in quotes */
+    long line;                /* from 1; 0: from the command line */
+    size_t children;
+    struct tree_node **child; /* LIST, MAP: owned */
+    char **key;               /* MAP: owned */
+};
+
+/* Parses `text`; `file` is for messages, `line` the line number of its start (0: the text comes from the command line, and so do all nodes). An empty text gives an
+ * empty mapping. NULL with a user's error. */
+struct tree_node *tree_parse(const char *file, const char *text, long line, struct error *error);
+void tree_free(struct tree_node **node);
+
+/* The child of a mapping, or NULL. */
+struct tree_node *tree_get(const struct tree_node *map, const char *key);
+
+/* A new empty node. */
+struct tree_node *tree_new(enum tree_kind kind, long line);
+
+/* Puts `child` (taken over) under `key` of a mapping, replacing what was there. */
+void tree_put(struct tree_node *map, const char *key, struct tree_node *child);
+
+/* Appends `child` (taken over) to a list. */
+void tree_append(struct tree_node *list, struct tree_node *child);
+
+/* Takes entry `k` out of a mapping or list and hands it over. */
+struct tree_node *tree_take(struct tree_node *node, size_t k);
+
+/* Turns any node into an empty one of another kind; its line stays. */
+void tree_clear(struct tree_node *node, enum tree_kind kind);
+
+/* The node of a full key, or the deepest one on the way to it. */
+const struct tree_node *tree_nearest(const struct tree_node *root, const char *key);
+
+/* "FILE:LINE" or "command line". Returns `place`. */
+const char *tree_place(const struct tree_node *node, const char *file, char *place, size_t room);
+
+#endif

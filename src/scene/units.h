@@ -1,0 +1,23 @@
+/* Units of measurement in scene and data files: "mm", "m/s2", "kg m-3", "GPa", "rpm". */
+#ifndef SCREE_SCENE_UNITS_H
+#define SCREE_SCENE_UNITS_H
+
+#include <stdbool.h>
+
+/* Powers of metre, kilogram, second and radian. */
+struct units_dimension {
+    int length, mass, time, angle;
+};
+
+/* Reads a unit: factors, each a symbol with an SI prefix and an exponent ("cm3", "s^2", "m-3"), apart by spaces, `*` or `/` (which divides by the one factor after it). Symbols:
+ * m g s N Pa J W Hz rad deg rpm min h t L bar %. Gives the factor to SI base units (m, kg, s, rad) and the dimension; false if it is
+ * none. "" and "1" are pure numbers. */
+bool units_parse(const char *text, double *factor, struct units_dimension *dimension);
+
+/* True if both are of one dimension. */
+bool units_same(const struct units_dimension *a, const struct units_dimension *b);
+
+/* What the dimension of an SI unit is called ("length", "pressure"); the unit itself where there is no name. */
+const char *units_name(const char *si);
+
+#endif
