@@ -18,6 +18,9 @@
 
 enum { LAW_MATERIALS_MAX = 32, LAW_NAME_MAX = 64 };
 
+/* The smallest restitution that a contact with end at zero force can have (zeta = 22). */
+#define LAW_RESTITUTION_LEAST 5e-4
+
 enum law_normal { LAW_HOOKE, LAW_HERTZ };
 /* Where the damping comes from: the restitution asked for, or LAMMPS's coefficients per unit of effective
  * mass. */
@@ -35,12 +38,11 @@ struct law_options {
     enum law_end end;
     enum law_tangential tangential; /* frictionless: no spin, no torque, no history anywhere */
     enum law_rolling rolling;
-    double tangential_damping_ratio; /* hertz: c_t = ratio x normal damping coefficient scaled by sqrt(k_t /
-                                        k_n) (default), see law_kernel.h */
-    bool tangential_damping_equal; /* true: c_t = c_n (as LAMMPS's pair_style granular does); cross-code runs
-                                    */
-    bool lammps_hooke; /* LAMMPS gran/hooke/history to the letter: lever arm r, an empty spring over the
-                          Coulomb limit gives F_t = 0 */
+    double tangential_damping_ratio; /* restitution: c_t = this x c_n sqrt(k_t / k_n), k_n the tangent
+                                        stiffness */
+    bool tangential_damping_equal; /* c_t = c_n, as LAMMPS's pair_style granular does; for cross-code runs */
+    bool lammps_hooke; /* LAMMPS's gran/hooke/history to the letter: the spring is projected, not turned, and
+                          an empty spring over the Coulomb limit gives no force */
     bool synchronised; /* history with the half-step normal (Vyas et al. 2025); set from the integrator */
 };
 
@@ -63,10 +65,11 @@ struct law_pair {
 
 /* What the kernel needs of a pair of materials, made once. */
 struct law_coefficients {
-    double k_n; /* hooke: k_n;  hertz: 4/3 E*                    */
-    double k_t; /* hooke: k_t;  hertz: 8 G*                      */
-    double c_n; /* hooke, given: gamma_n; hooke, restitution: c_n = this x sqrt(k_n m*); hertz: alpha */
-    double c_t; /* the same for the tangential damper */
+    double k_n; /* hooke: k_n; hertz: 4/3 E*, times the contact radius sqrt(R* d) */
+    double k_t; /* hooke: k_t; hertz: 8 G*, likewise */
+    double c_n; /* coefficients given: gamma_n, times m*; restitution: 2 zeta (hooke) or alpha (hertz), times
+                   sqrt(m* x elastic force / overlap) */
+    double c_t; /* the same for the tangential damper; the rolling spring takes k_t and c_t too */
     double friction, rolling_friction;
 };
 
@@ -83,17 +86,21 @@ struct law {
 /* The defaults: hertz, restitution, end at zero overlap, history, no rolling. */
 struct law_options law_options_default(void);
 
-/* Makes the table of coefficients. Fails (user) on values out of range. One thread. */
+/* Makes the table of coefficients from the entries pair[a][b], a <= b < materials. Fails (user) on values out
+ * of range or options that do not go together. One thread. */
 bool law_prepare(struct law *law, const struct law_options *options, int materials,
                  const struct law_material *material,
                  struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX], struct error *error);
 
-/* Damping ratio zeta of the linear spring-dashpot for a restitution (accuracy notes d2; zeta = 1 for e = 0):
- * end at zero overlap in closed form, end at zero force by inverting Schwager and Poeschel 2007. */
+/* Damping ratio zeta of the linear spring-dashpot for a restitution e. End at zero overlap: zeta = -ln e /
+ * sqrt(pi^2 + ln^2 e), 1 for e = 0. End at zero force: inverts e(zeta) of Schwager and Poeschel (Granular
+ * Matter 9 (2007) 465); there e = 0 needs an infinite damper, and e below LAW_RESTITUTION_LEAST is taken as
+ * that. */
 double law_hooke_damping_ratio(double restitution, enum law_end end);
 
-/* The Hertz damping coefficient alpha for a restitution: -ln e sqrt5 / sqrt(pi^2 + ln^2 e), sqrt5 for e = 0;
- * end at zero force inverts a table made by integration. */
+/* The Hertz damping coefficient alpha for a restitution, for either end: sqrt(5) zeta, as overlap^(5/4) turns
+ * the damped Hertz contact into a linear spring-dashpot (Antypov and Elliott, EPL 94 (2011) 50004;
+ * docs/physics.md). */
 double law_hertz_alpha(double restitution, enum law_end end);
 
 #endif

@@ -26,6 +26,9 @@
 #include <float.h>
 #include <math.h>
 
+/* A loop over contacts vectorises only if nothing in it stays a call. */
+#define LAW_INLINE static inline __attribute__((always_inline))
+
 struct law_vector {
     double x, y, z;
 };
@@ -47,7 +50,7 @@ struct law_step {
     double force_least;  /* the normal force is never less: 0, or -DBL_MAX where it may attract */
     double spring_least; /* an over-limit spring of this square length or less gives no force; -1: never, 0:
                             empty ones (LAMMPS's gran/hooke) */
-    bool rescale;        /* a turned spring keeps its length (else it is projected only) */
+    double rescale; /* 1: a turned spring keeps its length; 0: it is projected only */
 };
 
 /* One contact. The third block matters with friction only, `spin` and `roll` with rolling only. */
@@ -75,49 +78,50 @@ struct law_response {
     double dissipated;              /* in this step by dampers and sliding */
 };
 
-static inline double law_dot(struct law_vector a, struct law_vector b) {
+LAW_INLINE double law_dot(struct law_vector a, struct law_vector b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
 /* a + s b */
-static inline struct law_vector law_add(struct law_vector a, double s, struct law_vector b) {
+LAW_INLINE struct law_vector law_add(struct law_vector a, double s, struct law_vector b) {
     return (struct law_vector){a.x + s * b.x, a.y + s * b.y, a.z + s * b.z};
 }
 
-static inline struct law_vector law_scale(double s, struct law_vector a) {
+LAW_INLINE struct law_vector law_scale(double s, struct law_vector a) {
     return (struct law_vector){s * a.x, s * a.y, s * a.z};
 }
 
-static inline struct law_vector law_cross(struct law_vector a, struct law_vector b) {
+LAW_INLINE struct law_vector law_cross(struct law_vector a, struct law_vector b) {
     return (struct law_vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+LAW_INLINE double law_max(double a, double b) {
+    return a > b ? a : b;
+}
+
 /* The part of `a` in the plane with unit normal n. */
-static inline struct law_vector law_project(struct law_vector a, struct law_vector n) {
+LAW_INLINE struct law_vector law_project(struct law_vector a, struct law_vector n) {
     return law_add(a, -law_dot(a, n), n);
 }
 
 /* Turns `a` into the plane with unit normal n: projected, and with `rescale` brought back to its length
  * (Luding 2008). */
-static inline struct law_vector law_turn(struct law_vector a, struct law_vector n, bool rescale) {
+LAW_INLINE struct law_vector law_turn(struct law_vector a, struct law_vector n, double rescale) {
     struct law_vector p = law_project(a, n);
-    if (!rescale)
-        return p;
-    double before = law_dot(a, a), after = law_dot(p, p);
-    double factor = sqrt(before / (after > DBL_MIN ? after : 1.0));
-    return law_scale(after > DBL_MIN ? factor : 0.0, p);
+    double factor = sqrt(law_dot(a, a) / law_max(law_dot(p, p), DBL_MIN));
+    return law_scale(rescale > 0.0 ? factor : 1.0, p);
 }
 
 /* The numbers of one evaluation of a law with time step dt. */
-static inline struct law_step law_step_of(const struct law_options *options, double dt) {
+LAW_INLINE struct law_step law_step_of(const struct law_options *options, double dt) {
     return (struct law_step){.dt = dt,
                              .force_least = options->end == LAW_END_FORCE ? 0.0 : -DBL_MAX,
                              .spring_least = options->lammps_hooke ? 0.0 : -1.0,
-                             .rescale = !options->lammps_hooke};
+                             .rescale = options->lammps_hooke ? 0.0 : 1.0};
 }
 
 /* The case of a law's options, for callers that do not specialise. */
-static inline struct law_case law_case_of(const struct law_options *options, bool energies) {
+LAW_INLINE struct law_case law_case_of(const struct law_options *options, bool energies) {
     bool friction = options->tangential != LAW_FRICTIONLESS;
     return (struct law_case){.hertz = options->normal == LAW_HERTZ,
                              .coefficient = options->damping == LAW_DAMPING_COEFFICIENT,
@@ -128,32 +132,32 @@ static inline struct law_case law_case_of(const struct law_options *options, boo
 }
 
 /* The lever arm of a sphere (length) against another: r for hooke, r - overlap / 2 for hertz. */
-static inline double law_lever(struct law_case law, double radius, double overlap) {
+LAW_INLINE double law_lever(struct law_case law, double radius, double overlap) {
     return law.hertz ? radius - 0.5 * overlap : radius;
 }
 
 /* One spring-dashpot with a sliding limit: advances `spring` by dt x rate, turns it into the tangent plane,
  * and cuts it back where the force passes `limit`. `rate` is taken in the half-step plane if synchronised.
  * Returns the force; energies are added to the response. */
-static inline struct law_vector law_slide(struct law_case law, struct law_step step,
-                                          const struct law_contact *in, struct law_vector rate,
-                                          struct law_vector *spring, double stiffness, double damping,
-                                          double limit, struct law_response *out) {
+LAW_INLINE struct law_vector law_slide(struct law_case law, struct law_step step,
+                                       const struct law_contact *in, struct law_vector rate,
+                                       struct law_vector *spring, double stiffness, double damping,
+                                       double limit, struct law_response *out) {
     struct law_vector plane = law.synchronised ? in->half_normal : in->normal;
     struct law_vector trial = law_add(law_turn(*spring, plane, step.rescale), step.dt, rate);
     if (law.synchronised) {
-        trial = law_turn(trial, in->normal, true);
+        trial = law_turn(trial, in->normal, 1.0);
         rate = law_project(rate, in->normal);
     }
     struct law_vector force = law_add(law_scale(-stiffness, trial), -damping, rate);
-    double square = law_dot(force, force);
-    bool sliding = square > limit * limit;
-    bool loaded = law_dot(trial, trial) > step.spring_least;
-    double ratio = limit / sqrt(sliding ? square : 1.0);
-    double keep = sliding && loaded ? ratio : 1.0;
-    double relaxation = damping / (stiffness > 0.0 ? stiffness : 1.0);
-    force = law_scale(sliding && !loaded ? 0.0 : keep, force);
-    *spring = law_add(law_scale(keep, trial), (keep - 1.0) * relaxation, rate);
+    double ratio = limit / sqrt(law_max(law_dot(force, force), DBL_MIN));
+    double keep = ratio < 1.0 ? ratio : 1.0;
+    bool empty = law_dot(trial, trial) <= step.spring_least;
+    double keep_spring = empty ? 1.0 : keep;
+    double keep_force = keep < keep_spring ? 0.0 : keep;
+    double relaxation = damping / law_max(stiffness, DBL_MIN);
+    force = law_scale(keep_force, force);
+    *spring = law_add(law_scale(keep_spring, trial), (keep_spring - 1.0) * relaxation, rate);
     if (law.energies) {
         struct law_vector slip = law_add(trial, -1.0, *spring);
         struct law_vector stretch = law_add(law_scale(step.dt, rate), -1.0, slip);
@@ -164,8 +168,8 @@ static inline struct law_vector law_slide(struct law_case law, struct law_step s
 }
 
 /* Tangential and rolling part of law_respond; normal_force, stiffness and damping are those found there. */
-static inline void law_rub(struct law_case law, struct law_step step, const struct law_contact *in,
-                           double normal_force, double scale, double base, struct law_response *out) {
+LAW_INLINE void law_rub(struct law_case law, struct law_step step, const struct law_contact *in,
+                        double normal_force, double scale, double base, struct law_response *out) {
     struct law_vector plane = law.synchronised ? in->half_normal : in->normal;
     struct law_vector rate = law_add(law_project(in->velocity, plane), -1.0, law_cross(in->surface, plane));
     double stiffness = in->coefficients.k_t * scale, damping = in->coefficients.c_t * base;
@@ -186,8 +190,8 @@ static inline void law_rub(struct law_case law, struct law_step step, const stru
 }
 
 /* What the contact does: formulas in law.h and docs/physics.md. Any thread. */
-static inline struct law_response law_respond(struct law_case law, struct law_step step,
-                                              const struct law_contact *in) {
+LAW_INLINE struct law_response law_respond(struct law_case law, struct law_step step,
+                                           const struct law_contact *in) {
     struct law_response out = {0};
     double scale = law.hertz ? sqrt(in->radius * in->overlap) : 1.0;
     double stiffness = in->coefficients.k_n * scale; /* elastic force / overlap */
