@@ -56,10 +56,11 @@ static bool stays_inside(const struct selection *selection, const double x[3], d
 static void check_limit(const struct selection *selection, size_t k, double radius) {
     for (int d = 0; d < 3; d++)
         if (radius >= selection->limit[d])
-            error_fatal("particle %lld with radius %g looks for partners up to %g from its centre, but the "
-                        "periodic box has the edge %g",
-                        (long long)selection->particles->id[k], selection->particles->state[k].radius, radius,
-                        selection->limit[d]);
+            error_fatal(
+                "particle %lld with radius %g must be known up to %g from its centre, but the periodic "
+                "box has the edge %g: 2 r + range + skin must be less than that",
+                (long long)selection->particles->id[k], selection->particles->state[k].radius, radius,
+                selection->limit[d]);
 }
 
 /* The copies of particle k. `touch` is the thread's own memory, grown as needed. */

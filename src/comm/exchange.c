@@ -131,6 +131,7 @@ static MPI_Request *flight_add(struct exchange_flight *flight, int peer, size_t 
         flight->capacity = 2 * flight->capacity + 8;
         size_t n = flight->capacity;
         flight->request = memory_resize(flight->request, n, sizeof *flight->request, "messages under way");
+        flight->status = memory_resize(flight->status, n, sizeof *flight->status, "message states");
         flight->expected = memory_resize(flight->expected, n, sizeof *flight->expected, "message lengths");
         flight->peer = memory_resize(flight->peer, n, sizeof *flight->peer, "message peers");
     }
@@ -214,19 +215,18 @@ void exchange_finish(struct exchange_flight *flight) {
     size_t n = flight->count;
     if (n == 0)
         return;
-    MPI_Status *status = memory_allocate(n, sizeof(MPI_Status), "message states");
-    int code = MPI_Waitall((int)n, flight->request, status);
+    int code = MPI_Waitall((int)n, flight->request, flight->status);
     if (code != MPI_ERR_IN_STATUS)
         comm_check(code, "MPI_Waitall");
     for (size_t k = 0; k < n; k++)
-        flight_check(flight, k, &status[k], code == MPI_ERR_IN_STATUS);
+        flight_check(flight, k, &flight->status[k], code == MPI_ERR_IN_STATUS);
     comm_check(code, "MPI_Waitall");
-    memory_free(status);
     flight->count = 0;
 }
 
 void exchange_flight_free(struct exchange_flight *flight) {
     memory_free(flight->request);
+    memory_free(flight->status);
     memory_free(flight->expected);
     memory_free(flight->peer);
     *flight = (struct exchange_flight){0};

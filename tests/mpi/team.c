@@ -1,0 +1,41 @@
+#include "team.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+
+#include <stdio.h>
+
+void team_start(struct team *team, int *argc, char ***argv) {
+    *team = (struct team){0};
+    comm_start(&team->comm, argc, argv);
+    if (team->comm.rank > 0 && freopen("/dev/null", "w", stdout) == NULL)
+        error_fatal("cannot open /dev/null");
+}
+
+void team_stop(struct team *team) {
+    comm_stop(&team->comm);
+}
+
+bool team_note(struct team *team, bool good, const char *file, int line, const char *format, ...) {
+    if (good)
+        return true;
+    char text[512];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    error_set(&team->error, ERROR_SYSTEM, "%s:%d: rank %d of %d: %s", file, line, team->comm.rank,
+              team->comm.size, text);
+    return false;
+}
+
+void team_finish(struct team *team) {
+    bool good = comm_agree(&team->comm, &team->error);
+    struct error error = team->error;
+    team->error = (struct error){0};
+    if (!good)
+        fail_msg("%s", error.text);
+}
