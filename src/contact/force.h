@@ -17,7 +17,9 @@ struct force_sums {
     double virial[6];   /* sum of x_ij F_ij: xx yy zz xy xz yz, energy */
     double overlap_max; /* largest overlap / smaller radius, and who */
     int64_t overlap_id[2];
-    size_t contacts; /* pairs that touch */
+    size_t
+        contact_sides; /* sides of touching pairs that were computed: 2 a pair, or 1 here and 1 elsewhere */
+    size_t contacts;   /* contact_sides / 2; over ranks add up the sides, then halve */
 };
 
 /* One evaluated contact, for the contact list (force chains). */
@@ -38,11 +40,17 @@ struct force_context {
     double overlap_bound; /* guard: largest overlap / smaller radius allowed; overlap_max is always found */
 };
 
-/* A force loop's own memory (slots, batches of each thread). */
+/* A force loop's own memory (slots, batches of each thread), and which compiled kernel it runs: that of the
+ * best instruction set of this CPU. All kernels give the same bits. */
 struct force_loop;
 struct force_loop *force_loop_create(int threads);
 void force_loop_destroy(struct force_loop **loop);
 size_t force_loop_memory(const struct force_loop *loop);
+
+/* The name of the kernel in use: "x86-64-v4", "x86-64-v3" or "baseline". force_loop_choose takes another one,
+ * for tests and measurements; false if there is none of that name or the CPU cannot run it. */
+const char *force_loop_kernel(const struct force_loop *loop);
+bool force_loop_choose(struct force_loop *loop, const char *kernel);
 
 /* Prepares for a new pair list (slots, room for history). One thread, after each rebuild. */
 void force_loop_prepare(struct force_loop *loop, const struct force_context *context);

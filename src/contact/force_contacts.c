@@ -1,0 +1,116 @@
+/* The list of present contacts, for output: a plain loop over the pairs with the law of the force loop. */
+#include "contact/force.h"
+#include "contact/law_kernel.h"
+#include "core/memory.h"
+#include <string.h>
+
+/* A walk over the records of one thread, in the order of its pairs. */
+struct force_walk {
+    const struct history_part *part; /* NULL without history */
+    size_t cursor, base;
+    int components;
+};
+
+/* The record of pair k, or NULL. */
+static const double *force_walk_find(struct force_walk *walk, size_t k) {
+    if (walk->part == NULL)
+        return NULL;
+    while (walk->cursor < walk->part->count && walk->part->pair[walk->cursor] < k - walk->base)
+        walk->cursor++;
+    if (walk->cursor == walk->part->count || walk->part->pair[walk->cursor] != k - walk->base)
+        return NULL;
+    return walk->part->value + walk->cursor * (size_t)walk->components;
+}
+
+static struct law_vector force_difference(const double a[3], const double b[3]) {
+    return (struct law_vector){a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+
+/* What two spheres bring to the law; false if they do not touch. `separation` is x_j - x_i. */
+static bool force_pair_contact(const struct force_context *context, size_t k, const double *record,
+                               struct law_contact *in, struct law_vector *separation) {
+    const struct particles *p = context->particles;
+    uint32_t i = context->list->i[k], code = context->list->j[k], j = pair_partner(code);
+    const struct particle_state *si = &p->state[i], *sj = &p->state[j];
+    const double *shift = context->list->shift[pair_image(code)];
+    struct law_vector d = force_difference(sj->x, si->x);
+    d = law_add(d, 1.0, (struct law_vector){shift[0], shift[1], shift[2]});
+    *separation = d;
+    double reach = si->radius + sj->radius, square = law_dot(d, d);
+    if (!(square < reach * reach))
+        return false;
+    double distance = sqrt(square), inertia = si->inverse_mass + sj->inverse_mass;
+    struct law_case law = law_case_of(&context->law->options, false);
+    *in = (struct law_contact){.overlap = reach - distance,
+                               .mass = inertia > 0.0 ? 1.0 / inertia : 0.0,
+                               .radius = si->radius * sj->radius / reach,
+                               .normal = law_scale(distance > 0.0 ? 1.0 / distance : 0.0, d),
+                               .velocity = force_difference(sj->v, si->v),
+                               .coefficients =
+                                   context->law->pair[particles_material(p, i)][particles_material(p, j)]};
+    in->half_normal = in->normal;
+    if (!law.friction)
+        return true;
+    struct law_vector wi = {p->omega[i][0], p->omega[i][1], p->omega[i][2]};
+    struct law_vector wj = {p->omega[j][0], p->omega[j][1], p->omega[j][2]};
+    in->surface = law_add(law_scale(law_lever(law, si->radius, in->overlap), wi),
+                          law_lever(law, sj->radius, in->overlap), wj);
+    in->spin = law_add(wj, -1.0, wi);
+    if (record)
+        in->spring = (struct law_vector){record[0], record[1], record[2]};
+    if (record && law.rolling)
+        in->roll = (struct law_vector){record[3], record[4], record[5]};
+    return true;
+}
+
+/* Of a one-sided pair, whose mirror is computed elsewhere: is this the side that reports it? */
+static bool force_pair_home(int64_t id_i, int64_t id_j, struct law_vector separation) {
+    if (id_i != id_j)
+        return id_i < id_j;
+    double first = separation.x != 0.0 ? separation.x : separation.y != 0.0 ? separation.y : separation.z;
+    return first > 0.0;
+}
+
+static struct force_contact force_contact_of(const struct force_context *context, size_t k,
+                                             const struct law_contact *in) {
+    const struct law_options *options = &context->law->options;
+    struct law_response out = law_respond(law_case_of(options, false), law_step_of(options, 0.0), in);
+    const int64_t *id = context->particles->id;
+    return (struct force_contact){.id_i = id[context->list->i[k]],
+                                  .id_j = id[pair_partner(context->list->j[k])],
+                                  .normal = {in->normal.x, in->normal.y, in->normal.z},
+                                  .overlap = in->overlap,
+                                  .force = {out.force.x, out.force.y, out.force.z}};
+}
+
+size_t force_loop_contacts(const struct force_context *context, struct force_contact **contacts) {
+    const struct pairlist *list = context->list;
+    const int64_t *id = context->particles->id;
+    size_t count = 0, capacity = 1024;
+    *contacts = memory_allocate(capacity, sizeof **contacts, "contact list");
+    for (int t = 0; t < list->threads; t++) {
+        if (list->thread_block[t] == list->thread_block[t + 1])
+            continue;
+        struct force_walk walk = {.base = list->blocks[list->thread_block[t]].first_pair};
+        if (context->history) {
+            walk.part = &context->history->part[context->history->now][t];
+            walk.components = context->history->components;
+        }
+        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
+            const struct pair_block *block = &list->blocks[b];
+            for (size_t k = block->first_pair; k < block->end_pair; k++) {
+                struct law_contact in;
+                struct law_vector separation;
+                if (!force_pair_contact(context, k, force_walk_find(&walk, k), &in, &separation))
+                    continue;
+                bool mirrored = k >= block->one_sided && k < block->slotted;
+                if (mirrored && !force_pair_home(id[list->i[k]], id[pair_partner(list->j[k])], separation))
+                    continue;
+                if (count == capacity)
+                    *contacts = memory_resize(*contacts, capacity *= 2, sizeof **contacts, "contact list");
+                (*contacts)[count++] = force_contact_of(context, k, &in);
+            }
+        }
+    }
+    return count;
+}

@@ -1,0 +1,80 @@
+/* Inside of the force loop: what force.c hands to the compiled kernels, and a batch of contacts. Nobody else
+ * includes this.
+ *
+ * force_block.c is compiled several times, for the instruction sets in force_kernels(), and the best one that
+ * the CPU has is chosen at run time. All give the same bits: no sum depends on the vector length, and nothing
+ * is contracted into fused operations.
+ *
+ * A block goes through these stages (docs/performance.md):
+ *   filter   distance of FORCE_CHUNK pairs at a time against r_i + r_j; the numbers of those that touch are
+ * appended to `candidate` then for each FORCE_BATCH candidates, and for the rest at the end of the block:
+ *   gather   the records of the two particles, their difference written to the batch; old springs found by
+ * the merge pointer physics  law_respond over the batch, a vectorised loop specialised for the law scatter
+ * forces to i, and to j or its slot, by segment; springs to the other history buffer Distances are formed as
+ * (x_j - x_i) + shift, so that a pair and its mirror have exactly opposite ones; the law keeps that up. */
+#ifndef SCREE_CONTACT_FORCE_KERNEL_H
+#define SCREE_CONTACT_FORCE_KERNEL_H
+
+#include "contact/force.h"
+#include "contact/law_kernel.h"
+
+enum { FORCE_CHUNK = 512, FORCE_BATCH = 128, FORCE_LANES = 8 };
+
+/* Contacts on their way through the phases. Entry k of each array belongs to contact k; the entries up to the
+ * next multiple of FORCE_LANES repeat the last contact. */
+struct force_batch {
+    double record[FORCE_BATCH][8];                      /* x_j - x_i, v_j - v_i, r_i + r_j, 1/m_i + 1/m_j */
+    double omega[FORCE_BATCH][8];                       /* omega_i 0 omega_j 0 */
+    double radius[2][FORCE_BATCH];                      /* r_i, r_j */
+    double spring[HISTORY_COMPONENTS_MAX][FORCE_BATCH]; /* in: the old ones; out: the new ones */
+    double coefficient[6][FORCE_BATCH];                 /* the members of struct law_coefficients */
+    double force[FORCE_BATCH][4];                       /* on j, 0 */
+    double moment[FORCE_BATCH][4];                      /* torque per lever, 0 */
+    double rolling[FORCE_BATCH][4];                     /* torque on j, 0 */
+    double lever[2][FORCE_BATCH];                       /* of i, of j */
+    double overlap[FORCE_BATCH];                        /* relative to the smaller radius */
+    double energy[3][FORCE_BATCH];                      /* normal, springs, dissipated; if asked for */
+    uint32_t i[FORCE_BATCH], j[FORCE_BATCH];            /* particle numbers, without image code */
+    uint32_t pair[FORCE_BATCH];                         /* pair number - first pair of the thread */
+    int count, padded;
+};
+
+typedef void force_physics(struct force_batch *batch, const struct law_step *step);
+
+/* A thread's own memory. */
+struct force_thread {
+    double distance[FORCE_CHUNK][4]; /* filter: separation, junk */
+    double reach[FORCE_CHUNK];       /* filter: r_i + r_j */
+    struct force_batch batch;
+    uint32_t
+        candidate[FORCE_CHUNK + FORCE_BATCH]; /* pairs that touch, as numbers - first pair of the block */
+    size_t candidates;
+    size_t cursor; /* merge pointer into the old history records */
+    struct force_sums sums;
+    double *slots; /* force_stride doubles a busy particle */
+};
+
+/* One block's work, as force.c sets it up. */
+struct force_task {
+    const struct force_context *context;
+    const struct pair_block *block;
+    struct force_thread *thread;
+    size_t pair_base;               /* first pair of the thread */
+    const struct history_part *old; /* NULL without history */
+    struct history_part *new;
+    struct law_step step;
+    bool energies;
+};
+
+struct force_kernel {
+    const char *name;                             /* the instruction set */
+    void (*block)(const struct force_task *task); /* computes a block */
+};
+
+extern const struct force_kernel force_kernel_baseline;
+#ifdef FORCE_X86_KERNELS
+extern const struct force_kernel force_kernel_v3; /* x86-64-v3: AVX2 */
+extern const struct force_kernel force_kernel_v4; /* x86-64-v4: AVX-512 */
+#endif
+
+#endif
