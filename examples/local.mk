@@ -1,1 +1,47 @@
-# Examples that ship: EXTRA_DIST += examples/NAME/...
+# Examples: all of a folder ships and is installed; results of runs (out*) do not and are not.
+nobase_dist_pkgdata_DATA = \
+	examples/README.md \
+	examples/common.sh \
+	examples/bench/bidisperse.yaml \
+	examples/bench/bidisperse_pack.c \
+	examples/bench/in.bidisperse \
+	examples/bidisperse/README.md \
+	examples/bidisperse/bidisperse_R10.data.gz \
+	examples/bidisperse/compare.awk \
+	examples/bidisperse/energies.awk \
+	examples/bidisperse/energies.csv \
+	examples/bidisperse/scene.yaml \
+	examples/bidisperse/step0.dump.gz \
+	examples/bidisperse/step200.dump.gz \
+	examples/drum/README.md \
+	examples/drum/compare.awk \
+	examples/drum/lammps/data.awk \
+	examples/drum/lammps/in.drum \
+	examples/drum/particles.txt \
+	examples/drum/scene.yaml \
+	examples/drum/walls.txt \
+	examples/drum/zones.gp \
+	examples/penetration/README.md \
+	examples/penetration/compare.awk \
+	examples/penetration/depth.gp \
+	examples/penetration/lammps.csv \
+	examples/penetration/lammps/data.awk \
+	examples/penetration/lammps/in.penetration \
+	examples/penetration/lammps/tsuji.awk \
+	examples/penetration/particles.txt \
+	examples/penetration/picture.awk \
+	examples/penetration/picture.gp \
+	examples/penetration/scene.yaml \
+	examples/penetration/walls.txt
+
+nobase_dist_pkgdata_SCRIPTS = \
+	examples/bench/bidisperse.sh \
+	examples/bidisperse/check \
+	examples/bidisperse/run.sh \
+	examples/drum/check \
+	examples/drum/lammps/run.sh \
+	examples/drum/run.sh \
+	examples/penetration/check \
+	examples/penetration/lammps/run.sh \
+	examples/penetration/layouts \
+	examples/penetration/run.sh

@@ -1,0 +1,169 @@
+#!/bin/sh
+# The bidisperse benchmark against LAMMPS, side by side: bidisperse.sh R [--quick]
+#
+# R is the ratio of radii, 10, 20 or 40: the systems of Table 1 of Stratford, Shire and Hanley (spheres of radius 1 and R in a
+# periodic cube, 712 thousand for R = 10), packed by bidisperse_pack.c, Hooke contacts with slip history, skin 0.5, dt 0.001,
+# 100 steps, a rebuild every 16 steps in both codes. --quick takes a small cube and fewer runs: a minute at most, for R = 10.
+#
+# Both codes first try a few settings (LAMMPS's multi: newton, cell size; scree: index, ranks x threads), then the best of each
+# run in turns. Prints one JSON line a run, the last line holds the medians: loop_ratio is LAMMPS's loop time over
+# scree's; rebuild_ratio LAMMPS's Neigh over scree's migrate + reorder + ghosts + index + pairs + history.
+#
+# Needs LAMMPS (Debian: lammps). SCREE, LAMMPS (lmp), CORES (all), RUNS (5), WORK (a folder that keeps the packings) may be set.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../common.sh"
+export OMP_NUM_THREADS=1
+
+usage() {
+    echo "usage: bidisperse.sh 10|20|40 [--quick]" >&2
+    exit 2
+}
+
+ratio=${1:-}
+quick=
+test "${2:-}" != --quick || quick=yes
+test $# = 1 || test -n "$quick" || usage
+case $ratio in
+10) cube="205.9 250 711657" ;;
+20) cube="314.15 111 2337678" ;;
+40) cube="500.14 56 9624306" ;;
+*) usage ;;
+esac
+cores=${CORES:-$(nproc)}
+runs=${RUNS:-${quick:+3}}
+runs=${runs:-5}
+steps=${quick:+48}
+steps=${steps:-100}
+every=16
+lammps=${LAMMPS:-lmp}
+command -v "$lammps" >/dev/null || { echo "no $lammps here: apt-get install lammps" >&2; exit 1; }
+work=${WORK:-${TMPDIR:-/tmp}/scree-bench}
+mkdir -p "$work"
+
+# a cube of the same density with an edge of max(4 R, 80)
+if [ -n "$quick" ]; then
+    cube=$(echo "$cube" | awk -v ratio="$ratio" '{
+        edge = 4 * ratio > 80 ? 4 * ratio : 80
+        part = (edge / $1) ^ 3
+        printf "%g %d %d", edge, part * $2 + 0.5, part * $3 + 0.5 }')
+fi
+data=$work/bidisperse-$ratio${quick:+-quick}.data
+if [ ! -s "$data" ]; then
+    ${CC:-cc} -O2 -o "$work/bidisperse_pack" "$here/bidisperse_pack.c" -lm
+    # shellcheck disable=SC2086
+    "$work/bidisperse_pack" "$ratio" $cube >"$data.part"
+    mv "$data.part" "$data"
+fi
+particles=$(awk '/ atoms$/ { print $1; exit }' "$data")
+sed "s|DATA|$data|; s|EVERY|$every|; s|STEPS|$steps|" "$here/bidisperse.yaml" >"$work/scene.yaml"
+
+# Both print: loop seconds, rebuild seconds, rebuilds, pairs, kinetic energy at the end
+
+# run_lammps NEWTON CELL STEPS
+run_lammps() {
+    on_ranks "$cores" "$lammps" -in "$here/in.bidisperse" -log "$work/lammps.log" -screen none -var data "$data" \
+        -var newton "$1" -var cell "$2" -var every "$every" -var steps "$3" >"$work/lammps.out" 2>&1 || {
+        cat "$work/lammps.out" >&2
+        return 1
+    }
+    awk -v steps="$3" '
+        /^Loop time/ { loop = $4 }
+        /^Neigh *\|/ { split($0, part, "|"); neigh = part[3] + 0 }
+        /^Neighbor list builds/ { builds = $5 }
+        /^Total # of neighbors/ { pairs = $6 }
+        $1 == steps && NF == 2 { energy = $2 }
+        END { print loop, neigh, builds, pairs, energy; exit !(loop > 0 && builds > 0) }' "$work/lammps.log"
+}
+
+# run_scree INDEX RANKS THREADS STEPS
+run_scree() {
+    on_ranks "$2" "$SCREE" run "$work/scene.yaml" -o "$work/run" --overwrite --set index.name="$1" --set threads="$3" \
+        --set step.count="$4" --set observables.every="$4" >"$work/scree.out" 2>&1 || {
+        cat "$work/scree.out" >&2
+        return 1
+    }
+    energy=$(awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^energy_kinetic\[/) at = k } END { print $at }' \
+        "$work/run/observables.csv")
+    tr -d ' \n' <"$work/run/report.json" | awk -v energy="$energy" '
+        function value(text) {
+            if (!match($0, "\"" text "\":[-+.0-9e]+")) {
+                print "report.json has no " text >"/dev/stderr"
+                exit failed = 1
+            }
+            return substr($0, RSTART + length(text) + 3, RLENGTH - length(text) - 3) + 0
+        }
+        {
+            stages = split("migrate reorder ghosts index pairs history", name, " ")
+            for (k = 1; k <= stages; k++)
+                if (match($0, "\"" name[k] "\":{[^}]*}")) {
+                    stage = substr($0, RSTART, RLENGTH)
+                    sub(/.*"mean":/, "", stage)
+                    rebuild += stage + 0
+                }
+            print value("seconds"), rebuild, value("rebuilds"), value("pairs"), energy
+        }
+        END { exit failed }'
+}
+
+# line CODE RANKS THREADS SETTINGS FIGURES: one run as JSON
+line() {
+    echo "$5" | awk -v code="$1" -v ranks="$2" -v threads="$3" -v settings="$4" -v ratio="$ratio" -v n="$particles" \
+        -v steps="$steps" '{
+        printf "{\"code\": \"%s\", \"R\": %d, \"particles\": %d, \"ranks\": %d, \"threads\": %d, \"settings\": \"%s\", ", code, ratio, n,
+            ranks, threads, settings
+        printf "\"steps\": %d, \"seconds\": %.6g, \"ns_per_particle\": %.6g, ", steps, $1, 1e9 * $1 / steps / n
+        printf "\"rebuild_seconds\": %.6g, \"rebuilds\": %d, \"pairs\": %.0f, \"kinetic_energy\": %.15g}\n", $2, $3, $4, $5 }'
+}
+
+# better "FIGURES SETTINGS" of two lines of a file: the one with the smallest loop time
+best() {
+    sort -g "$1" | head -n 1 | cut -d ' ' -f 6-
+}
+
+: >"$work/lammps.tried"
+for newton in on off; do
+    for cell in 1 2; do
+        echo "$(run_lammps $newton $cell $((every * 2))) $newton $cell" >>"$work/lammps.tried"
+    done
+done
+: >"$work/scree.tried"
+for index in ${INDEXES:-bytype hgrid}; do
+    for layout in "1 $cores" "$cores 1"; do
+        # shellcheck disable=SC2086
+        echo "$(run_scree $index $layout $((every * 2))) $index $layout" >>"$work/scree.tried"
+    done
+done
+# shellcheck disable=SC2046
+set -- $(best "$work/lammps.tried") $(best "$work/scree.tried")
+newton=$1 cell=$2 index=$3 ranks=$4 threads=$5
+
+: >"$work/lammps.runs"
+: >"$work/scree.runs"
+run=0
+while [ $run -lt "$runs" ]; do
+    figures=$(run_lammps "$newton" "$cell" "$steps")
+    echo "$figures" >>"$work/lammps.runs"
+    line lammps "$cores" 1 "multi, newton $newton, cells $(echo "$cell" | awk '{ print 1.25 * $1 }')" "$figures"
+    figures=$(run_scree "$index" "$ranks" "$threads" "$steps")
+    echo "$figures" >>"$work/scree.runs"
+    line scree "$ranks" "$threads" "$index, newton on" "$figures"
+    run=$((run + 1))
+done
+
+# median COLUMN FILE
+median() {
+    cut -d ' ' -f "$1" "$2" | sort -g | awk '{ v[NR] = $1 } END { print NR % 2 ? v[(NR + 1) / 2] : (v[NR / 2] + v[NR / 2 + 1]) / 2 }'
+}
+echo "$(median 1 "$work/lammps.runs") $(median 2 "$work/lammps.runs") $(median 3 "$work/lammps.runs") \
+$(median 1 "$work/scree.runs") $(median 2 "$work/scree.runs") $(median 3 "$work/scree.runs") \
+$(median 5 "$work/lammps.runs") $(median 5 "$work/scree.runs")" | awk -v ratio="$ratio" -v n="$particles" -v steps="$steps" \
+    -v runs="$runs" -v cores="$cores" -v every="$every" -v newton="$newton" -v cell="$cell" -v index_name="$index" -v ranks="$ranks" \
+    -v threads="$threads" '{
+    printf "{\"R\": %d, \"particles\": %d, \"steps\": %d, \"runs\": %d, \"seconds\": %.6g, \"ns_per_particle\": %.6g, ", ratio, n, steps,
+        runs, $4, 1e9 * $4 / steps / n
+    printf "\"threads\": %d, \"ranks\": %d, \"loop_ratio\": %.4g, \"rebuild_ratio\": %.4g, ", threads, ranks, $1 / $4, ($2 / $3) / ($5 / $6)
+    printf "\"rebuild_seconds\": %.6g, \"rebuilds\": %d, \"kinetic_energy_difference\": %.2g, ", $5, $6, $8 / $7 - 1
+    printf "\"scree\": {\"index\": \"%s\", \"newton\": \"on\", \"ranks\": %d, \"threads\": %d}, ", index_name, ranks, threads
+    printf "\"lammps\": {\"style\": \"multi\", \"newton\": \"%s\", \"cells\": %g, \"ranks\": %d, \"seconds\": %.6g, ", newton, 1.25 * cell, cores, $1
+    printf "\"rebuild_seconds\": %.6g, \"rebuilds\": %d}, \"rebuilt_every\": %d, \"skin\": 0.5, \"dt\": 0.001}\n", $2, $3, every }'

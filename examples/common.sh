@@ -1,0 +1,41 @@
+# Sourced by the scripts of the examples (sh, with `here` set to their folder): finds the program, starts it on ranks.
+#
+# SCREE, if set, is the program to run; else build/scree of this checkout, else the installed scree.
+
+examples=$(cd "$here" && while [ ! -f common.sh ]; do cd ..; done && pwd)
+
+# results NAME: where results go if no folder is named: beside the script, or here where that cannot be written
+results() {
+    if [ -w "$here" ]; then
+        echo "$here/$1"
+    else
+        echo "$PWD/$(basename "$here")-$1"
+    fi
+}
+
+find_scree() {
+    if [ -n "${SCREE:-}" ]; then
+        :
+    elif [ -x "$examples/../build/scree" ]; then
+        SCREE=$examples/../build/scree
+    elif command -v scree >/dev/null; then
+        SCREE=scree
+    else
+        echo "no scree here: ./setup build makes it, or set SCREE to the program" >&2
+        exit 1
+    fi
+}
+
+# on_ranks N COMMAND ...: also with more ranks than cores, and as root
+on_ranks() {
+    count=$1
+    shift
+    if [ "$count" = 1 ]; then
+        "$@"
+    else
+        OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "${MPIRUN:-mpirun}" --oversubscribe \
+            --bind-to none --mca mpi_yield_when_idle 1 --mca btl_vader_single_copy_mechanism none -n "$count" "$@"
+    fi
+}
+
+find_scree
