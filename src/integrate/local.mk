@@ -1,2 +1,6 @@
 noinst_LTLIBRARIES += libintegrate.la
-libintegrate_la_SOURCES =
+libintegrate_la_SOURCES = \
+	src/integrate/integrator.c \
+	src/integrate/integrator.h \
+	src/integrate/timestep.c \
+	src/integrate/timestep.h
