@@ -30,7 +30,7 @@ case $ratio in
 40) cube="500.14 56 9624306" ;;
 *) usage ;;
 esac
-cores=${CORES:-$(nproc)}
+cores=${CORES:-$(env -u OMP_NUM_THREADS nproc)}
 runs=${RUNS:-${quick:+3}}
 runs=${runs:-5}
 steps=${quick:+48}
