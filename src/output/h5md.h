@@ -30,8 +30,9 @@ bool h5md_open(struct h5md **h5md, const struct comm *comm, const char *path, co
 /* Appends a frame (nothing if the file already holds that step). Collective. */
 bool h5md_write_frame(struct h5md *h5md, const struct frame *frame, struct error *error);
 
-/* Appends a contact list. Collective. */
-bool h5md_write_contacts(struct h5md *h5md, const struct contact_list *list, struct error *error);
+/* Appends a contact list (the box is for a file that is not there yet). Collective. */
+bool h5md_write_contacts(struct h5md *h5md, const struct contact_list *list, const struct box *box,
+                         struct error *error);
 
 /* Keeps a row of observables (`columns` values, the same columns each time; names and units are borrowed as
  * long as h5md lives), which goes to the file with the next frame, and at the end: /observables/NAME. Every

@@ -1,0 +1,33 @@
+/* What writing and reading checkpoints share: names of datasets, the form of the small tables. */
+#ifndef SCREE_OUTPUT_CHECKPOINT_PARTS_H
+#define SCREE_OUTPUT_CHECKPOINT_PARTS_H
+
+#include "output/checkpoint.h"
+#include "output/checkpoint_table.h"
+#include "output/h5.h"
+
+enum {
+    CHECKPOINT_INTEGERS = 8,                        /* /run/integers: see enum checkpoint_integer */
+    CHECKPOINT_POSE = 22,                           /* doubles of a wall's pose */
+    CHECKPOINT_HISTORY = HISTORY_COMPONENTS_MAX + 3 /* doubles of a history row: value, separation */
+};
+
+/* Places in /run/integers. */
+enum checkpoint_integer {
+    CHECKPOINT_STEP,
+    CHECKPOINT_SEED,
+    CHECKPOINT_NEXT_ID,
+    CHECKPOINT_RANKS,
+    CHECKPOINT_FEATURES,
+    CHECKPOINT_HISTORY_COMPONENTS,
+    CHECKPOINT_WALLS,
+    CHECKPOINT_TOTAL
+};
+
+/* /box/sides: dimension, periodic[3], leave[3][2]. */
+enum { CHECKPOINT_SIDES = 10 };
+
+/* The name of the dataset of a particle field. */
+void checkpoint_field_name(int field, char name[OUTPUT_NAME_MAX]);
+
+#endif
