@@ -1,12 +1,12 @@
 /* Particles inserted during a run, and deleted. What is to be inserted depends on seed, region and the number of the particle alone:
  * no rank or thread enters. Whether a place is free is for the caller to find out, with all ranks:
  *
- *     n = insertion_due(options, time) - state.placed            particles due
+ *     n = insertion_due(insertion, time) - state.placed          particles due; insertion_begin(...)
  *     for round = 0 ... attempts - 1, while some are unplaced:
  *         insertion_propose(...)                                 the same candidates on every rank
  *         each rank sets blocked[k] where candidate k touches one of its particles or a wall; maximum over ranks
  *         insertion_settle(...)                                  those neither blocked nor touching an accepted one are accepted
- *     the owner of each accepted candidate appends it; state.placed += accepted
+ *     insertion_end(...); the owner of each candidate that entered appends it
  *
  * What found no place waits for the next call: a full region slows down and catches up, and is reported. */
 #ifndef SCREE_SCENE_INSERTION_H
@@ -85,9 +85,10 @@ void insertion_propose(const struct insertion *insertion, struct insertion_state
 /* Accepts, in order, the unsettled candidates that are not blocked and touch no accepted one (periodic images counted). Returns how many are still unsettled. */
 size_t insertion_settle(const struct insertion *insertion, struct insertion_candidate *candidate, const uint8_t *blocked, size_t n);
 
-/* Counts the accepted candidates into the state. Returns how many were accepted. A candidate not placed leaves its number to a
- * later call. */
-size_t insertion_end(const struct insertion *insertion, struct insertion_state *state, const struct insertion_candidate *candidate, size_t n);
+/* Counts the accepted candidates into the state, as far as they follow one another without a gap: particles enter in the order of their
+ * numbers, so that a size law keeps its shares where large ones find no room. Those behind a gap are marked as not accepted, and come again
+ * at the next call. Returns how many entered: candidate[0] ... */
+size_t insertion_end(const struct insertion *insertion, struct insertion_state *state, struct insertion_candidate *candidate, size_t n);
 
 /* True if a deletion is active at this step. */
 bool deletion_due(const struct deletion_options *options, double time, int64_t step);

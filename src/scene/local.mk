@@ -1,4 +1,38 @@
 noinst_LTLIBRARIES += libscene.la
-libscene_la_SOURCES =
+libscene_la_SOURCES = \
+	src/scene/finish.c \
+	src/scene/finish.h \
+	src/scene/insertion.c \
+	src/scene/insertion.h \
+	src/scene/lattice.c \
+	src/scene/packing.c \
+	src/scene/placegrid.c \
+	src/scene/placegrid.h \
+	src/scene/region.c \
+	src/scene/region.h \
+	src/scene/scene.c \
+	src/scene/scene.h \
+	src/scene/scene_check.c \
+	src/scene/schema.c \
+	src/scene/schema.h \
+	src/scene/schema_help.c \
+	src/scene/schema_output.c \
+	src/scene/schema_particles.c \
+	src/scene/schema_read.c \
+	src/scene/schema_root.c \
+	src/scene/schema_rows.h \
+	src/scene/schema_value.c \
+	src/scene/schema_walls.c \
+	src/scene/schema_write.c \
+	src/scene/sizes.c \
+	src/scene/sizes.h \
+	src/scene/source.c \
+	src/scene/source.h \
+	src/scene/source_parts.h \
+	src/scene/table.c \
+	src/scene/tree.c \
+	src/scene/tree.h \
+	src/scene/units.c \
+	src/scene/units.h
 libscene_la_CPPFLAGS = $(AM_CPPFLAGS) $(YAML_CFLAGS) $(MPI_CFLAGS)
 libscene_la_LIBADD = $(YAML_LIBS)

@@ -78,6 +78,7 @@ struct schema_reader {
     const char *folder;  /* relative paths start here */
     char *root;          /* the struct that schema_root describes */
     bool units;          /* units may be given */
+    const int *dimension; /* 2: vectors may have two components */
     struct error *error;
 };
 
@@ -93,8 +94,24 @@ bool schema_set(struct schema_reader *reader, struct tree_node *root, const char
 /* Checks every node against the schema and stores all values, defaults included, in reader->root. */
 bool schema_read(struct schema_reader *reader, const struct tree_node *root);
 
-/* Fills `base` with the defaults of a table alone (tests, and elements made by the program). */
-bool schema_defaults(struct schema_reader *reader, const struct schema_table *table, void *base);
+/* Fills the reader's error: "PLACE: KEY: TEXT". Returns false. */
+bool schema_fail(struct schema_reader *reader, const struct tree_node *node, const char *key, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+/* Reads one value (no section, no list of sections) from a node and stores it in the section's struct at `base`. */
+bool schema_value(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, char *base);
+
+/* Stores what a row without default holds when it is left out: NAN, -1, empty. */
+void schema_unset(const struct schema_row *row, char *base);
+
+/* A number with an optional unit: "5 mm" where the row's unit is "m". False with one line in `why`. */
+bool schema_number(const char *text, const char *unit, bool units_allowed, double *value, char *why, size_t room);
+
+/* The bounds of a row's range and whether they belong to it; without one: all finite numbers. True if `value` lies within. */
+bool schema_in_range(const struct schema_row *row, double value);
+
+/* Name of entry k of a list at the top level (a target of REF rows), NULL beyond its end. */
+const char *schema_target_name(const char *root, const char *target, int k);
 
 /* Writes all values as YAML (see scene_echo). `working` is put before relative paths. */
 void schema_write(FILE *out, const void *root, const char *working);

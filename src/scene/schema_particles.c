@@ -66,8 +66,8 @@ static const struct schema_name kind_names[] = {
     {"single", SOURCE_SINGLE, "one particle"},
     {0}};
 static const struct schema_name format_names[] = {
-    {"lammps-data", SOURCE_LAMMPS_DATA, "LAMMPS data file, atom_style sphere, also compressed (.gz)"},
-    {"table", SOURCE_TABLE, "numbers in columns, also compressed (.gz)"},
+    {"lammps-data", SOURCE_LAMMPS_DATA, "LAMMPS data file, atom_style sphere"},
+    {"table", SOURCE_TABLE, "numbers in columns"},
     {"h5md", SOURCE_H5MD, "H5MD, as this program writes it"},
     {0}};
 static const struct schema_name lattice_names[] = {

@@ -13,6 +13,7 @@ struct tree_node {
     enum tree_kind kind;
     char *text;               /* SCALAR: owned */
     bool quoted;              /* SCALAR: was in quotes */
+    bool implied;             /* LIST: stands for the keys of its section (see schema.h, short_form) */
     long line;                /* from 1; 0: from the command line */
     size_t children;
     struct tree_node **child; /* LIST, MAP: owned */

@@ -1,0 +1,255 @@
+/* From what was read to what the modules take: the box, sides, pairs of materials, unit vectors, defaults that depend on other keys. */
+#include "scene/finish.h"
+
+#include "integrate/timestep.h"
+#include "output/h5md_read.h"
+#include "output/lammps_data.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
+bool finish_fail(const struct scene *scene, struct error *error, const char *key, const char *format, ...) {
+    char place[SCENE_PATH_MAX + 32], text[1024];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof(text), format, list);
+    va_end(list);
+    scene_place(scene, key, place, sizeof(place));
+    return error_set(error, ERROR_USER, "%.700s: %.200s: %s", place, key, text);
+}
+
+void finish_prepare(struct scene *scene) {
+    snprintf(scene->group[0].name, SCENE_NAME_MAX, "free");
+    scene->group[0].material = -1;
+    scene->group[0].radius_above = -1;
+    scene->group[0].radius_upto = INFINITY;
+    scene->groups = 1;
+}
+
+/* Scales to length 1; one that has it already keeps its bits. */
+static bool normalise(double v[3]) {
+    double length = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    if (!(length > 0) || !isfinite(length))
+        return false;
+    for (int d = 0; d < 3 && fabs(length - 1) > 1e-15; d++)
+        v[d] /= length;
+    return true;
+}
+
+static bool unit_vector(const struct scene *scene, double v[3], struct error *error, const char *key) {
+    return normalise(v) || finish_fail(scene, error, key, "[%g, %g, %g] has no direction", v[0], v[1], v[2]);
+}
+
+/* The box of the first source's file. */
+static bool box_from_file(struct scene *scene, struct error *error) {
+    const struct source_options *source = &scene->source[0];
+    bool file = scene->sources > 0 && source->kind == SOURCE_FILE && source->format != SOURCE_TABLE;
+    if (!file)
+        return finish_fail(scene, error, isnan(scene->box_lower[0]) ? "box.lower" : "box.upper", "is missing; needed: three numbers [x, y, z], in m");
+    struct rows rows = {0};
+    struct h5md_read_options options = {.frame = source->frame};
+    if (source->format == SOURCE_LAMMPS_DATA ? !lammps_data_read(source->file, &rows, error) : !h5md_read(source->file, &options, NULL, &rows, error))
+        return false;
+    bool good = rows.box_given || finish_fail(scene, error, "box.lower", "is missing, and %s has no box", source->file);
+    for (int d = 0; good && d < 3; d++) {
+        scene->box_lower[d] = rows.lower[d] * source->scale + source->offset[d];
+        scene->box_upper[d] = rows.upper[d] * source->scale + source->offset[d];
+        if (rows.periodic_given)
+            scene->box.periodic[d] = scene->box.periodic[d] || rows.periodic[d];
+    }
+    rows_free(&rows);
+    return good;
+}
+
+static bool finish_box(struct scene *scene, struct error *error) {
+    scene->box_given = !isnan(scene->box_lower[0]) && !isnan(scene->box_upper[0]);
+    if (!scene->box_given && !box_from_file(scene, error))
+        return false;
+    struct box *box = &scene->box;
+    if (box->dimension == 2 && scene->box_lower[2] == scene->box_upper[2]) {
+        double thickness = fmin(scene->box_upper[0] - scene->box_lower[0], scene->box_upper[1] - scene->box_lower[1]);
+        scene->box_lower[2] -= thickness / 2;
+        scene->box_upper[2] += thickness / 2;
+    }
+    for (int d = 0; d < 3; d++) {
+        if (!(scene->box_upper[d] > scene->box_lower[d]))
+            return finish_fail(scene, error, "box.upper", "%c: %g is not above the lower corner's %g", "xyz"[d], scene->box_upper[d], scene->box_lower[d]);
+        box->origin[d] = scene->box_lower[d];
+        box->edge[d] = scene->box_upper[d] - scene->box_lower[d];
+        for (int side = 0; side < 2; side++) {
+            int leave = scene->leave_side[d][side] >= 0 ? scene->leave_side[d][side] : scene->leave_all;
+            box->leave[d][side] = (enum box_leave)leave;
+        }
+    }
+    return true;
+}
+
+static void finish_step(struct scene *scene) {
+    if (isnan(scene->duration))
+        scene->duration = -1;
+    if (isnan(scene->step.dt))
+        scene->step.dt = 0;
+    if (isnan(scene->step.fraction))
+        scene->step.fraction = scene->step.dt > 0 ? 0 : timestep_default_fraction();
+    scene->law.synchronised = integrator_find(scene->integrator)->synchronised;
+}
+
+/* Names of a list: all different. */
+static bool names_differ(const struct scene *scene, const char *list, const char *names, size_t stride, int count, struct error *error) {
+    for (int a = 0; a < count; a++)
+        for (int b = 0; b < a; b++)
+            if (names[a * stride] && strcmp(names + a * stride, names + b * stride) == 0) {
+                char key[64];
+                snprintf(key, sizeof(key), "%s[%d].name", list, a);
+                return finish_fail(scene, error, key, "'%s' is taken already", names + a * stride);
+            }
+    return true;
+}
+
+static struct law_pair law_pair_of(const struct scene_pair *pair) {
+    struct law_pair law = {.restitution = pair->restitution,
+                           .friction = pair->friction,
+                           .rolling_friction = pair->rolling_friction,
+                           .k_n = pair->k_n,
+                           .k_t = isnan(pair->k_t) ? pair->k_n * 2 / 7 : pair->k_t,
+                           .gamma_n = pair->gamma_n,
+                           .gamma_t = isnan(pair->gamma_t) ? pair->gamma_n / 2 : pair->gamma_t};
+    return law;
+}
+
+/* Fills the matrix of pairs: the default entry first, named ones over it. */
+static bool finish_pairs(struct scene *scene, struct error *error) {
+    bool named[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX] = {{false}};
+    int fallback = -1;
+    for (int k = 0; k < scene->pairs; k++) {
+        struct scene_pair *pair = &scene->pair[k];
+        char key[64];
+        snprintf(key, sizeof(key), "material_pairs[%d].between", k);
+        if (pair->between_count == 0) {
+            if (fallback >= 0)
+                return finish_fail(scene, error, key, "is missing; only one entry may be the default of all pairs, and [%d] is it", fallback);
+            fallback = k;
+            continue;
+        }
+        if (pair->between_count != 2)
+            return finish_fail(scene, error, key, "names %d materials; needed: two", pair->between_count);
+        int a = pair->material[0], b = pair->material[1];
+        if (named[a][b])
+            return finish_fail(scene, error, key, "the pair %s, %s is given twice", scene->material[a].name, scene->material[b].name);
+        named[a][b] = named[b][a] = true;
+        scene->law_pair[a][b] = scene->law_pair[b][a] = law_pair_of(pair);
+    }
+    for (int a = 0; a < scene->materials; a++)
+        for (int b = 0; b <= a; b++) {
+            if (named[a][b])
+                continue;
+            if (fallback < 0)
+                return finish_fail(scene, error, "material_pairs", "the pair %s, %s is missing (an entry without `between` serves all that are not named)",
+                                   scene->material[b].name, scene->material[a].name);
+            scene->law_pair[a][b] = scene->law_pair[b][a] = law_pair_of(&scene->pair[fallback]);
+        }
+    return true;
+}
+
+/* A material that was not named: the only one. */
+static bool only_material(const struct scene *scene, int *material, struct error *error, const char *list, int number) {
+    if (*material < 0 && scene->materials == 1)
+        *material = 0;
+    char key[64];
+    snprintf(key, sizeof(key), "%s[%d].material", list, number);
+    return *material >= 0 || finish_fail(scene, error, key, "is missing; needed, as there are several materials");
+}
+
+static bool finish_walls(struct scene *scene, struct error *error) {
+    for (int w = 0; w < scene->walls; w++) {
+        struct wall_options *wall = &scene->wall[w];
+        char key[96];
+        if (!wall->name[0])
+            snprintf(wall->name, WALL_NAME_MAX, "wall%d", w + 1);
+        if (strcmp(wall->format, "auto") == 0)
+            wall->format[0] = '\0';
+        if (!only_material(scene, &wall->material, error, "walls", w))
+            return false;
+        snprintf(key, sizeof(key), "walls[%d].%s", w, wall->shape == WALL_PLANE ? "normal" : "axis");
+        if (wall->shape == WALL_PLANE && !unit_vector(scene, wall->normal, error, key))
+            return false;
+        if (wall->shape == WALL_CYLINDER && !unit_vector(scene, wall->axis, error, key))
+            return false;
+        for (int m = 0; m < wall->motions; m++) {
+            struct wall_motion *motion = &wall->motion[m];
+            snprintf(key, sizeof(key), "walls[%d].motion[%d].direction", w, m);
+            if (motion->kind != WALL_TRANSLATE && motion->kind != WALL_TABLE && !unit_vector(scene, motion->direction, error, key))
+                return false;
+        }
+    }
+    return true;
+}
+
+static bool finish_groups(struct scene *scene, struct error *error) {
+    for (int g = 1; g < scene->groups; g++) {
+        struct scene_group *group = &scene->group[g];
+        char key[64];
+        snprintf(key, sizeof(key), "groups[%d].select.region.axis", g - 1);
+        if (group->region.shape == REGION_CYLINDER && !unit_vector(scene, group->region.axis, error, key))
+            return false;
+        if (isnan(group->radius_above))
+            group->radius_above = -1;
+        if (isnan(group->radius_upto))
+            group->radius_upto = INFINITY;
+        group->by_region = group->region.shape != REGION_ALL;
+        group->selects = group->by_region || group->material >= 0 || group->id_count > 0 || group->radius_above >= 0 || isfinite(group->radius_upto);
+    }
+    for (int g = 1; g < scene->groups; g++)
+        for (int other = 0; other < g; other++)
+            if (strcmp(scene->group[g].name, scene->group[other].name) == 0) {
+                char key[64];
+                snprintf(key, sizeof(key), "groups[%d].name", g - 1);
+                return finish_fail(scene, error, key, "'%s' is taken already", scene->group[g].name);
+            }
+    return true;
+}
+
+static bool finish_sources(struct scene *scene, struct error *error) {
+    for (int s = 0; s < scene->sources; s++) {
+        struct source_options *source = &scene->source[s];
+        char key[80];
+        snprintf(key, sizeof(key), "particles.sources[%d].region.axis", s);
+        if (source->kind != SOURCE_FILE && !only_material(scene, &source->material, error, "particles.sources", s))
+            return false;
+        if (source->region.shape == REGION_CYLINDER && !unit_vector(scene, source->region.axis, error, key))
+            return false;
+    }
+    for (int k = 0; k < scene->insertions; k++) {
+        struct insertion_options *insertion = &scene->insertion[k];
+        char key[80];
+        snprintf(key, sizeof(key), "insertions[%d].region.axis", k);
+        if (!only_material(scene, &insertion->material, error, "insertions", k))
+            return false;
+        if (insertion->region.shape == REGION_CYLINDER && !unit_vector(scene, insertion->region.axis, error, key))
+            return false;
+        insertion->group = insertion->group < 0 ? 0 : insertion->group;
+    }
+    for (int k = 0; k < scene->deletions; k++) {
+        char key[80];
+        snprintf(key, sizeof(key), "deletions[%d].region.axis", k);
+        if (scene->deletion[k].region.shape == REGION_CYLINDER && !unit_vector(scene, scene->deletion[k].region.axis, error, key))
+            return false;
+    }
+    return true;
+}
+
+bool finish_scene(struct scene *scene, struct error *error) {
+    if (!finish_box(scene, error) ||
+        !names_differ(scene, "materials", scene->material[0].name, sizeof(scene->material[0]), scene->materials, error) ||
+        !finish_pairs(scene, error) || !finish_walls(scene, error) ||
+        !names_differ(scene, "walls", scene->wall[0].name, sizeof(scene->wall[0]), scene->walls, error) || !finish_groups(scene, error) ||
+        !finish_sources(scene, error))
+        return false;
+    finish_step(scene);
+    scene->ghosts.reduced = scene->ghosts_name == 1;
+    scene->classes.skin_given = !isnan(scene->classes.skin);
+    if (!scene->classes.skin_given)
+        scene->classes.skin = -1;
+    return true;
+}

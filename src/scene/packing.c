@@ -1,0 +1,134 @@
+/* Random sequential addition: radii are drawn first, then placed from large to small, each at the first of its random places that is free. The
+ * places of a sphere come from a sequence of its own, so that the packing depends on seed and scene alone. Without moving what is placed
+ * the density is bounded: equal spheres end at 0.382 of the volume, equal discs at 0.547 of the area (Feder 1980), and the last
+ * percents take very long; wide size laws reach more. */
+#include "scene/source_parts.h"
+
+#include "core/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SPHERES_MAX = 200000000 };
+
+struct draw {
+    double radius;
+    uint32_t number;
+};
+
+static int larger_first(const void *a, const void *b) {
+    const struct draw *p = a, *q = b;
+    if (p->radius != q->radius)
+        return p->radius < q->radius ? 1 : -1;
+    return p->number < q->number ? -1 : p->number > q->number;
+}
+
+static double solid(int dimension, double r) {
+    return dimension == 2 ? M_PI * r * r : 4 * M_PI / 3 * r * r * r;
+}
+
+/* What is to be placed: `count` radii, or as many as fill the volume fraction. */
+struct order {
+    struct draw *draw;
+    size_t count;
+    double volume; /* of the region */
+};
+
+static bool draw_radii(const struct scene *scene, int source, double volume, struct order *order, struct error *error) {
+    const struct source_options *options = &scene->source[source];
+    struct sizes_sampler sampler;
+    if (!sizes_prepare(&sampler, &options->sizes, error))
+        return false;
+    double wanted = options->volume_fraction * volume, have = 0;
+    size_t capacity = options->count ? (size_t)options->count : 1024;
+    *order = (struct order){.volume = volume};
+    char key[96];
+    if (options->count > SPHERES_MAX)
+        return finish_fail(scene, error, source_key(source, "count", key, sizeof(key)), "more than %d spheres", SPHERES_MAX);
+    order->draw = memory_allocate(capacity, sizeof(*order->draw), "radii");
+    while (options->count ? order->count < (size_t)options->count : have < wanted) {
+        struct random_sequence random = random_sequence(scene->seed, RANDOM_RADIUS, (uint64_t)(source + 1) << 40 | order->count);
+        double r = sizes_draw(&sampler, &random);
+        double more = solid(scene->box.dimension, r);
+        if (!options->count && have + more - wanted > wanted - have)
+            break; /* without it the fraction is nearer */
+        have += more;
+        if (order->count == SPHERES_MAX)
+            return finish_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)), "needs more than %d spheres", SPHERES_MAX);
+        if (order->count == capacity)
+            order->draw = memory_resize(order->draw, capacity *= 2, sizeof(*order->draw), "radii");
+        order->draw[order->count] = (struct draw){r, (uint32_t)order->count};
+        order->count++;
+    }
+    qsort(order->draw, order->count, sizeof(*order->draw), larger_first);
+    return true;
+}
+
+/* Box-relative, wrapped. */
+static void relative(const struct box *box, const double x[3], double y[3]) {
+    for (int d = 0; d < 3; d++) {
+        y[d] = x[d] - box->origin[d];
+        if (box->periodic[d])
+            y[d] -= floor(y[d] / box->edge[d]) * box->edge[d];
+    }
+}
+
+/* Finds a free place for one sphere; *tries counts. */
+static bool find_place(const struct scene *scene, int source, const struct region *region, const struct region_space *space,
+                       const struct placegrid *grid, const struct draw *draw, double x[3]) {
+    struct random_sequence random = random_sequence(scene->seed, RANDOM_POSITION, (uint64_t)(source + 1) << 40 | draw->number);
+    for (int64_t k = 0; k < scene->source[source].attempts; k++) {
+        double y[3];
+        if (!region_draw(region, space, draw->radius, &random, x))
+            return false;
+        relative(&scene->box, x, y);
+        if (!placegrid_touches(grid, y, draw->radius))
+            return true;
+    }
+    return false;
+}
+
+static bool not_placed(const struct scene *scene, int source, const struct order *order, size_t placed, double reached, struct error *error) {
+    char key[96];
+    double wanted = 0;
+    for (size_t k = 0; k < order->count; k++)
+        wanted += solid(scene->box.dimension, order->draw[k].radius);
+    source_key(source, scene->source[source].count ? "count" : "volume_fraction", key, sizeof(key));
+    return finish_fail(scene, error, key,
+                       "only %zu of %zu spheres found a place (volume fraction %.4g of %.4g) in %lld attempts for the next one, of radius %g. Random placement ends "
+                       "at about %s; wide size laws reach more, a lattice or a packing made beforehand as well",
+                       placed, order->count, reached / order->volume, wanted / order->volume, (long long)scene->source[source].attempts,
+                       order->draw[placed].radius, scene->box.dimension == 2 ? "0.547 of the area for equal discs" : "0.382 for equal spheres");
+}
+
+static bool place_all(const struct scene *scene, int source, const struct region *region, const struct region_space *space, struct placegrid *grid,
+                      const struct order *order, struct source_batch *batch, struct error *error) {
+    double reached = 0;
+    for (size_t k = 0; k < order->count; k++) {
+        double *x = batch->rows.position[k], y[3];
+        if (!find_place(scene, source, region, space, grid, &order->draw[k], x))
+            return not_placed(scene, source, order, k, reached, error);
+        relative(&scene->box, x, y);
+        placegrid_add(grid, y, order->draw[k].radius);
+        batch->rows.radius[k] = order->draw[k].radius;
+        reached += solid(scene->box.dimension, order->draw[k].radius);
+    }
+    return true;
+}
+
+bool packing_make(const struct scene *scene, int source, struct placegrid *grid, struct source_batch *batch, struct error *error) {
+    struct region_space space;
+    struct region region = source_region(scene, &scene->source[source].region, &space);
+    struct order order = {0};
+    bool good = draw_radii(scene, source, region_volume(&region, &space), &order, error);
+    char key[96];
+    if (good && order.count == 0)
+        good = finish_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)), "is too small for a single sphere");
+    if (good) {
+        rows_create(&batch->rows, order.count, ROWS_POSITION | ROWS_RADIUS);
+        good = place_all(scene, source, &region, &space, grid, &order, batch, error);
+    }
+    memory_free(order.draw);
+    return good;
+}

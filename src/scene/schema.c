@@ -1,0 +1,267 @@
+#include "scene/schema.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+const struct schema_row *schema_row_find(const struct schema_table *table, const char *key, size_t length) {
+    for (int k = 0; k < table->count; k++)
+        if (strlen(table->rows[k].key) == length && memcmp(table->rows[k].key, key, length) == 0)
+            return &table->rows[k];
+    return NULL;
+}
+
+/* The list whose element a section may hold directly, or NULL. */
+static const struct schema_row *short_list(const struct schema_table *table) {
+    for (int k = 0; k < table->count; k++)
+        if (table->rows[k].short_form)
+            return &table->rows[k];
+    return NULL;
+}
+
+const struct schema_row *schema_find(const char *key) {
+    const struct schema_table *table = &schema_root;
+    for (;;) {
+        size_t length = strcspn(key, ".[");
+        const struct schema_row *row = schema_row_find(table, key, length);
+        const struct schema_row *list = row ? NULL : short_list(table);
+        if (list)
+            row = schema_row_find(list->sub, key, length);
+        if (!row)
+            return NULL;
+        key += length;
+        if (*key == '[')
+            key += strcspn(key, "]") + (strchr(key, ']') != NULL);
+        if (*key == '\0')
+            return row;
+        if (*key != '.' || !row->sub)
+            return NULL;
+        table = row->sub;
+        key++;
+    }
+}
+
+static void walk_table(const struct schema_table *table, const char *prefix, int depth,
+                       void (*visit)(void *context, const struct schema_row *row, const char *key, int depth), void *context) {
+    for (int k = 0; k < table->count; k++) {
+        const struct schema_row *row = &table->rows[k];
+        char key[SCHEMA_KEY_MAX], below[SCHEMA_KEY_MAX];
+        snprintf(key, sizeof(key), "%s%s%s", prefix, row->key, row->type == SCHEMA_LIST ? "[]" : "");
+        visit(context, row, key, depth);
+        if (!row->sub)
+            continue;
+        snprintf(below, sizeof(below), "%.*s.", (int)sizeof(below) - 2, key);
+        walk_table(row->sub, below, depth + 1, visit, context);
+    }
+}
+
+void schema_walk(void (*visit)(void *context, const struct schema_row *row, const char *key, int depth), void *context) {
+    walk_table(&schema_root, "", 0, visit, context);
+}
+
+/* Levenshtein's distance of two words, the longer one cut at 63 letters. */
+static int word_distance(const char *a, const char *b) {
+    int row[64];
+    int n = (int)strnlen(a, 63), m = (int)strnlen(b, 63);
+    for (int j = 0; j <= m; j++)
+        row[j] = j;
+    for (int i = 1; i <= n; i++) {
+        int diagonal = row[0];
+        row[0] = i;
+        for (int j = 1; j <= m; j++) {
+            int best = diagonal + (a[i - 1] != b[j - 1]);
+            diagonal = row[j];
+            best = row[j] + 1 < best ? row[j] + 1 : best;
+            row[j] = row[j - 1] + 1 < best ? row[j - 1] + 1 : best;
+        }
+    }
+    return row[m];
+}
+
+struct suggestion {
+    const char *section, *key;
+    double score;
+    char *nearest;
+};
+
+/* A sibling with a typing error is nearest, then the same name in another section, then the same with an error. */
+static void suggest_row(void *context, const struct schema_row *row, const char *key, int depth) {
+    struct suggestion *s = context;
+    (void)depth;
+    int distance = word_distance(s->key, row->key);
+    size_t shorter = strlen(s->key) < strlen(row->key) ? strlen(s->key) : strlen(row->key);
+    if (distance > (shorter > 5 ? (int)shorter / 3 : 1))
+        return;
+    size_t length = strlen(s->section);
+    bool sibling = strncmp(key, s->section, length) == 0 && !strpbrk(key + length, ".");
+    double score = distance + (sibling ? 0 : 1.5);
+    if (score < s->score) {
+        s->score = score;
+        snprintf(s->nearest, SCHEMA_KEY_MAX, "%s", key);
+    }
+}
+
+bool schema_suggest(const char *section, const char *key, char nearest[SCHEMA_KEY_MAX]) {
+    struct suggestion suggestion = {.section = section, .key = key, .score = 1e9, .nearest = nearest};
+    schema_walk(suggest_row, &suggestion);
+    return suggestion.score < 1e9;
+}
+
+bool schema_fail(struct schema_reader *reader, const struct tree_node *node, const char *key, const char *format, ...) {
+    char place[1200], text[1024];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof(text), format, list);
+    va_end(list);
+    tree_place(node, reader->file, place, sizeof(place));
+    if (!key[0])
+        return error_set(reader->error, ERROR_USER, "%.700s: %s", place, text);
+    return error_set(reader->error, ERROR_USER, "%.700s: %.200s: %s", place, key, text);
+}
+
+/* Ranges. */
+
+struct interval {
+    double low, high;
+    bool with_low, with_high;
+};
+
+static struct interval range_of(const struct schema_row *row) {
+    if (!row->range)
+        return (struct interval){-INFINITY, INFINITY, false, false};
+    char *end;
+    struct interval range = {.with_low = row->range[0] == '['};
+    range.low = strtod(row->range + 1, &end);
+    range.high = strtod(end + 1, &end);
+    range.with_high = *end == ']';
+    return range;
+}
+
+bool schema_in_range(const struct schema_row *row, double value) {
+    struct interval range = range_of(row);
+    return (value > range.low || (range.with_low && value == range.low)) && (value < range.high || (range.with_high && value == range.high));
+}
+
+static void range_words(const struct schema_row *row, char *text, size_t room) {
+    struct interval range = range_of(row);
+    if (isinf(range.low) && isinf(range.high))
+        text[0] = '\0';
+    else if (isinf(range.high))
+        snprintf(text, room, " %s %g", range.with_low ? ">=" : ">", range.low);
+    else
+        snprintf(text, room, " from %g%s to %g%s", range.low, range.with_low ? "" : " (excluded)", range.high, range.with_high ? "" : " (excluded)");
+}
+
+/* Conditions. */
+
+static bool name_is(const struct schema_row *row, const char *value, const char *alternatives, size_t length) {
+    const char *name = NULL;
+    if (row->type == SCHEMA_CHOICE)
+        name = value;
+    for (int k = 0; row->type == SCHEMA_NAME && row->names[k].name; k++)
+        if (row->names[k].value == *(const int *)value)
+            name = row->names[k].name;
+    while (name && length > 0) {
+        size_t one = strcspn(alternatives, "| ");
+        one = one < length ? one : length;
+        if (strlen(name) == one && memcmp(name, alternatives, one) == 0)
+            return true;
+        size_t skip = one < length ? one + 1 : length;
+        alternatives += skip;
+        length -= skip;
+    }
+    return false;
+}
+
+/* One condition "key=a|b" of `length` bytes. */
+static bool holds(const char *condition, size_t length, const struct schema_table *table, const char *base, const char *root) {
+    if (*condition == '/') {
+        table = &schema_root;
+        base = root;
+        condition++;
+        length--;
+    }
+    for (;;) {
+        size_t part = strcspn(condition, ".=");
+        const struct schema_row *row = schema_row_find(table, condition, part);
+        if (!row)
+            return false;
+        bool last = condition[part] == '=';
+        condition += part + 1;
+        length -= part + 1;
+        base += row->offset;
+        if (last)
+            return name_is(row, base, condition, length);
+        table = row->sub;
+    }
+}
+
+bool schema_applies(const struct schema_row *row, const struct schema_table *table, const char *base, const char *root) {
+    const char *condition = row->when;
+    while (condition) {
+        const char *end = strstr(condition, " & ");
+        if (!holds(condition, end ? (size_t)(end - condition) : strlen(condition), table, base, root))
+            return false;
+        condition = end ? end + 3 : NULL;
+    }
+    return true;
+}
+
+const char *schema_target_name(const char *root, const char *target, int k) {
+    const struct schema_row *list = schema_row_find(&schema_root, target, strlen(target));
+    const struct schema_row *name = schema_row_find(list->sub, "name", 4);
+    if (k < 0 || k >= *(const int *)(root + list->count_offset))
+        return NULL;
+    return root + list->offset + (size_t)k * list->size + name->offset;
+}
+
+/* What is allowed, in words. */
+
+static void append_word(char *text, size_t room, const char *separator, const char *word) {
+    size_t length = strlen(text);
+    snprintf(text + length, room - length, "%s%s", separator, word);
+}
+
+static void name_words(const struct schema_row *row, char *text, size_t room) {
+    snprintf(text, room, "one of");
+    for (int k = 0; row->type == SCHEMA_NAME && row->names[k].name; k++)
+        append_word(text, room, k ? ", " : " ", row->names[k].name);
+    const char *help;
+    for (int k = 0; row->type == SCHEMA_CHOICE && row->choice(k, &help); k++)
+        append_word(text, room, k ? ", " : " ", row->choice(k, &help));
+}
+
+void schema_allowed(const struct schema_row *row, char *text, size_t room) {
+    static const char *const words[] = {
+        [SCHEMA_REAL] = "a number",
+        [SCHEMA_VECTOR] = "three numbers [x, y, z]",
+        [SCHEMA_REALS] = "a list of numbers",
+        [SCHEMA_INT] = "a whole number",
+        [SCHEMA_LONG] = "a whole number",
+        [SCHEMA_LONGS] = "a list of whole numbers",
+        [SCHEMA_SEED] = "a whole number from 0 to 2^64 - 1",
+        [SCHEMA_BOOL] = "true or false (on, off, yes, no)",
+        [SCHEMA_BOOLS] = "true or false, or three of them [x, y, z]",
+        [SCHEMA_TEXT] = "text",
+        [SCHEMA_TEXTS] = "a list of names",
+        [SCHEMA_PATH] = "a path, relative to the scene file",
+        [SCHEMA_REF] = "a name out of",
+        [SCHEMA_REFS] = "a list of names out of",
+        [SCHEMA_SECTION] = "a section with keys of its own",
+        [SCHEMA_LIST] = "a list of sections (`- key: value`)",
+    };
+    if (row->type == SCHEMA_NAME || row->type == SCHEMA_CHOICE) {
+        name_words(row, text, room);
+        return;
+    }
+    snprintf(text, room, "%s", words[row->type]);
+    if (row->target)
+        append_word(text, room, " ", row->target);
+    char range[80] = "";
+    if (row->type != SCHEMA_SEED)
+        range_words(row, range, sizeof(range));
+    append_word(text, room, "", range);
+    if (row->unit && row->unit[0])
+        append_word(text, room, ", in ", row->unit);
+}

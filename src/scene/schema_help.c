@@ -1,0 +1,194 @@
+/* The schema for people: `scree help` and docs/scene.md. */
+#include "scene/scene.h"
+#include "scene/schema.h"
+
+#include <string.h>
+
+/* One line: what may stand there. */
+static void print_brief(FILE *out, const struct schema_row *row) {
+    char allowed[512];
+    schema_allowed(row, allowed, sizeof(allowed));
+    fprintf(out, "%s", allowed);
+    if (row->fallback && row->fallback[0])
+        fprintf(out, "; default %s", row->fallback);
+    else if (row->required)
+        fprintf(out, "; required");
+}
+
+static bool is_group(const struct schema_row *row) {
+    return row->type == SCHEMA_SECTION || row->type == SCHEMA_LIST;
+}
+
+/* "/contact.law=hooke & damping=x" without the leading slash of a path from the top. */
+static void print_condition(FILE *out, const char *when) {
+    for (const char *c = when; *c; c++)
+        if (*c != '/')
+            fputc(*c, out);
+}
+
+static void print_line(void *context, const struct schema_row *row, const char *key, int depth) {
+    FILE *out = context;
+    if (is_group(row) && depth == 0)
+        fprintf(out, "\n");
+    fprintf(out, "%-44s %s\n", key, row->help);
+}
+
+/* Rows of one section, by their full keys. */
+struct listing {
+    FILE *out;
+    const char *prefix;
+    int depth;
+};
+
+static void print_below(void *context, const struct schema_row *row, const char *key, int depth) {
+    const struct listing *listing = context;
+    size_t length = strlen(listing->prefix);
+    if (depth == listing->depth + 1 && strncmp(key, listing->prefix, length) == 0 && key[length] == '.')
+        fprintf(listing->out, "  %-40s %s\n", key, row->help);
+}
+
+static void print_names(FILE *out, const struct schema_row *row) {
+    const char *name, *help;
+    for (int k = 0; row->type == SCHEMA_NAME && row->names[k].name; k++)
+        if (row->names[k].help)
+            fprintf(out, "    %-24s %s\n", row->names[k].name, row->names[k].help);
+    for (int k = 0; row->type == SCHEMA_CHOICE && (name = row->choice(k, &help)); k++)
+        fprintf(out, "    %-24s %s\n", name, help);
+}
+
+/* The full key of a row, in the form with []. */
+struct search {
+    const struct schema_row *row;
+    char key[SCHEMA_KEY_MAX];
+    int depth;
+};
+
+static void match_row(void *context, const struct schema_row *row, const char *key, int depth) {
+    struct search *search = context;
+    if (row != search->row || search->key[0])
+        return;
+    snprintf(search->key, sizeof(search->key), "%s", key);
+    search->depth = depth;
+}
+
+static void print_row(FILE *out, const struct schema_row *row) {
+    struct search search = {.row = row};
+    schema_walk(match_row, &search);
+    fprintf(out, "%s: %s\n  ", search.key, row->help);
+    print_brief(out, row);
+    fprintf(out, "\n");
+    print_names(out, row);
+    if (row->when) {
+        fprintf(out, "  only with ");
+        print_condition(out, row->when);
+        fprintf(out, "\n");
+    }
+    if (row->main)
+        fprintf(out, "  a bare value stands for %s.%s\n", search.key, row->main);
+    if (row->example)
+        fprintf(out, "  example: %s: %s\n", row->key, row->example);
+    struct listing listing = {.out = out, .prefix = search.key, .depth = search.depth};
+    if (row->sub)
+        schema_walk(print_below, &listing);
+}
+
+bool scene_help(FILE *out, const char *key) {
+    if (!key) {
+        fprintf(out, "Keys of a scene (`scree help KEY` tells more; any key may be set by --set KEY=VALUE):\n");
+        schema_walk(print_line, out);
+        return true;
+    }
+    const struct schema_row *row = schema_find(key);
+    if (row) {
+        print_row(out, row);
+        return true;
+    }
+    const char *last = strrchr(key, '.');
+    char nearest[SCHEMA_KEY_MAX];
+    if (schema_suggest("", last ? last + 1 : key, nearest))
+        fprintf(out, "no key '%s'; the nearest is '%s'\n", key, nearest);
+    else
+        fprintf(out, "no key '%s'; `scree help` lists all\n", key);
+    return false;
+}
+
+/* The document. */
+
+/* Text in a cell of a table: no bars. */
+static void print_cell(FILE *out, const char *text) {
+    for (; *text; text++)
+        fprintf(out, *text == '|' ? "\\|" : "%c", *text);
+}
+
+static void print_table_row(FILE *out, const struct schema_row *row) {
+    char allowed[512];
+    schema_allowed(row, allowed, sizeof(allowed));
+    fprintf(out, "| `%s` | ", row->key);
+    print_cell(out, allowed);
+    fprintf(out, " | ");
+    if (row->required)
+        fprintf(out, "required");
+    else if (row->fallback && row->fallback[0])
+        fprintf(out, "`%s`", row->fallback);
+    fprintf(out, " | ");
+    print_cell(out, row->help);
+    const char *help;
+    bool names = row->type == SCHEMA_NAME || row->type == SCHEMA_CHOICE;
+    for (int k = 0; names; k++) {
+        const char *name = row->type == SCHEMA_NAME ? row->names[k].name : row->choice(k, &help);
+        if (!name)
+            break;
+        help = row->type == SCHEMA_NAME ? row->names[k].help : help;
+        if (help) {
+            fprintf(out, "; `%s`: ", name);
+            print_cell(out, help);
+        }
+    }
+    if (row->when) {
+        fprintf(out, ". Only with `");
+        for (const char *c = row->when; *c; c++)
+            if (*c != '/')
+                fprintf(out, *c == '|' ? " or " : "%c", *c);
+        fprintf(out, "`");
+    }
+    if (row->example) {
+        fprintf(out, ". Example: `");
+        print_cell(out, row->example);
+        fprintf(out, "`");
+    }
+    fprintf(out, " |\n");
+}
+
+static void print_section(FILE *out, const struct schema_table *table, const char *title, const char *help) {
+    fprintf(out, "\n## %s\n\n%s.\n\n| key | allowed | default | meaning |\n|---|---|---|---|\n", title, help);
+    for (int k = 0; k < table->count; k++)
+        print_table_row(out, &table->rows[k]);
+}
+
+static void print_subsection(void *context, const struct schema_row *row, const char *key, int depth) {
+    FILE *out = context;
+    (void)depth;
+    char title[SCHEMA_KEY_MAX + 4];
+    snprintf(title, sizeof(title), "`%s`", key);
+    char help[512];
+    snprintf(help, sizeof(help), "%c%s", row->help[0] >= 'a' && row->help[0] <= 'z' ? row->help[0] - 32 : row->help[0], row->help + 1);
+    if (row->sub)
+        print_section(out, row->sub, title, help);
+}
+
+void scene_document(FILE *out) {
+    fprintf(out, "# The scene file\n\n"
+                 "This page is written by the program itself, from the table that it reads scenes by; `scree help KEY` prints the same.\n\n"
+                 "- A scene is a YAML file. Unknown, duplicate and ill-typed keys, values out of range and impossible combinations stop the\n"
+                 "  program before anything runs, with file, line, key and what is allowed.\n"
+                 "- Numbers are in SI base units (m, kg, s, rad) unless a unit follows: `5 mm`, `2 GPa`, `0.1 ms`, `20 rpm`, `2.5 g/cm3`. Prefixes n, u,\n"
+                 "  m, c, d, h, k, M, G, T stand before m, g, s, N, Pa, J, W, Hz, rad, bar, L; without prefix there are t, min, h, deg, rpm, %%. With `units: none`\n"
+                 "  a unit is an error.\n"
+                 "- `--set KEY=VALUE` on the command line overrides any key: `--set step.dt=1e-6`, `--set walls[0].radius=\"5 cm\"`, `--set index=multi`.\n"
+                 "  Lists count from 0; the number after the last appends an entry.\n"
+                 "- Paths are relative to the folder of the scene file.\n"
+                 "- In two dimensions vectors may have two components.\n"
+                 "- The effective scene, defaults included, is written into every output file; it can be run again.\n");
+    print_section(out, &schema_root, "Top level", "The sections, and the keys outside of any");
+    schema_walk(print_subsection, out);
+}

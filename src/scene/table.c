@@ -1,0 +1,314 @@
+/* Plain tables: a row of numbers a particle, columns apart by blanks, tabs, commas or semicolons; `#` begins a comment. The columns are named by
+ * the scene or by a header line ("Radius[m] PosX[m] PosY[m] PosZ[m]"), whose units are obeyed. A row with more or fewer numbers than
+ * there are columns is refused: it is not a row of this list. */
+#include "scene/source_parts.h"
+
+#include "core/memory.h"
+#include "particles/particles.h"
+#include "scene/units.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+enum column {
+    COLUMN_SKIP, COLUMN_ID, COLUMN_RADIUS, COLUMN_DIAMETER, COLUMN_DENSITY, COLUMN_MATERIAL,
+    COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_VX, COLUMN_VY, COLUMN_VZ, COLUMN_WX, COLUMN_WY, COLUMN_WZ,
+    COLUMNS
+};
+
+static const struct {
+    const char *names; /* the first is the one to use; all in lower case, apart by blanks */
+    const char *unit;
+} columns[COLUMNS] = {
+    [COLUMN_SKIP] = {"skip _ -", ""},
+    [COLUMN_ID] = {"id number", ""},
+    [COLUMN_RADIUS] = {"radius r rad", "m"},
+    [COLUMN_DIAMETER] = {"diameter d", "m"},
+    [COLUMN_DENSITY] = {"density rho", "kg/m3"},
+    [COLUMN_MATERIAL] = {"material type", ""},
+    [COLUMN_X] = {"x posx pos_x position_x", "m"},
+    [COLUMN_Y] = {"y posy pos_y position_y", "m"},
+    [COLUMN_Z] = {"z posz pos_z position_z", "m"},
+    [COLUMN_VX] = {"vx velx vel_x velocity_x", "m/s"},
+    [COLUMN_VY] = {"vy vely vel_y velocity_y", "m/s"},
+    [COLUMN_VZ] = {"vz velz vel_z velocity_z", "m/s"},
+    [COLUMN_WX] = {"omega_x omegax wx angular_velocity_x", "rad/s"},
+    [COLUMN_WY] = {"omega_y omegay wy angular_velocity_y", "rad/s"},
+    [COLUMN_WZ] = {"omega_z omegaz wz angular_velocity_z", "rad/s"},
+};
+
+struct table {
+    const struct scene *scene;
+    const struct source_options *source;
+    int number; /* of the source */
+    int width;
+    enum column column[SOURCE_COLUMNS_MAX];
+    double factor[SOURCE_COLUMNS_MAX]; /* to SI */
+    const char *at;                    /* the rest of the text */
+    long line;                         /* of the line last taken */
+    struct error *error;
+};
+
+static bool fail(const struct table *table, const char *format, const char *what) {
+    char text[512];
+    snprintf(text, sizeof(text), format, what);
+    return error_set(table->error, ERROR_USER, "%.700s:%ld: %s", table->source->file, table->line, text);
+}
+
+/* Cuts the next word off a line; NULL at its end. */
+static char *next_word(char **line) {
+    char *word = *line + strspn(*line, " \t\r,;");
+    if (*word == '\0')
+        return NULL;
+    *line = word + strcspn(word, " \t\r,;");
+    if (**line)
+        *(*line)++ = '\0';
+    return word;
+}
+
+/* The next line with something on it; comments are cut off and, where they stand alone, kept in `comment` as a possible header. */
+static bool next_line(struct table *table, char *line, size_t room, char *comment) {
+    while (*table->at) {
+        size_t length = strcspn(table->at, "\n");
+        size_t kept = length < room - 1 ? length : room - 1;
+        memcpy(line, table->at, kept);
+        line[kept] = '\0';
+        table->at += length + (table->at[length] == '\n');
+        table->line++;
+        char *hash = strchr(line, '#');
+        bool alone = hash && strspn(line, " \t\r") == (size_t)(hash - line);
+        if (alone && comment)
+            memmove(comment, hash + 1, strlen(hash + 1) + 1);
+        if (hash)
+            *hash = '\0';
+        if (line[strspn(line, " \t\r,;")])
+            return true;
+    }
+    return false;
+}
+
+static bool name_matches(const char *names, const char *word, size_t length) {
+    while (*names) {
+        size_t one = strcspn(names, " ");
+        if (one == length && strncasecmp(names, word, length) == 0)
+            return true;
+        names += one + (names[one] == ' ');
+    }
+    return false;
+}
+
+/* "PosX[mm]": the column and the factor of its unit. 0: no such column, -1: wrong unit. */
+static int parse_column(const char *word, enum column *column, double *factor) {
+    size_t length = strcspn(word, "[(");
+    *factor = 1;
+    for (int c = 0; c < COLUMNS; c++) {
+        if (!name_matches(columns[c].names, word, length))
+            continue;
+        *column = (enum column)c;
+        if (word[length] == '\0')
+            return 1;
+        char unit[64];
+        struct units_dimension given, wanted;
+        double si;
+        snprintf(unit, sizeof(unit), "%.*s", (int)strcspn(word + length + 1, "])"), word + length + 1);
+        bool good = units_parse(unit, factor, &given) && units_parse(columns[c].unit, &si, &wanted) && units_same(&given, &wanted);
+        return good ? 1 : -1;
+    }
+    return 0;
+}
+
+static bool add_column(struct table *table, const char *word) {
+    static const char known[] = "id radius diameter density material x y z vx vy vz omega_x omega_y omega_z skip";
+    enum column column;
+    double factor;
+    int found = parse_column(word, &column, &factor);
+    char text[400];
+    if (found <= 0) {
+        snprintf(text, sizeof(text), found ? "column '%.60s': not a unit of it" : "'%.60s' is not a column; known: %s", word, known);
+        return fail(table, "%s", text);
+    }
+    if (strpbrk(word, "[(") && table->scene->units == SCENE_UNITS_NONE && column != COLUMN_SKIP)
+        return fail(table, "column '%s' has a unit, but the scene is dimensionless (units: none)", word);
+    for (int k = 0; k < table->width; k++)
+        if (column != COLUMN_SKIP && table->column[k] == column)
+            return fail(table, "column '%s' is there twice", word);
+    if (table->width == SOURCE_COLUMNS_MAX)
+        return fail(table, "%s", "too many columns");
+    table->column[table->width] = column;
+    table->factor[table->width++] = factor;
+    return true;
+}
+
+static bool has_column(const struct table *table, enum column column) {
+    for (int k = 0; k < table->width; k++)
+        if (table->column[k] == column)
+            return true;
+    return false;
+}
+
+static bool is_number(const char *text) {
+    char word[64], *end;
+    text += strspn(text, " \t\r,;");
+    snprintf(word, sizeof(word), "%.*s", (int)strcspn(text, " \t\r,;"), text);
+    strtod(word, &end);
+    return end != word && *end == '\0';
+}
+
+/* Names the columns from words in a line. */
+static bool columns_from(struct table *table, const char *line) {
+    char copy[1024], *rest = copy, *word;
+    snprintf(copy, sizeof(copy), "%s", line);
+    while ((word = next_word(&rest)))
+        if (!add_column(table, word))
+            return false;
+    return true;
+}
+
+/* Finds the columns: from the scene, a header line, or a comment of column names just before the data. The text is left at the first row. */
+static bool find_columns(struct table *table) {
+    char line[1024], comment[1024] = "";
+    const char *start = table->at;
+    const struct source_options *source = table->source;
+    if (!next_line(table, line, sizeof(line), comment))
+        return fail(table, "%s", "the file holds no particles");
+    bool header = !is_number(line);
+    if (!header) {
+        table->at = start;
+        table->line = 0;
+    }
+    char key[96], place[SCENE_PATH_MAX];
+    source_key(table->number, "columns", key, sizeof(key));
+    scene_place(table->scene, key, place, sizeof(place));
+    for (int k = 0; k < source->column_count; k++)
+        if (!add_column(table, source->column[k]))
+            return false;
+    if (source->column_count == 0 && !header && !comment[0])
+        return error_set(table->error, ERROR_USER, "%.700s: %s: is missing, and %.700s has no header line; needed: what each column holds, as in [radius, x, y, z]",
+                         place, key, source->file);
+    if (source->column_count == 0 && !columns_from(table, header ? line : comment))
+        return false;
+    if (has_column(table, COLUMN_RADIUS) == has_column(table, COLUMN_DIAMETER))
+        return fail(table, "%s", "one column must be the radius (or the diameter)");
+    for (int d = 0; d < table->scene->box.dimension; d++)
+        if (!has_column(table, (enum column)(COLUMN_X + d)))
+            return fail(table, "no column '%s'", columns[COLUMN_X + d].names);
+    return true;
+}
+
+/* Stores one value; false if it cannot be. */
+static bool store(const struct table *table, struct source_batch *batch, size_t row, int k, const char *word) {
+    char *end;
+    double value = strtod(word, &end);
+    enum column column = table->column[k];
+    if (column == COLUMN_SKIP)
+        return true;
+    int material = *end && column == COLUMN_MATERIAL ? scene_material(table->scene, word) : -1;
+    char what[200];
+    snprintf(what, sizeof(what), "column %d (%.*s): '%.60s'", k + 1, (int)strcspn(columns[column].names, " "), columns[column].names, word);
+    if (material >= 0) {
+        batch->rows.material[row] = material;
+        batch->materials_named = true;
+        return true;
+    }
+    if (end == word || *end)
+        return fail(table, column == COLUMN_MATERIAL ? "%s is neither a material of the scene nor a number" : "%s is not a number", what);
+    if (!isfinite(value))
+        return fail(table, "%s is not finite", what);
+    bool whole = value == nearbyint(value) && value >= 1 && value < 9e15;
+    if ((column == COLUMN_ID || column == COLUMN_MATERIAL) && !whole)
+        return fail(table, "%s is not a whole number from 1", what);
+    value *= table->factor[k];
+    if (column == COLUMN_ID)
+        batch->rows.id[row] = (int64_t)value;
+    else if (column == COLUMN_MATERIAL)
+        batch->rows.material[row] = value > SOURCE_TYPES_MAX ? SOURCE_TYPES_MAX : (int32_t)value - 1;
+    else if (column == COLUMN_RADIUS || column == COLUMN_DIAMETER)
+        batch->rows.radius[row] = column == COLUMN_RADIUS ? value : value / 2;
+    else if (column == COLUMN_DENSITY)
+        batch->rows.mass[row] = value; /* made a mass when the radius is known */
+    else if (column <= COLUMN_Z)
+        batch->rows.position[row][column - COLUMN_X] = value;
+    else if (column <= COLUMN_VZ)
+        batch->rows.velocity[row][column - COLUMN_VX] = value;
+    else
+        batch->rows.angular_velocity[row][column - COLUMN_WX] = value;
+    return true;
+}
+
+static bool read_row(const struct table *table, struct source_batch *batch, size_t row, char *line) {
+    char *word, what[200], *rest = line;
+    int width = 0;
+    for (const char *c = line; *c;) {
+        c += strspn(c, " \t\r,;");
+        width += *c != '\0';
+        c += strcspn(c, " \t\r,;");
+    }
+    snprintf(what, sizeof(what), "%d values where there are %d columns; this is not a row of the list (`rows` ends the list before it)", width, table->width);
+    if (width != table->width)
+        return fail(table, "%s", what);
+    for (int k = 0; (word = next_word(&rest)); k++)
+        if (!store(table, batch, row, k, word))
+            return false;
+    double *radius = &batch->rows.radius[row];
+    if (!(*radius > 0))
+        return fail(table, "%s", "the radius must be > 0");
+    if (has_column(table, COLUMN_DENSITY) && !(batch->rows.mass[row] > 0))
+        return fail(table, "%s", "the density must be > 0");
+    if (has_column(table, COLUMN_DENSITY))
+        batch->rows.mass[row] = particles_sphere_mass(*radius, batch->rows.mass[row]);
+    batch->line[row] = (uint32_t)table->line;
+    return true;
+}
+
+/* Rows of data from here on, at most as many as the scene wants. */
+static size_t count_rows(const struct table *table) {
+    struct table copy = *table;
+    char line[1024];
+    size_t count = 0, wanted = (size_t)table->source->rows;
+    while ((wanted == 0 || count < wanted) && next_line(&copy, line, sizeof(line), NULL))
+        count++;
+    return count;
+}
+
+static unsigned wanted_columns(const struct table *table) {
+    unsigned wanted = ROWS_POSITION | ROWS_RADIUS;
+    for (int k = 0; k < table->width; k++) {
+        enum column column = table->column[k];
+        wanted |= column == COLUMN_ID ? ROWS_ID : 0;
+        wanted |= column == COLUMN_MATERIAL ? ROWS_MATERIAL : 0;
+        wanted |= column == COLUMN_DENSITY ? ROWS_MASS : 0;
+        wanted |= column >= COLUMN_VX && column <= COLUMN_VZ ? ROWS_VELOCITY : 0;
+        wanted |= column >= COLUMN_WX ? ROWS_ANGULAR_VELOCITY : 0;
+    }
+    return wanted;
+}
+
+static bool read_rows(struct table *table, struct source_batch *batch) {
+    char line[1024], what[80];
+    for (int64_t k = 0; k < table->source->skip_rows; k++)
+        if (!next_line(table, line, sizeof(line), NULL))
+            return fail(table, "%s", "the file ends within the rows that are skipped");
+    size_t count = count_rows(table);
+    snprintf(what, sizeof(what), "the file has only %zu rows", count);
+    if (count == 0 || count < (size_t)table->source->rows)
+        return fail(table, "%s", count ? what : "the file holds no particles");
+    rows_create(&batch->rows, count, wanted_columns(table));
+    batch->line = memory_allocate(count, sizeof(*batch->line), "lines");
+    for (size_t row = 0; row < count; row++)
+        if (!next_line(table, line, sizeof(line), NULL) || !read_row(table, batch, row, line))
+            return false;
+    return true;
+}
+
+bool table_read(const struct scene *scene, int source, struct source_batch *batch, struct error *error) {
+    struct table table = {.scene = scene, .source = &scene->source[source], .number = source, .error = error};
+    char *text;
+    if (!scene_read_text(table.source->file, &text, NULL, error))
+        return false;
+    table.at = text;
+    bool good = find_columns(&table) && read_rows(&table, batch);
+    memory_free(text);
+    return good;
+}
