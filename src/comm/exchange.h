@@ -39,7 +39,6 @@ struct exchange_inbox {
 /* What a planned exchange has under way. */
 struct exchange_flight {
     MPI_Request *request;
-    MPI_Status *status;
     size_t *expected; /* bytes of a receive; SIZE_MAX for a send */
     int *peer;
     size_t count, capacity;

@@ -1,5 +1,7 @@
 #include "team.h"
 
+#include "core/memory.h"
+
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,8 +17,12 @@ void team_start(struct team *team, int *argc, char ***argv) {
         error_fatal("cannot open /dev/null");
 }
 
-void team_stop(struct team *team) {
+int team_stop(struct team *team) {
     comm_stop(&team->comm);
+    size_t held = memory_in_use();
+    if (held > 0)
+        fprintf(stderr, "rank %d still holds %zu bytes\n", team->comm.rank, held);
+    return held > 0;
 }
 
 bool team_note(struct team *team, bool good, const char *file, int line, const char *format, ...) {

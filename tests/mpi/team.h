@@ -10,9 +10,10 @@ struct team {
     struct error error; /* the first failure of this rank in this test */
 };
 
-/* Starts MPI; ranks other than 0 keep quiet on stdout. Stop ends it. */
+/* Starts MPI; ranks other than 0 keep quiet on stdout. Stop ends it, and returns 1 if this rank still holds
+ * memory from core/memory.h, else 0. */
 void team_start(struct team *team, int *argc, char ***argv);
-void team_stop(struct team *team);
+int team_stop(struct team *team);
 
 /* Notes a failure, with the place, unless `good`. Returns `good`. */
 #define team_expect(team, good, ...) team_note(team, good, __FILE__, __LINE__, __VA_ARGS__)

@@ -130,6 +130,5 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(gather_varying, &team),
     };
     int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    team_stop(&team);
-    return failed;
+    return team_stop(&team) + failed;
 }

@@ -191,7 +191,7 @@ static void message_too_short(void **state) {
     struct team *team = *state;
     if (team->comm.size == 1)
         skip();
-    expect_wrong_length(team, 32, "24 bytes came where 32 were expected");
+    expect_wrong_length(team, 32, "(32 bytes expected): a message of 24 bytes came");
 }
 
 static void message_too_long(void **state) {
@@ -212,6 +212,5 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(message_too_long, &team),
     };
     int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    team_stop(&team);
-    return failed;
+    return team_stop(&team) + failed;
 }

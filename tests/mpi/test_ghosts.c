@@ -500,6 +500,5 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(counts, &team),
     };
     int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    team_stop(&team);
-    return failed;
+    return team_stop(&team) + failed;
 }
