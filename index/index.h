@@ -6,6 +6,8 @@
  * j; in all others the image is 0 and copies (ghosts) stand where they are needed. Because the image is
  * explicit, boxes thinner than two cut-offs and particles larger than half a box work: the same i and j may
  * meet through two images. A particle never pairs with itself (the caller guarantees 2 r + margin < edge).
+ * In directions that are periodic in the view, positions lie in [0, edge] (rounding apart: a millionth of an
+ * edge is tolerated). A particle of a higher class is larger than every particle of a lower one.
  *
  * Which pairs a rank keeps:
  *   both owned            once, as (i, j) or (j, i), whichever row the index finds convenient
@@ -31,7 +33,7 @@
  * How to add an index, in six steps:
  *   1. Copy brute.c to NAME.c: it is the oracle of every test and the shortest example.
  *   2. Put your state into a struct whose first member is `struct index base`.
- *   3. Fill one `static const struct index_ops` with designated initialisers, no casts.
+ *   3. Fill one `const struct index_ops NAME_ops` with designated initialisers, no casts.
  *   4. Declare it in registry.c and add one line to its table. Nothing else in the program knows your name.
  *   5. Add the file to local.mk, and run `make check`: tests/index compares every registered index with
  * `brute`.
@@ -75,7 +77,11 @@ struct index_params {
     int levels;      /* hgrid: number of levels, each a run of neighbouring classes; 0: one a class */
     double level_cell[INDEX_CLASS_MAX]; /* hgrid: cell edge of each level, length unit; 0: cell_factor x the
                                            level's cut-off */
+    int instructions; /* vector instructions that the search uses: an enum index_instructions */
 };
+
+/* 0 takes the widest that the CPU has; more than it has is cut down to that. The pairs are the same. */
+enum index_instructions { INDEX_BEST, INDEX_PLAIN, INDEX_AVX2, INDEX_AVX512 };
 
 /* Receives pairs. The index writes pair k to i[k], j[k] while k < capacity, and counts on beyond; a sink with
  * capacity 0 only counts. j carries the image code in its upper 5 bits: j | code << 27 (see index_pair). The
@@ -155,6 +161,7 @@ struct index {
     const struct index_ops *ops;
     struct index_params params;
     uint64_t builds;
+    double order_seconds, build_seconds; /* wall time spent so far */
 };
 
 /* Number of registered indexes, and the k-th; the one of a name, or NULL. `brute` is the first. */

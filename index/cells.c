@@ -1,0 +1,276 @@
+/* Building a table, in three sweeps over the particles:
+ *
+ * 1. Keys: every particle's cell, and, hoping that the particles are in order already (they are after a
+ * reorder), its coordinates at once into their places. If so, only the cell beginnings remain to be written.
+ * 2. Otherwise the keys are sorted (cells_sort.c): by thread and bucket, then within each bucket.
+ * 3. And the coordinates are gathered in the new order. */
+#include "index/cells.h"
+
+#include "core/memory.h"
+#include "index/cells_sort.h"
+
+#include <omp.h>
+#include <string.h>
+
+struct range {
+    size_t begin, end;
+};
+
+static struct range my_range(size_t count) {
+    size_t threads = (size_t)omp_get_num_threads();
+    size_t thread = (size_t)omp_get_thread_num();
+    return (struct range){count * thread / threads, count * (thread + 1) / threads};
+}
+
+static void *ensure(void *array, size_t old, size_t count, size_t size, const char *what) {
+    if (old >= count && array != NULL) {
+        return array;
+    }
+    memory_free(array);
+    return memory_allocate(count, size, what);
+}
+
+static void reserve_slots(struct cells *cells, size_t count) {
+    size_t old = cells->capacity;
+    cells->x = ensure(cells->x, old, count, sizeof(float), "index coordinates");
+    cells->y = ensure(cells->y, old, count, sizeof(float), "index coordinates");
+    cells->z = ensure(cells->z, old, count, sizeof(float), "index coordinates");
+    cells->r = ensure(cells->r, old, count, sizeof(float), "index radii");
+    cells->particle = ensure(cells->particle, old, count, sizeof(uint32_t), "index particles");
+    cells->capacity = count > old ? count : old;
+}
+
+/* Puts particle i into a slot; what it finds goes into the bounds of `cells`, a thread's own copy. */
+static inline void put_slot(struct cells *cells, const struct cells_source *source, size_t slot, size_t i,
+                            const float x[3]) {
+    const struct index_view *view = source->view;
+    double radius = view->radius[i * view->stride] * source->frame->scale;
+    float r = (float)(radius * (1 + CELLS_RADIUS_EXCESS));
+    cells->x[slot] = x[0];
+    cells->y[slot] = x[1];
+    cells->z[slot] = x[2];
+    cells->r[slot] = r;
+    cells->particle[slot] = (uint32_t)i;
+    cells->r_min = r < cells->r_min ? r : cells->r_min;
+    cells->r_max = r > cells->r_max ? r : cells->r_max;
+}
+
+static inline bool frame_position(const struct cells_source *source, size_t i, float x[3]) {
+    const double *position = source->view->position + i * source->view->stride;
+    bool held = true;
+    for (int d = 0; d < 3; d++) {
+        x[d] = frame_coordinate(source->frame, d, position[d]);
+        held = held && frame_holds(source->frame, d, position[d]);
+    }
+    return held;
+}
+
+static inline uint64_t key_of(const struct cells_source *source, const float x[3]) {
+    const struct grid *grid = source->grid;
+    uint64_t cx = (uint64_t)grid_cell(grid, 0, x[0]);
+    uint64_t cy = (uint64_t)grid_cell(grid, 1, x[1]);
+    uint64_t cz = (uint64_t)grid_cell(grid, 2, x[2]);
+    if (source->sparse) {
+        return cz << 2 * CELLS_SPARSE_BITS | cy << CELLS_SPARSE_BITS | cx;
+    }
+    return (cz * (uint64_t)grid->n[1] + cy) * (uint64_t)grid->n[0] + cx;
+}
+
+static void merge_bounds(struct cells *cells, const struct cells *mine, bool ordered) {
+#pragma omp critical(scree_cells_bounds)
+    {
+        cells->r_min = mine->r_min < cells->r_min ? mine->r_min : cells->r_min;
+        cells->r_max = mine->r_max > cells->r_max ? mine->r_max : cells->r_max;
+        cells->clamped = cells->clamped || mine->clamped;
+        cells->in_order = cells->in_order && ordered;
+    }
+}
+
+/* Sweep 1. */
+static void find_keys(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source) {
+    const struct members *members = source->members;
+    size_t first = members->begin[source->group];
+    cells->in_order = true;
+    cells->clamped = false;
+    cells->r_min = cells->count > 0 ? 1e30f : 0;
+    cells->r_max = 0;
+#pragma omp parallel num_threads(source->view->threads) if (cells->count > CELLS_THREADED)
+    {
+        struct range range = my_range(cells->count);
+        struct cells mine = *cells;
+        bool ordered = true;
+        uint64_t previous = 0;
+        for (size_t k = range.begin; k < range.end; k++) {
+            size_t i = members_get(members, first + k);
+            float x[3];
+            mine.clamped = !frame_position(source, i, x) || mine.clamped;
+            uint64_t key = key_of(source, x);
+            ordered = ordered && key >= previous;
+            previous = key;
+            scratch->key[k] = key;
+            put_slot(&mine, source, k, i, x);
+        }
+#pragma omp barrier
+        if (range.begin > 0 && range.begin < range.end) {
+            ordered = ordered && scratch->key[range.begin - 1] <= scratch->key[range.begin];
+        }
+        merge_bounds(cells, &mine, ordered);
+    }
+}
+
+/* Sweep 3. */
+static void gather_slots(struct cells *cells, const struct cells_source *source) {
+#pragma omp parallel num_threads(source->view->threads) if (cells->count > CELLS_THREADED)
+    {
+        struct range range = my_range(cells->count);
+        struct cells mine = *cells;
+        for (size_t slot = range.begin; slot < range.end; slot++) {
+            float x[3];
+            frame_position(source, cells->particle[slot], x);
+            put_slot(&mine, source, slot, cells->particle[slot], x);
+        }
+    }
+}
+
+/* Cell beginnings from keys in order: each particle writes those of the cells after its predecessor's. */
+static void dense_begins(struct cells *cells, const uint64_t *key, size_t all_cells, int threads) {
+#pragma omp parallel num_threads(threads) if (cells->count > CELLS_THREADED)
+    {
+        struct range range = my_range(cells->count);
+        for (size_t k = range.begin; k < range.end; k++) {
+            uint64_t from = k > 0 ? key[k - 1] + 1 : 0;
+            for (uint64_t c = from; c <= key[k]; c++) {
+                cells->begin[c] = (uint32_t)k;
+            }
+        }
+    }
+    for (uint64_t c = cells->count > 0 ? key[cells->count - 1] + 1 : 0; c <= all_cells; c++) {
+        cells->begin[c] = (uint32_t)cells->count;
+    }
+}
+
+static void fill_hash(struct cells *cells) {
+    cells->hash_bits = 2;
+    while ((size_t)1 << cells->hash_bits < 2 * cells->pencils) {
+        cells->hash_bits++;
+    }
+    size_t room = (size_t)1 << cells->hash_bits;
+    cells->hash_key = ensure(cells->hash_key, cells->hash_capacity, room, sizeof(uint64_t), "index hash");
+    cells->hash_pencil =
+        ensure(cells->hash_pencil, cells->hash_capacity, room, sizeof(uint32_t), "index hash");
+    cells->hash_capacity = room > cells->hash_capacity ? room : cells->hash_capacity;
+    memset(cells->hash_key, 0xff, room * sizeof(uint64_t));
+    for (size_t p = 0; p < cells->pencils; p++) {
+        uint64_t k = (cells->pencil[p] * 0x9e3779b97f4a7c15u) >> (64 - cells->hash_bits);
+        while (cells->hash_key[k] != UINT64_MAX) {
+            k = (k + 1) & (room - 1);
+        }
+        cells->hash_key[k] = cells->pencil[p];
+        cells->hash_pencil[k] = (uint32_t)p;
+    }
+}
+
+/* Pencils, their slices and x cells from keys in order. */
+static void sparse_pencils(struct cells *cells, const uint64_t *key) {
+    const uint64_t mask = ((uint64_t)1 << CELLS_SPARSE_BITS) - 1;
+    size_t pencils = 0, occupied = 0;
+    for (size_t k = 0; k < cells->count; k++) {
+        pencils += k == 0 || key[k] >> CELLS_SPARSE_BITS != key[k - 1] >> CELLS_SPARSE_BITS;
+        occupied += k == 0 || key[k] != key[k - 1];
+    }
+    cells->pencils = pencils;
+    cells->occupied = occupied;
+    size_t old = cells->pencil_capacity;
+    cells->pencil = ensure(cells->pencil, old, pencils, sizeof(uint64_t), "index pencils");
+    cells->pencil_capacity = pencils > old ? pencils : old;
+    size_t p = 0;
+    for (size_t k = 0; k < cells->count; k++) {
+        uint64_t row = key[k] >> CELLS_SPARSE_BITS;
+        if (k == 0 || row != key[k - 1] >> CELLS_SPARSE_BITS) {
+            cells->pencil[p] = (row & mask) | (row >> CELLS_SPARSE_BITS) << 32;
+            cells->begin[p++] = (uint32_t)k;
+        }
+        cells->x_cell[k] = (uint32_t)(key[k] & mask);
+    }
+    cells->begin[p] = (uint32_t)cells->count;
+    fill_hash(cells);
+}
+
+/* Makes room for everything and takes the keys. */
+static void start(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source) {
+    const struct members *members = source->members;
+    cells->count = members->begin[source->group + 1] - members->begin[source->group];
+    cells->sparse = source->sparse;
+    reserve_slots(cells, cells->count);
+    cells_scratch_reserve(scratch, cells->count);
+    size_t begins = source->sparse ? cells->count + 1 : (size_t)source->grid->cells + 1;
+    if (cells->begin_capacity > 4 * begins + 4096) {
+        cells->begin_capacity = 0;
+    }
+    cells->begin = ensure(cells->begin, cells->begin_capacity, begins, sizeof(uint32_t), "index cells");
+    cells->begin_capacity = begins > cells->begin_capacity ? begins : cells->begin_capacity;
+    find_keys(cells, scratch, source);
+}
+
+static void sort(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source) {
+    struct cells_sort_job job = {
+        .count = cells->count, .cells = source->grid->cells, .threads = source->view->threads};
+    if (source->sparse) {
+        cells_sort_sparse(scratch, &job, cells->particle);
+    } else {
+        cells_sort_dense(scratch, &job, cells->particle, cells->begin);
+    }
+}
+
+void cells_build(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
+                 uint32_t *slot_of) {
+    start(cells, scratch, source);
+    if (!cells->in_order) {
+        sort(cells, scratch, source);
+        gather_slots(cells, source);
+    } else if (!cells->sparse) {
+        dense_begins(cells, scratch->key, (size_t)source->grid->cells, source->view->threads);
+    }
+    if (cells->sparse) {
+        size_t old = cells->x_cell_capacity;
+        cells->x_cell = ensure(cells->x_cell, old, cells->count, sizeof(uint32_t), "index x cells");
+        cells->x_cell_capacity = cells->count > old ? cells->count : old;
+        sparse_pencils(cells, scratch->key);
+    }
+    if (slot_of != NULL) {
+#pragma omp parallel for num_threads(source->view->threads) if (cells->count > CELLS_THREADED)
+        for (size_t slot = 0; slot < cells->count; slot++) {
+            slot_of[cells->particle[slot]] = (uint32_t)slot;
+        }
+    }
+}
+
+void cells_order(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
+                 uint32_t *order) {
+    start(cells, scratch, source);
+    if (!cells->in_order) {
+        sort(cells, scratch, source);
+    }
+    memcpy(order, cells->particle, cells->count * sizeof order[0]);
+}
+
+void cells_free(struct cells *cells) {
+    memory_free(cells->x);
+    memory_free(cells->y);
+    memory_free(cells->z);
+    memory_free(cells->r);
+    memory_free(cells->particle);
+    memory_free(cells->begin);
+    memory_free(cells->pencil);
+    memory_free(cells->x_cell);
+    memory_free(cells->hash_key);
+    memory_free(cells->hash_pencil);
+    *cells = (struct cells){0};
+}
+
+size_t cells_memory(const struct cells *cells) {
+    return cells->capacity * (4 * sizeof(float) + sizeof(uint32_t)) +
+           (cells->x_cell_capacity + cells->begin_capacity) * sizeof(uint32_t) +
+           cells->pencil_capacity * sizeof(uint64_t) +
+           cells->hash_capacity * (sizeof(uint64_t) + sizeof(uint32_t));
+}

@@ -1,0 +1,48 @@
+/* The frame: positions and radii as floats, in which the search filters.
+ *
+ * A coordinate is (x - centre) * scale, rounded to float, with scale = 1 / smallest cut-off. One frame serves
+ * all grids of an index, so that a row is compared with the particles of any grid without conversion.
+ * Invariants:
+ *
+ * - Coordinates are clamped to [low, high] first. Clamping is monotone and shortens distances, never
+ * lengthens them, so no pair is lost. It bites only where a particle lies absurdly far out (or is not a
+ * number); then `clamped` is set and no distance in the frame counts as certain: the exact test decides all
+ * of them.
+ * - A distance formed from two frame coordinates, one of them shifted by a box edge, differs from the true
+ * one by at most `tolerance`: coordinates and edges carry 2^-24 of their size each, four of them enter, and
+ * the square root of three directions is below two (see frame.c).
+ * - In open directions centre and cells hang on the owned particles alone, which `order` sees as well as
+ *   `build`: both cut space alike, and a build after a reorder finds everything in order. */
+#ifndef SCREE_INDEX_FRAME_H
+#define SCREE_INDEX_FRAME_H
+
+#include "index/index.h"
+
+struct frame {
+    double centre[3], low[3], high[3]; /* length unit */
+    double scale;                      /* frame units a length unit */
+    double unit;                       /* 1 / scale */
+    bool periodic[3];                  /* as in the view */
+    float edge[3];                     /* box edges in periodic directions, else 0; frame units */
+    float owned_low[3], owned_high[3]; /* extent of owned particles; in periodic directions the box */
+    float all_low[3], all_high[3];     /* extent of all */
+    float tolerance;                   /* frame units */
+    bool clamped;
+};
+
+/* Fits a frame to the view. Opens a team of threads if a direction is open. */
+void frame_make(struct frame *frame, const struct index_view *view);
+
+/* Frame coordinate of a position in direction d. Not a number gives the lower end. */
+static inline float frame_coordinate(const struct frame *frame, int d, double x) {
+    x = x > frame->low[d] ? x : frame->low[d];
+    x = x < frame->high[d] ? x : frame->high[d];
+    return (float)((x - frame->centre[d]) * frame->scale);
+}
+
+/* False if frame_coordinate clamps this position. */
+static inline bool frame_holds(const struct frame *frame, int d, double x) {
+    return x >= frame->low[d] && x <= frame->high[d];
+}
+
+#endif

@@ -1,0 +1,319 @@
+#include "index/levels.h"
+
+#include "core/memory.h"
+#include "index/search.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    CELLS_A_PARTICLE = 4, /* denser grids than this ... */
+    CELLS_FREE = 4096,    /* ... and beyond this number of cells are kept sparse */
+    X_CELLS = 2,          /* cells in x for one in y or z: they cost only a table entry */
+    STENCIL_MOST = 1 << 22
+};
+
+/* An edge that the user did not fix may grow so far to keep the grid dense. */
+static const double GROWTH = 2.5;
+
+struct levels_cutoffs levels_cutoffs(const struct index_view *view, int first, int last) {
+    struct levels_cutoffs cutoffs = {INFINITY, 0};
+    for (int c = first; c <= last; c++) {
+        double cutoff = 2 * view->radius_max[c] + view->margin[c][c];
+        if (cutoff > 0) {
+            cutoffs.smallest = fmin(cutoffs.smallest, cutoff);
+            cutoffs.largest = fmax(cutoffs.largest, cutoff);
+        }
+    }
+    return cutoffs.largest > 0 ? cutoffs : (struct levels_cutoffs){1, 1};
+}
+
+void levels_start(struct levels *levels, const struct index_params *params) {
+    int best = search_instructions();
+    int wanted = params->instructions;
+    levels->instructions = wanted > INDEX_BEST && wanted < best ? wanted : best;
+    levels->search = memory_allocate_zero(INDEX_CLASS_MAX, sizeof levels->search[0], "index searches");
+}
+
+void levels_free(struct levels *levels) {
+    for (int g = 0; g < INDEX_CLASS_MAX; g++) {
+        cells_free(&levels->level[g].owned);
+        cells_free(&levels->level[g].ghosts);
+        stencil_free(&levels->stencil[g]);
+    }
+    members_free(&levels->owned);
+    members_free(&levels->ghosts);
+    cells_scratch_free(&levels->scratch);
+    cells_free(&levels->order_cells);
+    memory_free(levels->slot_of);
+    memory_free(levels->search);
+}
+
+/* How many cells of this edge the owned particles' extent has, and in how many directions there are several.
+ */
+static double cells_of(const struct frame *frame, double edge, int *directions) {
+    double cells = 1;
+    *directions = 0;
+    for (int d = 0; d < 3; d++) {
+        double n = ((double)frame->owned_high[d] - frame->owned_low[d]) * frame->unit / edge;
+        *directions += n > 1;
+        cells *= n > 1 ? n : 1;
+    }
+    return cells * X_CELLS;
+}
+
+/* Lays out grid g for so many owned particles: the wanted edge, or a somewhat larger one if that keeps it
+ * dense. */
+static void lay_grid(struct levels *levels, int g, size_t owned) {
+    const struct frame *frame = &levels->frame;
+    double edge = levels->plan.edge[g];
+    int directions;
+    double cells = cells_of(frame, edge, &directions);
+    double room = CELLS_A_PARTICLE * (double)owned * 0.9 + CELLS_FREE * 0.5;
+    if (!levels->plan.fixed[g] && cells > room && directions > 0) {
+        double growth = pow(cells / room, 1.0 / directions);
+        edge *= growth <= GROWTH ? growth : 1;
+    }
+    grid_make(&levels->level[g].grid, frame, edge, edge / X_CELLS);
+}
+
+static bool too_many_cells(const struct grid *grid, size_t particles) {
+    return grid->cells > CELLS_A_PARTICLE * (double)particles + CELLS_FREE || grid->cells > 0x1p31;
+}
+
+static size_t members_count(const struct members *members, int group) {
+    return members->begin[group + 1] - members->begin[group];
+}
+
+static void build_tables(struct levels *levels, const struct index_view *view) {
+    if (view->owned > levels->slot_capacity || levels->slot_of == NULL) {
+        memory_free(levels->slot_of);
+        levels->slot_of = memory_allocate(view->owned, sizeof(uint32_t), "index slots");
+        levels->slot_capacity = view->owned;
+    }
+    for (int g = 0; g < levels->plan.grids; g++) {
+        struct level *level = &levels->level[g];
+        size_t owned = members_count(&levels->owned, g), ghosts = members_count(&levels->ghosts, g);
+        lay_grid(levels, g, owned);
+        struct cells_source source = {.view = view,
+                                      .frame = &levels->frame,
+                                      .grid = &level->grid,
+                                      .members = &levels->owned,
+                                      .group = g,
+                                      .sparse = too_many_cells(&level->grid, owned + ghosts)};
+        cells_build(&level->owned, &levels->scratch, &source, levels->slot_of);
+        source.members = &levels->ghosts;
+        source.sparse = source.sparse || (ghosts == 0 && level->grid.cells > CELLS_FREE);
+        cells_build(&level->ghosts, &levels->scratch, &source, NULL);
+        levels->frame.clamped = levels->frame.clamped || level->owned.clamped || level->ghosts.clamped;
+    }
+}
+
+/* Least and largest margin between class c and the classes of grid g. */
+static void margin_range(const struct levels *levels, const struct index_view *view, int c, int g,
+                         double range[2]) {
+    range[0] = INFINITY;
+    range[1] = -INFINITY;
+    for (int other = 0; other < view->classes; other++) {
+        if (levels->plan.grid_of[other] == g) {
+            range[0] = fmin(range[0], view->margin[c][other]);
+            range[1] = fmax(range[1], view->margin[c][other]);
+        }
+    }
+}
+
+/* The share of the squared filter cut-off that is certain. With c the filter's cut-off and a what it may
+ * exceed the true one by, plus the tolerance, ((c - a) / c)^2 is smallest for the smallest c. */
+static float certain_share(const struct levels *levels, double smallest, double excess) {
+    double share = 1 - excess / smallest;
+    if (levels->frame.clamped || !(share > 0.5)) {
+        return -INFINITY;
+    }
+    return (float)(share * share * (1 - 0x1p-15));
+}
+
+static void add_search(struct levels *levels, const struct index_view *view, int c, int g, bool ghosts) {
+    int own = levels->plan.grid_of[c];
+    const struct level *level = &levels->level[g];
+    const struct cells *cells = ghosts ? &level->ghosts : &level->owned;
+    const struct cells *rows = &levels->level[own].owned;
+    if (cells->count == 0 || rows->count == 0) {
+        return;
+    }
+    const struct frame *frame = &levels->frame;
+    double margin[2], tolerance = frame->tolerance;
+    margin_range(levels, view, c, g, margin);
+    double highest = (margin[1] * frame->scale + tolerance) * (1 + 4 * CELLS_RADIUS_EXCESS);
+    double smallest = (double)rows->r_min + cells->r_min + margin[0] * frame->scale;
+    double excess = 2.1 * tolerance + (margin[1] - margin[0]) * frame->scale;
+    struct search search = {.level = level, .cells = cells, .margin = (float)highest};
+    search.half = !ghosts && g == own;
+    search.home = ghosts && g == own && view->newton;
+    search.reach = (float)((cells->r_max + highest) * (1 + 4 * CELLS_RADIUS_EXCESS) + 4 * tolerance);
+    search.certain = search.home ? -INFINITY : certain_share(levels, smallest, excess);
+    levels->search[c][levels->searches[c]++] = search;
+}
+
+/* A stencil for each class of a plan with stencils, for the largest row that there may be. */
+static void make_stencils(struct levels *levels, int c) {
+    struct level *level = &levels->level[levels->plan.grid_of[c]];
+    double reach = 0;
+    for (int s = 0; s < levels->searches[c]; s++) {
+        reach = fmax(reach, levels->search[c][s].reach);
+    }
+    reach += levels->radius_max[c] * levels->frame.scale * (1 + 4 * CELLS_RADIUS_EXCESS);
+    bool made = stencil_make(&levels->stencil[c], &level->grid, &levels->frame, (float)reach, STENCIL_MOST);
+    for (int s = 0; s < levels->searches[c]; s++) {
+        struct search *search = &levels->search[c][s];
+        bool worth =
+            made && (!search->cells->sparse || levels->stencil[c].count <= 2 * search->cells->pencils);
+        search->stencil = worth ? &levels->stencil[c] : NULL;
+    }
+}
+
+static void plan_searches(struct levels *levels, const struct index_view *view) {
+    const struct levels_plan *plan = &levels->plan;
+    for (int c = 0; c < view->classes; c++) {
+        int own = plan->grid_of[c];
+        levels->searches[c] = 0;
+        for (int g = own; g < plan->grids; g++) {
+            add_search(levels, view, c, g, false);
+        }
+        for (int g = view->newton ? own : 0; g < plan->grids; g++) {
+            add_search(levels, view, c, g, true);
+        }
+        if (plan->stencils) {
+            make_stencils(levels, c);
+        }
+    }
+}
+
+void levels_build(struct levels *levels, const struct levels_plan *plan, const struct index_view *view) {
+    levels->plan = *plan;
+    frame_make(&levels->frame, view);
+    members_split(&levels->owned, view, 0, view->owned, plan->grid_of);
+    members_split(&levels->ghosts, view, view->owned, view->total, plan->grid_of);
+    build_tables(levels, view);
+    for (int c = 0; c < INDEX_CLASS_MAX; c++) {
+        levels->radius_max[c] = c < view->classes ? view->radius_max[c] : 0;
+        levels->radius_min[c] = c > 0 ? levels->radius_max[c - 1] : 0;
+    }
+    plan_searches(levels, view);
+}
+
+void levels_order(struct levels *levels, const struct levels_plan *plan, const struct index_view *view,
+                  uint32_t *order) {
+    levels->plan = *plan;
+    frame_make(&levels->frame, view);
+    int class_of[INDEX_CLASS_MAX];
+    size_t owned[INDEX_CLASS_MAX] = {0};
+    for (int c = 0; c < INDEX_CLASS_MAX; c++) {
+        class_of[c] = c;
+    }
+    members_split(&levels->owned, view, 0, view->owned, class_of);
+    for (int c = 0; c < view->classes; c++) {
+        owned[plan->grid_of[c]] += members_count(&levels->owned, c);
+    }
+    for (int g = 0; g < plan->grids; g++) {
+        lay_grid(levels, g, owned[g]);
+    }
+    for (int c = 0; c < view->classes; c++) {
+        const struct grid *grid = &levels->level[plan->grid_of[c]].grid;
+        size_t count = members_count(&levels->owned, c);
+        struct cells_source source = {.view = view,
+                                      .frame = &levels->frame,
+                                      .grid = grid,
+                                      .members = &levels->owned,
+                                      .group = c,
+                                      .sparse = too_many_cells(grid, count)};
+        cells_order(&levels->order_cells, &levels->scratch, &source, order + levels->owned.begin[c]);
+    }
+}
+
+void levels_visit(const struct levels *levels, const struct index_view *view, size_t first, size_t last,
+                  struct index_sink *sink) {
+    if (levels->instructions == INDEX_AVX512) {
+        search_avx512(levels, view, first, last, sink);
+    } else if (levels->instructions == INDEX_AVX2) {
+        search_avx2(levels, view, first, last, sink);
+    } else {
+        search_plain(levels, view, first, last, sink);
+    }
+}
+
+/* Every slot holds the particle it should, in the cell it should. */
+static bool check_cells(const struct levels *levels, const struct index_view *view, const struct level *level,
+                        const struct cells *cells, char why[INDEX_WHY_MAX]) {
+    for (size_t slot = 0; slot < cells->count; slot++) {
+        size_t i = cells->particle[slot];
+        const double *x = view->position + i * view->stride;
+        int cell[3];
+        for (int d = 0; d < 3; d++) {
+            cell[d] = grid_cell(&level->grid, d, frame_coordinate(&levels->frame, d, x[d]));
+        }
+        struct cells_slice slice = cells_run(cells, &level->grid, cell[0], cell[0], cell[1], cell[2]);
+        bool known = i >= view->owned || levels->slot_of[i] == slot;
+        if (slot < slice.begin || slot >= slice.end || !known) {
+            snprintf(why, INDEX_WHY_MAX, "particle %zu is in a wrong slot or cell", i);
+            return false;
+        }
+        if (slot > slice.begin && cells->particle[slot - 1] >= i) {
+            snprintf(why, INDEX_WHY_MAX, "particle %zu is out of order in its cell", i);
+            return false;
+        }
+    }
+    return true;
+}
+
+bool levels_check(const struct levels *levels, const struct index_view *view, char why[INDEX_WHY_MAX]) {
+    size_t owned = 0, ghosts = 0;
+    for (int g = 0; g < levels->plan.grids; g++) {
+        const struct level *level = &levels->level[g];
+        owned += level->owned.count;
+        ghosts += level->ghosts.count;
+        if (!check_cells(levels, view, level, &level->owned, why) ||
+            !check_cells(levels, view, level, &level->ghosts, why)) {
+            return false;
+        }
+    }
+    if (owned != view->owned || ghosts != view->total - view->owned) {
+        snprintf(why, INDEX_WHY_MAX, "%zu owned particles and %zu ghosts indexed, of %zu and %zu", owned,
+                 ghosts, view->owned, view->total - view->owned);
+        return false;
+    }
+    return true;
+}
+
+void levels_describe(const struct levels *levels, struct index_description *description) {
+    description->levels = levels->plan.grids;
+    for (int g = 0; g < levels->plan.grids; g++) {
+        const struct level *level = &levels->level[g];
+        struct index_level *line = &description->level[g];
+        line->cell = (double)level->grid.size[1] * levels->frame.unit;
+        line->sparse = level->owned.sparse;
+        line->cells = level->owned.sparse ? level->owned.occupied : (size_t)level->grid.cells;
+        line->particles = level->owned.count + level->ghosts.count;
+        line->radius_min = INFINITY;
+        for (int c = 0; c < INDEX_CLASS_MAX; c++) {
+            if (levels->plan.grid_of[c] == g && levels->radius_max[c] > 0) {
+                line->radius_min = fmin(line->radius_min, levels->radius_min[c]);
+                line->radius_max = fmax(line->radius_max, levels->radius_max[c]);
+            }
+        }
+        line->radius_min = fmin(line->radius_min, line->radius_max);
+    }
+}
+
+size_t levels_memory(const struct levels *levels) {
+    size_t bytes = levels->slot_capacity * sizeof(uint32_t) + cells_scratch_memory(&levels->scratch) +
+                   cells_memory(&levels->order_cells) +
+                   (levels->owned.capacity + levels->ghosts.capacity) * sizeof(uint32_t) +
+                   INDEX_CLASS_MAX * sizeof levels->search[0];
+    for (int g = 0; g < INDEX_CLASS_MAX; g++) {
+        bytes += cells_memory(&levels->level[g].owned) + cells_memory(&levels->level[g].ghosts) +
+                 levels->stencil[g].capacity * sizeof(struct stencil_run);
+    }
+    return bytes;
+}

@@ -1,0 +1,31 @@
+/* linkcell: one grid for all particles, its cells as large as the largest cut-off. Good where all particles
+ * are of about one size; a cell full of small ones is searched for every other small one if large ones are
+ * about. */
+#include "index/levels_index.h"
+
+static const double CELL_FACTOR = 1.0;
+
+static void linkcell_plan(const struct index_params *params, const struct index_view *view,
+                          struct levels_plan *plan) {
+    plan->grids = 1;
+    plan->edge[0] =
+        levels_index_factor(params, CELL_FACTOR) * levels_cutoffs(view, 0, view->classes - 1).largest;
+}
+
+static struct index *linkcell_create(const struct index_params *params) {
+    return levels_index_create(params, linkcell_plan);
+}
+
+extern const struct index_ops linkcell_ops;
+const struct index_ops linkcell_ops = {
+    .name = "linkcell",
+    .summary = "one grid, cells from the largest cut-off: for particles of like size",
+    .create = linkcell_create,
+    .destroy = levels_index_destroy,
+    .order = levels_index_order,
+    .build = levels_index_build,
+    .visit = levels_index_visit,
+    .check = levels_index_check,
+    .describe = levels_index_describe,
+    .memory = levels_index_memory,
+};

@@ -1,0 +1,13 @@
+#include "index/search.h"
+
+#if defined(__x86_64__)
+#include "index/lanes_avx2.h"
+#else
+#include "index/lanes_plain.h"
+#endif
+#include "index/search_rows.h"
+
+LANES_TARGET void search_avx2(const struct levels *levels, const struct index_view *view, size_t first,
+                              size_t last, struct index_sink *sink) {
+    search_rows(levels, view, first, last, sink);
+}

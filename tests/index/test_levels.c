@@ -1,0 +1,183 @@
+/* Every index against brute: exact sets of pairs over clouds of all kinds. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+
+#include "tests/index/cloud.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PERIODIC                                                                                             \
+    { true, true, true }
+#define OPEN                                                                                                 \
+    { false, false, false }
+
+static const struct cloud_spec specs[] = {
+    {"nothing", 0, 0, CLOUD_MONO, 1, .fraction = 0.1, .dimension = 3, .periodic = PERIODIC},
+    {"one", 1, 0, CLOUD_MONO, 1, .fraction = 0.01, .dimension = 3, .periodic = PERIODIC},
+    {"two", 2, 0, CLOUD_MONO, 1, .fraction = 0.1, .dimension = 3, .periodic = PERIODIC, .seed = 2},
+    {"two, open", 2, 0, CLOUD_MONO, 1, .fraction = 0.3, .dimension = 3, .periodic = OPEN, .seed = 3},
+    {"mono", 2000, 0, CLOUD_MONO, 1, .fraction = 0.5, .dimension = 3, .periodic = PERIODIC},
+    {"mono, open", 2000, 0, CLOUD_MONO, 1, .fraction = 0.5, .dimension = 3, .periodic = OPEN},
+    {"mono, slab", 2000, 0, CLOUD_MONO, 1, .fraction = 0.4, .dimension = 3, .periodic = {true, false, true}},
+    {"mono, discs", 1500, 0, CLOUD_MONO, 1, .fraction = 0.6, .dimension = 2, .periodic = {true, true, false}},
+    {"mono, discs, open", 1500, 0, CLOUD_MONO, 1, .fraction = 0.6, .dimension = 2,
+     .periodic = {false, true, false}},
+    {"dense", 1200, 0, CLOUD_MONO, 1, .fraction = 5, .dimension = 3, .periodic = PERIODIC},
+    {"nearly empty", 1200, 0, CLOUD_MONO, 1, .fraction = 1e-7, .dimension = 3, .periodic = PERIODIC},
+    {"bidisperse 10", 3000, 3, CLOUD_BIDISPERSE, 10, .fraction = 0.5, .dimension = 3, .periodic = PERIODIC},
+    {"bidisperse 10, relative margins", 3000, 5, CLOUD_BIDISPERSE, 10, .margins = CLOUD_MARGIN_RELATIVE,
+     .fraction = 0.5, .dimension = 3, .periodic = {false, true, true}},
+    {"bidisperse 100", 3000, 2, CLOUD_BIDISPERSE, 100, .fraction = 0.3, .dimension = 3, .periodic = PERIODIC},
+    {"bidisperse 100, discs", 3000, 3, CLOUD_BIDISPERSE, 100, .fraction = 0.5, .dimension = 2,
+     .periodic = {true, true, false}},
+    {"bidisperse 1000", 1500, 2, CLOUD_BIDISPERSE, 1000, .fraction = 0.2, .dimension = 3, .periodic = OPEN},
+    {"bidisperse 1000, periodic", 1500, 2, CLOUD_BIDISPERSE, 1000, .fraction = 0.1, .dimension = 3,
+     .periodic = PERIODIC},
+    {"power law 50", 2000, 0, CLOUD_POWER, 50, .fraction = 0.5, .dimension = 3, .periodic = PERIODIC},
+    {"power law 50, mixed margins, loose", 2000, 0, CLOUD_POWER, 50, .margins = CLOUD_MARGIN_MIXED,
+     .fraction = 0.6, .dimension = 3, .periodic = {true, true, false}, .loose_bounds = true},
+    {"power law 8, discs", 1500, 0, CLOUD_POWER, 8, .margins = CLOUD_MARGIN_RELATIVE, .fraction = 0.7,
+     .dimension = 2, .periodic = {true, true, false}},
+    {"power law 30, one class", 2000, 0, CLOUD_ONE_CLASS, 30, .fraction = 0.5, .dimension = 3,
+     .periodic = PERIODIC},
+    {"boulder of nearly half the box", 2000, 1, CLOUD_BOULDER, 9.8, .edge = {40, 40, 40}, .dimension = 3,
+     .periodic = PERIODIC},
+    {"boulder of most of the box", 2000, 1, CLOUD_BOULDER, 14, .edge = {30, 30, 30}, .dimension = 3,
+     .periodic = PERIODIC},
+    {"two boulders", 2000, 2, CLOUD_BOULDER, 12, .edge = {27, 27, 27}, .dimension = 3, .periodic = PERIODIC},
+    {"two boulders, open", 2000, 2, CLOUD_BOULDER, 12, .edge = {27, 27, 27}, .dimension = 3,
+     .periodic = OPEN},
+    {"one spot", 700, 3, CLOUD_BIDISPERSE, 4, CLOUD_ONE_SPOT, .edge = {50, 50, 50}, .dimension = 3,
+     .periodic = PERIODIC},
+    {"one spot, open", 700, 3, CLOUD_BIDISPERSE, 4, CLOUD_ONE_SPOT, .edge = {50, 50, 50}, .dimension = 3,
+     .periodic = OPEN},
+    {"faces and twins", 600, 3, CLOUD_BIDISPERSE, 3, CLOUD_FACES, .edge = {12, 12, 12}, .dimension = 3,
+     .periodic = PERIODIC},
+    {"faces and twins, open", 600, 3, CLOUD_BIDISPERSE, 3, CLOUD_FACES, .edge = {12, 12, 12}, .dimension = 3,
+     .periodic = OPEN},
+    {"thin in x", 500, 0, CLOUD_MONO, 1, .edge = {2.5, 20, 20}, .dimension = 3, .periodic = PERIODIC},
+    {"thin in y", 500, 0, CLOUD_MONO, 1, .edge = {20, 3.0, 20}, .dimension = 3, .periodic = PERIODIC},
+    {"thin in z", 500, 0, CLOUD_MONO, 1, .edge = {20, 20, 4.5}, .dimension = 3, .periodic = PERIODIC},
+    {"thin in all", 60, 0, CLOUD_MONO, 1, .edge = {2.5, 3.5, 4.9}, .dimension = 3, .periodic = PERIODIC},
+    {"thin in all, 7 cells", 400, 0, CLOUD_MONO, 1, .edge = {7.3, 7.4, 5}, .dimension = 3,
+     .periodic = PERIODIC},
+    {"clustered", 3000, 3, CLOUD_BIDISPERSE, 10, CLOUD_CLUSTERED, .edge = {5000, 5000, 5000}, .dimension = 3,
+     .periodic = PERIODIC},
+    {"outliers", 2000, 3, CLOUD_BIDISPERSE, 10, CLOUD_OUTLIERS, .edge = {30, 30, 30}, .dimension = 3,
+     .periodic = OPEN},
+    {"outliers, tube", 2000, 0, CLOUD_POWER, 10, CLOUD_OUTLIERS, .edge = {30, 50, 30}, .dimension = 3,
+     .periodic = {true, false, true}},
+    {"long runs", 4000, 4, CLOUD_BIDISPERSE, 20, .edge = {60, 50, 50}, .dimension = 3, .periodic = PERIODIC},
+    {"ghosts, mono", 2000, 0, CLOUD_MONO, 1, .fraction = 0.5, .dimension = 3, .periodic = OPEN,
+     .ghosts = 0.4},
+    {"ghosts, bidisperse", 3000, 20, CLOUD_BIDISPERSE, 10, .fraction = 0.8, .dimension = 3,
+     .periodic = {true, false, false}, .ghosts = 0.5},
+    {"ghosts, power law", 2000, 0, CLOUD_POWER, 30, .margins = CLOUD_MARGIN_RELATIVE, .fraction = 0.6,
+     .dimension = 3, .periodic = OPEN, .ghosts = 0.3},
+    {"ghosts, one class", 2000, 0, CLOUD_ONE_CLASS, 10, .fraction = 0.6, .dimension = 3,
+     .periodic = {false, false, true}, .ghosts = 0.3},
+    {"ghosts only", 100, 3, CLOUD_BIDISPERSE, 3, .fraction = 0.5, .dimension = 3, .periodic = OPEN,
+     .ghosts = 1},
+    {"ghosts, discs", 1000, 9, CLOUD_BIDISPERSE, 5, .fraction = 0.5, .dimension = 2,
+     .periodic = {false, true, false}, .ghosts = 0.4},
+};
+
+enum { SPECS = sizeof specs / sizeof specs[0] };
+
+/* One index with one set of parameters on a cloud that brute has done: as it comes, and again in the index's
+ * order. */
+static void compare(struct cloud *cloud, const struct pair_set *expected, const char *name,
+                    const struct index_params *params, const char *what) {
+    char label[256];
+    snprintf(label, sizeof label, "%s, %s, factor %g, levels %d, threads %d, instructions %d", name, what,
+             params->cell_factor, params->levels, cloud->view.threads, params->instructions);
+    struct index *index = cloud_index(cloud, name, params);
+    struct pair_set found;
+    pair_set_collect(&found, index, &cloud->view, 3);
+    pair_set_compare(expected, &found, label);
+    pair_set_free(&found);
+    index_destroy(&index);
+}
+
+static void all_indexes(struct cloud *cloud, const struct pair_set *expected, const char *what) {
+    static const struct index_params variants[] = {{0},
+                                                   {.cell_factor = 0.3},
+                                                   {.cell_factor = 1.7},
+                                                   {.cell_factor = 3},
+                                                   {.levels = 1},
+                                                   {.levels = 2},
+                                                   {.level_cell = {2.9, 0, 7}},
+                                                   {.instructions = INDEX_PLAIN},
+                                                   {.instructions = INDEX_AVX2}};
+    for (int k = 1; k < index_registry_count(); k++) {
+        for (size_t v = 0; v < sizeof variants / sizeof variants[0]; v++) {
+            bool hgrid = strcmp(index_registry_get(k)->name, "hgrid") == 0;
+            if (hgrid || (variants[v].levels == 0 && variants[v].level_cell[0] == 0)) {
+                compare(cloud, expected, index_registry_get(k)->name, &variants[v], what);
+            }
+        }
+    }
+}
+
+static void brute_set(struct pair_set *set, struct cloud *cloud) {
+    struct index_params params = {0};
+    struct index *brute = cloud_index(cloud, "brute", &params);
+    pair_set_collect(set, brute, &cloud->view, 1);
+    index_destroy(&brute);
+}
+
+/* Orders the cloud by the index and checks that nothing but the order changed. */
+static void reordered(struct cloud *cloud, const struct pair_set *expected, const char *what) {
+    struct error error = {0};
+    struct index_params params = {0};
+    uint32_t *order = malloc((cloud->view.owned + 1) * sizeof *order);
+    for (int k = 1; k < index_registry_count(); k++) {
+        const char *name = index_registry_get(k)->name;
+        struct index *index = index_create(name, &params, &error);
+        struct index_view owned = cloud->view;
+        owned.total = owned.owned;
+        index_order(index, &owned, order);
+        index_destroy(&index);
+        cloud_reorder(cloud, order);
+        compare(cloud, expected, name, &params, what);
+    }
+    free(order);
+}
+
+static void run_spec(const struct cloud_spec *spec, bool newton) {
+    struct cloud_spec variant = *spec;
+    variant.newton = newton;
+    struct cloud cloud;
+    cloud_make(&cloud, &variant);
+    struct pair_set expected;
+    brute_set(&expected, &cloud);
+    all_indexes(&cloud, &expected, spec->name);
+    cloud.view.threads = 2;
+    reordered(&cloud, &expected, spec->name);
+    cloud.view.threads = 4;
+    all_indexes(&cloud, &expected, spec->name);
+    pair_set_free(&expected);
+    cloud_free(&cloud);
+}
+
+static void every_index_equals_brute(void **state) {
+    (void)state;
+    for (size_t s = 0; s < SPECS; s++) {
+        run_spec(&specs[s], true);
+        if (specs[s].ghosts > 0) {
+            run_spec(&specs[s], false);
+        }
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_index_equals_brute),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
