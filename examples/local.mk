@@ -36,6 +36,7 @@ nobase_dist_pkgdata_DATA = \
 
 nobase_dist_pkgdata_SCRIPTS = \
 	examples/bench/bidisperse.sh \
+	examples/bench/penetration.sh \
 	examples/bidisperse/check \
 	examples/bidisperse/run.sh \
 	examples/drum/check \

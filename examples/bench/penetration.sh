@@ -1,0 +1,97 @@
+#!/bin/sh
+# The penetration case against LAMMPS, side by side: penetration.sh [--quick]
+#
+# Both codes run examples/penetration/scene.yaml from the throw on, with plain velocity Verlet and equal dampers: 200,000 steps of
+# 25,001 particles, many minutes each; --quick runs 2,000 steps from just above the bed. LAMMPS runs its multi search on all
+# cores with the better of two skins, scree with the better of ranks and threads. Prints one JSON line a run; the last holds
+# loop_ratio, LAMMPS's loop time over scree's.
+#
+# Needs LAMMPS (Debian: lammps). SCREE, LAMMPS (lmp), CORES (all), RUNS (1, quick 3), WORK may be set.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../common.sh"
+case=$here/../penetration
+cores=${CORES:-$(env -u OMP_NUM_THREADS nproc)}
+export OMP_NUM_THREADS=1
+lammps=${LAMMPS:-lmp}
+command -v "$lammps" >/dev/null || { echo "no $lammps here: apt-get install lammps" >&2; exit 1; }
+work=${WORK:-${TMPDIR:-/tmp}/scree-bench}
+mkdir -p "$work"
+
+z=0.06 v=-5 steps=200000 runs=${RUNS:-1}
+case ${1:-} in
+--quick) z=-0.0445615 v=-5.201105 steps=2000 runs=${RUNS:-3} ;;
+'') ;;
+*) echo "usage: penetration.sh [--quick]" >&2; exit 2 ;;
+esac
+
+tsuji() { awk -v e="$1" -f "$case/lammps/tsuji.awk"; }
+awk -v z=$z -v vz=$v -f "$case/lammps/data.awk" "$case/particles.txt" >"$work/penetration.data"
+
+# Both print: loop seconds, height of the ball at the end
+
+# run_lammps SKIN STEPS
+run_lammps() {
+    on_ranks "$cores" "$lammps" -in "$case/lammps/in.penetration" -log "$work/lammps.log" -screen none \
+        -var data "$work/penetration.data" -var out "$work/ball" -var skin "$1" -var steps "$2" -var every "$2" \
+        -var e11 "$(tsuji 0.5)" -var e12 "$(tsuji 0.4)" -var e22 "$(tsuji 0.6)" >"$work/lammps.out" 2>&1 || {
+        cat "$work/lammps.out" >&2
+        return 1
+    }
+    echo "$(awk '/^Loop time/ { print $4 }' "$work/lammps.log") $(tail -n 1 "$work/ball" | cut -d ' ' -f 3)"
+}
+
+# run_scree RANKS THREADS STEPS
+run_scree() {
+    on_ranks "$1" "$SCREE" run "$case/scene.yaml" -o "$work/run" --overwrite --set threads="$2" \
+        --set duration="$(awk -v n="$3" 'BEGIN { printf "%.10g", n * 5e-7 }')" \
+        --set integrator=velocity_verlet --set contact.tangential_damping_equal=true \
+        --set "particles.sources[1].position=[0, 0, $z]" --set "particles.sources[1].velocity=[0, 0, $v]" \
+        --set output.trajectory.every=0 --set output.checkpoint.at_end=false >"$work/scree.out" 2>&1 || {
+        cat "$work/scree.out" >&2
+        return 1
+    }
+    tr -d ' \n' <"$work/run/report.json" | awk -v height="$(tail -n 1 "$work/run/observables.csv" | cut -d , -f 2)" '
+        match($0, /"seconds":[-+.0-9e]+/) { print substr($0, RSTART + 10, RLENGTH - 10), height }'
+}
+
+# line CODE RANKS THREADS SETTINGS "SECONDS HEIGHT"
+line() {
+    echo "$5" | awk -v code="$1" -v ranks="$2" -v threads="$3" -v settings="$4" -v steps=$steps '{
+        printf "{\"code\": \"%s\", \"particles\": 25001, \"steps\": %d, \"ranks\": %d, \"threads\": %d, \"settings\": \"%s\", ", code, steps,
+            ranks, threads, settings
+        printf "\"seconds\": %.6g, \"ns_per_particle\": %.6g, \"ball_z\": %.9g}\n", $1, 1e9 * $1 / steps / 25001, $2 }'
+}
+
+trial=1000
+: >"$work/tried"
+for skin in 0.0002 0.0006; do echo "$(run_lammps $skin $trial) $skin"; done | sort -g | head -n 1 >"$work/tried"
+skin=$(cut -d ' ' -f 3 "$work/tried")
+for layout in "1 $cores" "$cores 1"; do
+    # shellcheck disable=SC2086
+    echo "$(run_scree $layout $trial) $layout"
+done | sort -g | head -n 1 >"$work/tried"
+ranks=$(cut -d ' ' -f 3 "$work/tried")
+threads=$(cut -d ' ' -f 4 "$work/tried")
+
+: >"$work/lammps.runs"
+: >"$work/scree.runs"
+run=0
+while [ $run -lt "$runs" ]; do
+    figures=$(run_lammps "$skin" $steps)
+    echo "$figures" >>"$work/lammps.runs"
+    line lammps "$cores" 1 "multi, newton off, skin $skin" "$figures"
+    figures=$(run_scree "$ranks" "$threads" $steps)
+    echo "$figures" >>"$work/scree.runs"
+    line scree "$ranks" "$threads" "as the scene says" "$figures"
+    run=$((run + 1))
+done
+
+median() {
+    sort -g "$1" | awk '{ v[NR] = $1 } END { print NR % 2 ? v[(NR + 1) / 2] : (v[NR / 2] + v[NR / 2 + 1]) / 2 }'
+}
+echo "$(median "$work/lammps.runs") $(median "$work/scree.runs")" | awk -v steps=$steps -v runs="$runs" -v ranks="$ranks" \
+    -v threads="$threads" -v cores="$cores" '{
+    printf "{\"particles\": 25001, \"steps\": %d, \"runs\": %d, \"ranks\": %d, \"threads\": %d, \"seconds\": %.6g, ", steps, runs, ranks, threads, $2
+    printf "\"ns_per_particle\": %.6g, \"loop_ratio\": %.4g, \"lammps\": {\"ranks\": %d, \"seconds\": %.6g}}\n", 1e9 * $2 / steps / 25001,
+        $1 / $2, cores, $1 }'
