@@ -145,6 +145,10 @@ size_t memory_peak(void) {
     return atomic_load(&bytes_peak);
 }
 
+void memory_peak_reset(void) {
+    atomic_store(&bytes_peak, atomic_load(&bytes_in_use));
+}
+
 /* VmHWM and not getrusage: the latter counts what the process was before exec. */
 size_t memory_peak_resident(void) {
     FILE *status = fopen("/proc/self/status", "r");

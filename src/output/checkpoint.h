@@ -13,7 +13,7 @@
 
 #include "output/output.h"
 
-enum { CHECKPOINT_COUNTERS = 32 };
+enum { CHECKPOINT_COUNTERS = 128 };
 
 /* Numbers of the run that a resume needs. */
 struct checkpoint_numbers {

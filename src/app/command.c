@@ -1,0 +1,255 @@
+#include "app/command.h"
+#include "app/run.h"
+#include "core/memory.h"
+#include "output/convert.h"
+#include "output/info.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct flag {
+    const char *name; /* as in --name */
+    const char *argument, *help;
+};
+
+static const struct flag flags[] = {
+    {"output", "DIR",
+     "directory for the files of the run (also -o); exists: refused without --overwrite or --resume"},
+    {"set", "KEY=VALUE",
+     "overrides a key of the scene, e.g. --set index.name=hgrid or --set walls[0].radius=0.2; may be "
+     "repeated"},
+    {"resume", "FILE",
+     "goes on from a checkpoint, on any number of ranks and threads; 'last' is the newest in the directory"},
+    {"overwrite", NULL, "an existing directory is used and its files replaced"},
+    {"quiet", NULL, "no progress and no report on the terminal"},
+    {"to", "FORMAT", "lammps-data, lammps-dump, h5md or xdmf; else by the output's name"},
+    {"frame", "N", "one frame only, from 0, negative from the end"},
+    {"index", "A,B,...", "the indexes to compare; default: all"},
+    {"threads", "1,2,...", "the thread counts to compare; default: powers of two up to all cores"},
+    {"newton", "on,off", "the newton settings to compare; default: both"},
+    {"steps", "N", "steps of each run; default: those of the scene"},
+};
+
+enum { FLAGS = sizeof flags / sizeof flags[0] };
+
+static int run_run(const struct comm *comm, const struct command_line *line, struct error *error);
+static int run_info(const struct comm *comm, const struct command_line *line, struct error *error);
+static int run_convert(const struct comm *comm, const struct command_line *line, struct error *error);
+
+static const struct command commands[] = {
+    {"run", "SCENE.yaml -o DIR", "runs a scene", 1, 1, "output set resume overwrite quiet", run_run},
+    {"check", "SCENE.yaml", "validates a scene and prints what it needs; runs nothing", 1, 1, "set",
+     command_check},
+    {"ablate", "SCENE.yaml -o DIR",
+     "runs a scene over all indexes, threads and newton settings; a table of times", 1, 1,
+     "output set overwrite index threads newton steps", command_ablate},
+    {"info", "FILE", "tells what is in a trajectory, checkpoint, LAMMPS data file or dump", 1, 1, "",
+     run_info},
+    {"convert", "IN OUT", "converts LAMMPS data, dumps and H5MD into each other", 2, 2, "to frame overwrite",
+     run_convert},
+};
+
+enum { COMMANDS = sizeof commands / sizeof commands[0] };
+
+const struct command *command_get(int k) {
+    return k >= 0 && k < COMMANDS ? &commands[k] : NULL;
+}
+
+const struct command *command_find(const char *name) {
+    for (int k = 0; k < COMMANDS; k++)
+        if (strcmp(commands[k].name, name) == 0)
+            return &commands[k];
+    return NULL;
+}
+
+/* Is `name` a word of the space-separated list? */
+static bool word_in(const char *list, const char *name, size_t length) {
+    for (const char *at = list; *at;) {
+        size_t word = strcspn(at, " ");
+        if (word == length && strncmp(at, name, length) == 0)
+            return true;
+        at += word;
+        at += *at == ' ';
+    }
+    return false;
+}
+
+void command_usage(FILE *out, const struct command *command) {
+    if (command == NULL) {
+        fprintf(out, "scree simulates particles of very different sizes\n\n");
+        for (int k = 0; k < COMMANDS; k++)
+            fprintf(out, "  scree %-8s %-18s %s\n", commands[k].name, commands[k].arguments,
+                    commands[k].summary);
+        fprintf(out, "  scree %-8s %-18s %s\n", "help", "[COMMAND | KEY]",
+                "a command at length, all keys of a scene, or one key at length");
+        fprintf(out, "  scree --version\n\nSeveral ranks: mpirun -n 4 scree run ...\n");
+        return;
+    }
+    fprintf(out, "scree %s %s: %s\n", command->name, command->arguments, command->summary);
+    for (int f = 0; f < FLAGS; f++) {
+        if (!word_in(command->flags, flags[f].name, strlen(flags[f].name)))
+            continue;
+        fprintf(out, "  --%s%s%s\n      %s\n", flags[f].name, flags[f].argument ? " " : "",
+                flags[f].argument ? flags[f].argument : "", flags[f].help);
+    }
+}
+
+static bool setting_add(struct command_line *line, const char *text, struct error *error) {
+    if (strchr(text, '=') == NULL)
+        return error_set(error, ERROR_USER, "command line: --set %s: must read KEY=VALUE", text);
+    if (line->settings == COMMAND_SETTINGS_MAX)
+        return error_set(error, ERROR_USER, "command line: more than %d --set", COMMAND_SETTINGS_MAX);
+    line->setting[line->settings++].text = text;
+    return true;
+}
+
+static bool flag_store(struct command_line *line, const char *name, const char *value, struct error *error) {
+    static const char *const lists[] = {"index", "threads", "newton", "steps"};
+    const struct {
+        const char *name;
+        const char **to;
+    } texts[] = {
+        {"output", &line->directory}, {"resume", &line->resume}, {"to", &line->to}, {"frame", &line->frame}};
+    if (strcmp(name, "set") == 0)
+        return setting_add(line, value, error);
+    line->overwrite = line->overwrite || strcmp(name, "overwrite") == 0;
+    line->quiet = line->quiet || strcmp(name, "quiet") == 0;
+    for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++)
+        if (strcmp(texts[k].name, name) == 0)
+            *texts[k].to = value;
+    for (size_t k = 0; k < sizeof lists / sizeof lists[0]; k++)
+        if (strcmp(lists[k], name) == 0)
+            line->list[k] = value;
+    return true;
+}
+
+/* Reads one flag at argv[*at] (and its argument). */
+static bool flag_read(struct command_line *line, const struct command *command, char **argv, int argc,
+                      int *at, struct error *error) {
+    const char *given = argv[*at], *name = given + 2, *value = NULL;
+    size_t length;
+    if (strcmp(given, "-o") == 0)
+        name = "output";
+    else if (strncmp(given, "--", 2) != 0)
+        return error_set(error, ERROR_USER,
+                         "command line: unknown flag %s; 'scree help %s' lists those of this command", given,
+                         command->name);
+    length = strcspn(name, "=");
+    if (name[length] == '=')
+        value = name + length + 1;
+    for (int f = 0; f < FLAGS; f++) {
+        const struct flag *flag = &flags[f];
+        if (strlen(flag->name) != length || strncmp(flag->name, name, length) != 0 ||
+            !word_in(command->flags, name, length))
+            continue;
+        if (flag->argument == NULL && value != NULL)
+            return error_set(error, ERROR_USER, "command line: --%s takes no argument", flag->name);
+        if (flag->argument != NULL && value == NULL) {
+            if (*at + 1 >= argc)
+                return error_set(error, ERROR_USER, "command line: %s needs its %s", given, flag->argument);
+            value = argv[++*at];
+        }
+        return flag_store(line, flag->name, value, error);
+    }
+    return error_set(error, ERROR_USER,
+                     "command line: unknown flag %s; 'scree help %s' lists those of this command", given,
+                     command->name);
+}
+
+bool command_line_read(struct command_line *line, const struct command *command, int argc, char **argv,
+                       struct error *error) {
+    *line = (struct command_line){0};
+    for (int at = 0; at < argc; at++) {
+        if (argv[at][0] == '-' && argv[at][1] != '\0') {
+            if (!flag_read(line, command, argv, argc, &at, error))
+                return false;
+        } else if (line->files == command->files_max) {
+            return error_set(error, ERROR_USER,
+                             "command line: '%s' is one argument too many; usage: scree %s %s", argv[at],
+                             command->name, command->arguments);
+        } else {
+            line->file[line->files++] = argv[at];
+        }
+    }
+    if (line->files < command->files_min)
+        return error_set(error, ERROR_USER, "command line: too few arguments; usage: scree %s %s",
+                         command->name, command->arguments);
+    return true;
+}
+
+struct scene *command_scene(const struct comm *comm, const struct command_line *line,
+                            const struct scene_setting *extra, int extras, struct error *error) {
+    struct scene_setting setting[2 * COMMAND_SETTINGS_MAX];
+    char *text = NULL;
+    struct scene *scene = NULL;
+    memcpy(setting, line->setting, sizeof line->setting);
+    for (int k = 0; k < extras; k++)
+        setting[line->settings + k] = extra[k];
+    if (scene_read_text(line->file[0], &text, NULL, error))
+        scene = scene_parse(line->file[0], text, setting, line->settings + extras, error);
+    memory_free(text);
+    if (!comm_agree(comm, error))
+        scene_free(&scene);
+    return scene;
+}
+
+static int run_run(const struct comm *comm, const struct command_line *line, struct error *error) {
+    char newest[OUTPUT_PATH_MAX] = "";
+    if (line->directory == NULL) {
+        error_set(error, ERROR_USER, "command line: scree run needs -o DIR for its files");
+        return error->kind;
+    }
+    struct run_options options = {.directory = line->directory,
+                                  .resume = line->resume,
+                                  .overwrite = line->overwrite,
+                                  .quiet = line->quiet};
+    if (line->resume && strcmp(line->resume, "last") == 0) {
+        if (comm->rank == 0 && !checkpoint_find_newest(line->directory, newest))
+            error_set(error, ERROR_USER, "%s: holds no checkpoint to resume from", line->directory);
+        if (!comm_agree(comm, error))
+            return error->kind;
+        comm_broadcast(comm, newest, sizeof newest);
+        options.resume = newest;
+    }
+    struct scene *scene = command_scene(comm, line, NULL, 0, error);
+    if (scene == NULL)
+        return error->kind;
+    int status = run_scene(comm, scene, &options, NULL, error);
+    scene_free(&scene);
+    return status;
+}
+
+static bool one_rank(const struct comm *comm, const char *what, struct error *error) {
+    if (comm->size > 1)
+        error_set(error, ERROR_USER, "command line: scree %s runs on one rank; it was started on %d", what,
+                  comm->size);
+    return comm->size == 1;
+}
+
+static int run_info(const struct comm *comm, const struct command_line *line, struct error *error) {
+    if (one_rank(comm, "info", error))
+        info_print(line->file[0], comm, stdout, error);
+    return error->kind;
+}
+
+static int run_convert(const struct comm *comm, const struct command_line *line, struct error *error) {
+    struct convert_options options = {.overwrite = line->overwrite, .one_frame = line->frame != NULL};
+    if (!one_rank(comm, "convert", error))
+        return error->kind;
+    if (line->frame) {
+        char *end;
+        options.frame = strtoll(line->frame, &end, 10);
+        if (*end != '\0' || end == line->frame)
+            error_set(error, ERROR_USER, "command line: --frame %s: must be a whole number", line->frame);
+    }
+    if (line->to) {
+        options.to = convert_format_find(line->to);
+        if (options.to == CONVERT_BY_NAME)
+            error_set(error, ERROR_USER,
+                      "command line: --to %s: known formats are lammps-data, lammps-dump, h5md, xdmf",
+                      line->to);
+    }
+    if (error->kind == ERROR_NONE)
+        convert_file(line->file[0], line->file[1], &options, comm, error);
+    return error->kind;
+}

@@ -1,0 +1,156 @@
+#include "app/outputs.h"
+#include "core/memory.h"
+#include "output/contact_list.h"
+#include "output/dump.h"
+#include "output/frame.h"
+#include "output/h5md.h"
+#include <stdio.h>
+#include <string.h>
+
+struct outputs {
+    const struct output_options *options; /* borrowed from the scene */
+    const struct output_run *run;         /* borrowed */
+    struct observables *observables;      /* NULL: not asked for */
+    const char **name, **unit;            /* of the observables' columns */
+    struct h5md *h5md;
+    struct dump *dump;
+};
+
+static bool h5md_wanted(const struct outputs *o) {
+    return output_interval_set(&o->options->trajectory.every) ||
+           output_interval_set(&o->options->trajectory.contacts);
+}
+
+static bool observables_start(struct outputs *o, const struct simulation *s, double resume_time,
+                              struct error *error) {
+    struct output_view view = simulation_view(s);
+    if (!observables_create(&o->observables, &o->options->observables, &view, o->run, error) ||
+        !observables_open(o->observables, s->comm, o->run->directory, resume_time, error))
+        return false;
+    int columns = observables_columns(o->observables);
+    o->name = memory_allocate((size_t)columns, sizeof *o->name, "observables");
+    o->unit = memory_allocate((size_t)columns, sizeof *o->unit, "observables");
+    for (int c = 0; c < columns; c++) {
+        o->name[c] = observables_column_name(o->observables, c);
+        o->unit[c] = observables_column_unit(o->observables, c);
+    }
+    return true;
+}
+
+static bool files_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
+    int64_t step = resumed ? (int64_t)s->step : -1;
+    char path[OUTPUT_PATH_MAX];
+    if (h5md_wanted(o)) {
+        struct h5md_head head = {.scene = o->run->scene,
+                                 .dimensionless = o->run->dimensionless,
+                                 .varying = o->run->varying,
+                                 .xdmf = o->options->trajectory.xdmf,
+                                 .seed = o->run->seed};
+        snprintf(path, sizeof path, "%s/trajectory.h5", o->run->directory);
+        if (!h5md_open(&o->h5md, s->comm, path, &head, step, error))
+            return false;
+    }
+    if (output_interval_set(&o->options->dump.every)) {
+        snprintf(path, sizeof path, "%s/dump.lammpstrj", o->run->directory);
+        if (!dump_open(&o->dump, s->comm, path, step, error))
+            return false;
+    }
+    return true;
+}
+
+bool outputs_open(struct outputs **outputs, const struct simulation *s, const struct output_run *run,
+                  bool resumed, struct error *error) {
+    struct outputs *o = memory_allocate_zero(1, sizeof *o, "outputs");
+    o->options = &s->scene->output;
+    o->run = run;
+    bool good = frame_check_fields(&o->options->trajectory.fields, s->particles, error) &&
+                frame_check_fields(&o->options->dump.fields, s->particles, error);
+    if (good && output_interval_set(&o->options->observables.every))
+        good = observables_start(o, s, resumed ? s->time : -1, error);
+    good = good && files_open(o, s, resumed, error);
+    if (!comm_agree(s->comm, error) || !good) {
+        struct error second = {0};
+        outputs_close(&o, s->comm, &second);
+        return false;
+    }
+    *outputs = o;
+    return true;
+}
+
+bool outputs_want_sums(const struct outputs *o, const struct simulation *s, uint64_t step) {
+    double time = s->time_base + (double)(step - s->step_base) * s->dt;
+    return o->observables && observables_need_sums(o->observables) &&
+           output_interval_due(&o->options->observables.every, step, time, s->dt);
+}
+
+bool outputs_sum_each_step(const struct outputs *o) {
+    for (int c = 0; o->observables && c < observables_columns(o->observables); c++)
+        if (strncmp(o->name[c], "energy_dissipated", strlen("energy_dissipated")) == 0)
+            return true;
+    return false;
+}
+
+static bool observables_row(struct outputs *o, const struct output_view *view, struct error *error) {
+    if (!observables_write(o->observables, view, error))
+        return false;
+    if (o->h5md) {
+        struct h5md_observables row = {observables_columns(o->observables), o->name,    o->unit,
+                                       observables_values(o->observables),  view->step, view->time};
+        h5md_add_observables(o->h5md, &row);
+    }
+    return true;
+}
+
+static bool frame_write(struct outputs *o, const struct output_view *view, bool trajectory,
+                        struct error *error) {
+    struct frame frame;
+    frame_create(&frame, view, trajectory ? &o->options->trajectory.fields : &o->options->dump.fields);
+    bool good = trajectory ? h5md_write_frame(o->h5md, &frame, error) : dump_write(o->dump, &frame, error);
+    frame_free(&frame);
+    return good;
+}
+
+static bool contacts_write(struct outputs *o, const struct output_view *view, struct error *error) {
+    struct contact_list list;
+    contact_list_create(&list, view);
+    bool good = h5md_write_contacts(o->h5md, &list, view->box, error);
+    contact_list_free(&list);
+    return good;
+}
+
+bool outputs_write(struct outputs *o, const struct simulation *s, struct error *error) {
+    const struct output_options *options = o->options;
+    struct output_view view = simulation_view(s);
+    bool good = true;
+    if (o->observables && output_interval_due(&options->observables.every, s->step, s->time, s->dt))
+        good = observables_row(o, &view, error);
+    if (good && o->h5md && output_interval_due(&options->trajectory.every, s->step, s->time, s->dt))
+        good = frame_write(o, &view, true, error);
+    if (good && o->h5md && output_interval_due(&options->trajectory.contacts, s->step, s->time, s->dt))
+        good = contacts_write(o, &view, error);
+    if (good && o->dump && output_interval_due(&options->dump.every, s->step, s->time, s->dt))
+        good = frame_write(o, &view, false, error);
+    return good;
+}
+
+const struct observables *outputs_observables(const struct outputs *o) {
+    return o->observables;
+}
+
+bool outputs_close(struct outputs **outputs, const struct comm *comm, struct error *error) {
+    struct outputs *o = *outputs;
+    if (o == NULL)
+        return true;
+    bool good = true;
+    if (o->h5md)
+        good = h5md_close(&o->h5md, error) && good;
+    if (o->dump)
+        good = dump_close(&o->dump, error) && good;
+    if (o->observables)
+        observables_destroy(&o->observables);
+    memory_free(o->name);
+    memory_free(o->unit);
+    memory_free(o);
+    *outputs = NULL;
+    return comm_agree(comm, error) && good;
+}

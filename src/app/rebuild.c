@@ -1,0 +1,113 @@
+/* The full rebuild. It stands between a drift and the forces: positions are new, forces are zero, histories
+ * are those of the last evaluation. Copies appear, vanish and migrate only here. */
+#include "app/simulation.h"
+#include "core/memory.h"
+#include <assert.h>
+#include <omp.h>
+#include <string.h>
+
+void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
+    *rows = (struct rebuild_rows){0};
+    if (s->history)
+        history_detach(s->history, s->list, s->particles, both_ends, &rows->pairs);
+    if (s->walls && s->law.history_components)
+        walls_detach(s->walls, s->particles, &rows->walls);
+}
+
+void rebuild_rows_free(struct rebuild_rows *rows) {
+    history_rows_free(&rows->pairs);
+    wall_rows_free(&rows->walls);
+}
+
+/* Particles go to their owners, with their rows. */
+static void migrate(struct simulation *s, struct rebuild_rows *rows) {
+    struct migrate_rows set[2];
+    int n = 0, pairs = -1, walls = -1;
+    if (rows->pairs.start) {
+        pairs = n;
+        set[n++] = (struct migrate_rows){rows->pairs.start, rows->pairs.row, rows->pairs.count,
+                                         sizeof *rows->pairs.row};
+    }
+    if (rows->walls.start) {
+        walls = n;
+        set[n++] = (struct migrate_rows){rows->walls.start, rows->walls.row, rows->walls.count,
+                                         sizeof *rows->walls.row};
+    }
+    ghosts_migrate_rows(s->ghosts, s->particles, set, n);
+    if (pairs >= 0)
+        rows->pairs = (struct history_rows){set[pairs].start, set[pairs].row, set[pairs].count};
+    if (walls >= 0)
+        rows->walls = (struct wall_rows){set[walls].start, set[walls].row, set[walls].count};
+}
+
+static void reorder(struct simulation *s, struct rebuild_rows *rows) {
+    size_t owned = s->particles->owned;
+    uint32_t *order = memory_allocate(owned, sizeof *order, "particle order");
+    struct index_view view;
+    simulation_index_view(s, &view);
+    index_order(s->index, &view, order);
+    particles_reorder(s->particles, order);
+    if (rows->pairs.start)
+        history_rows_reorder(&rows->pairs, order, owned);
+    if (rows->walls.start)
+        wall_rows_reorder(&rows->walls, order, owned);
+    memory_free(order);
+}
+
+static void attach(struct simulation *s, struct rebuild_rows *rows) {
+    if (rows->pairs.start)
+        history_attach(s->history, &rows->pairs, s->list, s->particles);
+    if (rows->walls.start)
+        walls_attach(s->walls, &rows->walls, s->particles);
+    rebuild_rows_free(rows);
+}
+
+/* The copies, the index and the pairs of the particles where they now are. */
+static void search(struct simulation *s) {
+    timer_start(&s->timers, TIMER_GHOSTS);
+    if (!s->alone)
+        ghosts_make(s->ghosts, s->particles, &s->classes);
+    timer_stop(&s->timers, TIMER_GHOSTS);
+    timer_start(&s->timers, TIMER_INDEX);
+    simulation_index_view(s, &s->view);
+    index_build(s->index, &s->view);
+    timer_stop(&s->timers, TIMER_INDEX);
+    timer_start(&s->timers, TIMER_PAIRS);
+    pairlist_build(s->list, s->index, &s->view, s->particles, &s->scene->box);
+    timer_stop(&s->timers, TIMER_PAIRS);
+}
+
+void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
+    timer_start(&s->timers, TIMER_MIGRATE);
+    ghosts_drop(s->ghosts, s->particles);
+    guards_check_positions(s);
+    particles_wrap(s->particles, &s->scene->box);
+    sources_run(s, rows);
+    if (!s->alone)
+        migrate(s, rows);
+    if (s->classes_stale)
+        simulation_classify(s, &s->error);
+    particles_classify(s->particles, &s->classes);
+    timer_stop(&s->timers, TIMER_MIGRATE);
+    timer_start(&s->timers, TIMER_REORDER);
+    reorder(s, rows);
+    timer_stop(&s->timers, TIMER_REORDER);
+    search(s);
+    timer_start(&s->timers, TIMER_HISTORY);
+    attach(s, rows);
+    skin_reset(s->skin, s->particles);
+    timer_stop(&s->timers, TIMER_HISTORY);
+    timer_start(&s->timers, TIMER_WALL);
+    if (s->walls)
+        walls_build(s->walls, s->particles, &s->classes);
+    timer_stop(&s->timers, TIMER_WALL);
+    force_loop_prepare(s->loop, &s->contact);
+}
+
+void rebuild_run(struct simulation *s) {
+    struct rebuild_rows rows;
+    timer_start(&s->timers, TIMER_HISTORY);
+    rebuild_detach(s, !s->alone, &rows);
+    timer_stop(&s->timers, TIMER_HISTORY);
+    rebuild_from_rows(s, &rows);
+}

@@ -1,0 +1,139 @@
+/* Checkpoints and going on from them. A checkpoint step rebuilds, so the particles stand in the order that a
+ * rebuild gives, and a resume on the same layout rebuilds into the same order: its trajectory is the
+ * uninterrupted one's, bit for bit. */
+#include "app/simulation.h"
+#include "core/memory.h"
+#include <stdio.h>
+#include <string.h>
+
+/* What the counters of a checkpoint mean; insertions follow, three numbers each. */
+enum { COUNTER_STEP_BASE, COUNTER_TIME_BASE, COUNTER_INSERTED, COUNTER_DELETED, COUNTER_INSERTION };
+enum { SUM_DISSIPATED };
+enum { INSERTION_COUNTERS = 3 };
+
+_Static_assert((int)COUNTER_INSERTION + INSERTION_COUNTERS * (int)INSERTIONS_MAX <= (int)CHECKPOINT_COUNTERS,
+               "a checkpoint has room for all insertion regions");
+
+static uint64_t bits_of(double value) {
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
+static double double_of(uint64_t bits) {
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+static void numbers_put(const struct simulation *s, struct checkpoint_numbers *n) {
+    *n = (struct checkpoint_numbers){
+        .step = s->step, .time = s->time, .dt = s->dt, .seed = s->scene->seed, .next_id = s->next_id};
+    n->counter[COUNTER_STEP_BASE] = s->step_base;
+    n->counter[COUNTER_TIME_BASE] = bits_of(s->time_base);
+    n->counter[COUNTER_INSERTED] = s->inserted;
+    n->counter[COUNTER_DELETED] = s->deleted;
+    for (int k = 0; k < s->scene->insertions; k++) {
+        uint64_t *counter = &n->counter[COUNTER_INSERTION + INSERTION_COUNTERS * k];
+        counter[0] = s->insertion_state[k].placed;
+        counter[1] = s->insertion_state[k].tried;
+        counter[2] = bits_of(s->insertion_state[k].mass);
+    }
+    n->sum[SUM_DISSIPATED] = s->dissipated;
+}
+
+static void numbers_take(struct simulation *s, const struct checkpoint_numbers *n) {
+    s->step = s->sources_step = n->step;
+    s->time = n->time;
+    s->next_id = n->next_id;
+    s->step_base = n->counter[COUNTER_STEP_BASE];
+    s->time_base = double_of(n->counter[COUNTER_TIME_BASE]);
+    s->inserted = n->counter[COUNTER_INSERTED];
+    s->deleted = n->counter[COUNTER_DELETED];
+    for (int k = 0; k < s->scene->insertions; k++) {
+        const uint64_t *counter = &n->counter[COUNTER_INSERTION + INSERTION_COUNTERS * k];
+        s->insertion_state[k] = (struct insertion_state){counter[0], counter[1], double_of(counter[2])};
+    }
+    s->dissipated = n->sum[SUM_DISSIPATED];
+    s->resumed_dt = n->dt;
+}
+
+bool resume_write(struct simulation *s, const struct output_run *run, const char *suffix,
+                  struct error *error) {
+    struct rebuild_rows rows;
+    rebuild_detach(s, false, &rows);
+    struct checkpoint checkpoint = {.particles = s->particles,
+                                    .box = &s->scene->box,
+                                    .history_components = s->law.history_components,
+                                    .history = rows.pairs.start ? &rows.pairs : NULL,
+                                    .wall_history = rows.walls.start ? &rows.walls : NULL,
+                                    .walls = s->walls,
+                                    .scene = run->scene};
+    numbers_put(s, &checkpoint.numbers);
+    bool good = checkpoint_write(s->comm, run->directory, suffix, &checkpoint,
+                                 s->scene->output.checkpoint.keep, error);
+    rebuild_rows_free(&rows);
+    return good;
+}
+
+/* The scene may change much between a checkpoint and its resume, but not what the particles live in. */
+static bool resume_matches(const struct simulation *s, const char *path,
+                           const struct checkpoint_loaded *loaded, struct error *error) {
+    const struct box *now = &s->scene->box, *then = &loaded->box;
+    for (int d = 0; d < 3; d++)
+        if (now->edge[d] != then->edge[d] || now->periodic[d] != then->periodic[d] ||
+            now->origin[d] != then->origin[d])
+            return error_set(error, ERROR_USER,
+                             "%s: it was written for a box with %c from %.9g, edge %.9g, %s; the scene's is "
+                             "from %.9g, edge %.9g, %s: "
+                             "a resume may change gravity, walls, motion, output and duration, not the box",
+                             path, 'x' + d, then->origin[d], then->edge[d],
+                             then->periodic[d] ? "periodic" : "open", now->origin[d], now->edge[d],
+                             now->periodic[d] ? "periodic" : "open");
+    if (loaded->history_components != s->law.history_components)
+        return error_set(error, ERROR_USER,
+                         "%s: its contacts have a history of %d numbers, the scene's law has %d: "
+                         "contact.law, friction and rolling must stay",
+                         path, loaded->history_components, s->law.history_components);
+    return true;
+}
+
+static void walls_restore(struct simulation *s, const struct checkpoint_loaded *loaded) {
+    for (int k = 0; k < loaded->walls; k++) {
+        int wall = scene_wall(s->scene, loaded->wall[k].name);
+        if (wall >= 0 && s->walls)
+            walls_set_pose(s->walls, wall, &loaded->wall[k].pose);
+    }
+}
+
+bool resume_read(struct simulation *s, const char *path, struct rebuild_rows *rows, struct error *error) {
+    struct checkpoint_loaded loaded = {0};
+    bool good = checkpoint_read(s->comm, path, s->particles, &loaded, error);
+    if (!comm_agree(s->comm, error) || !good)
+        return false;
+    if (!resume_matches(s, path, &loaded, error)) {
+        checkpoint_loaded_free(&loaded);
+        return false;
+    }
+    s->total = loaded.total;
+    numbers_take(s, &loaded.numbers);
+    walls_restore(s, &loaded);
+    if (s->history) {
+        rows->pairs = loaded.history;
+        loaded.history = (struct history_rows){0};
+    }
+    if (s->walls && s->law.history_components) {
+        rows->walls = loaded.wall_history;
+        loaded.wall_history = (struct wall_rows){0};
+    }
+    checkpoint_loaded_free(&loaded);
+    return true;
+}
+
+void resume_begin(struct simulation *s, struct rebuild_rows *rows) {
+    if (s->dt != s->resumed_dt) {
+        s->step_base = s->step;
+        s->time_base = s->time;
+    }
+    rebuild_from_rows(s, rows);
+}

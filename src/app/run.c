@@ -1,0 +1,269 @@
+#include "app/run.h"
+#include "app/outputs.h"
+#include "core/memory.h"
+#include "output/checkpoint.h"
+#include "output/progress.h"
+#include <errno.h>
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum { POSITIONS_EVERY = 100 };
+
+/* The one thing that a signal handler may touch. */
+static volatile sig_atomic_t run_signal;
+
+static void on_signal(int number) {
+    run_signal = number;
+}
+
+static void signals_catch(void) {
+    struct sigaction action = {.sa_handler = on_signal};
+    run_signal = 0;
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGINT, &action, NULL);
+}
+
+/* A run in progress. */
+struct run {
+    struct simulation *s;
+    struct outputs *outputs; /* NULL: no files */
+    struct output_run output;
+    const struct run_options *options;
+    struct progress progress;
+    uint64_t first, last;   /* steps */
+    double began;           /* seconds: the loop */
+    double checkpoint_last; /* seconds: the last checkpoint by wall clock */
+    bool checkpoint_due;    /* decided in the step before */
+    int stopped;            /* signal that ended it */
+};
+
+bool run_directory(const struct comm *comm, const struct run_options *options, struct error *error) {
+    if (comm->rank == 0 && options->directory) {
+        struct stat found;
+        bool there = stat(options->directory, &found) == 0;
+        if (there && !S_ISDIR(found.st_mode))
+            error_set(error, ERROR_USER, "%s: exists and is not a directory", options->directory);
+        else if (there && !options->overwrite && !options->resume)
+            error_set(error, ERROR_USER,
+                      "%s: exists already; nothing was written. Choose another -o, or give --overwrite or "
+                      "--resume FILE",
+                      options->directory);
+        else if (!there && mkdir(options->directory, 0777) != 0)
+            error_set(error, ERROR_USER, "%s: cannot make this directory: %s", options->directory,
+                      strerror(errno));
+    }
+    return comm_agree(comm, error);
+}
+
+static uint64_t last_step(const struct simulation *s) {
+    const struct scene *scene = s->scene;
+    if (scene->duration > 0) {
+        double left = (scene->duration - s->time) / s->dt;
+        return left > 0 ? s->step + (uint64_t)ceil(left - 1e-6) : s->step;
+    }
+    return scene->step.count > 0 ? (uint64_t)scene->step.count : 0;
+}
+
+static bool checkpoint_step(const struct run *run, uint64_t step) {
+    uint64_t every = run->s->scene->output.checkpoint.every_steps;
+    return run->options->directory && (run->checkpoint_due || (every > 0 && step % every == 0) ||
+                                       (step == run->last && run->s->scene->output.checkpoint.at_end));
+}
+
+/* What this rank knows before the step; decide makes it everybody's. */
+static void signals_ask(struct run *run) {
+    double minutes = run->s->scene->output.checkpoint.every_minutes;
+    run->s->signals = (struct step_signals){
+        .stop = run_signal != 0,
+        .checkpoint = minutes > 0 && timer_now() - run->checkpoint_last > 60 * minutes,
+        .error = run->s->error.kind != ERROR_NONE,
+    };
+}
+
+static bool step_once(struct run *run, struct error *error) {
+    struct simulation *s = run->s;
+    bool checkpoint = checkpoint_step(run, s->step + 1);
+    signals_ask(run);
+    s->contact.want_sums =
+        s->sums_each_step || (run->outputs && outputs_want_sums(run->outputs, s, s->step + 1));
+    step_run(s, checkpoint);
+    if (s->step % POSITIONS_EVERY == 0)
+        guards_check_positions(s);
+    timer_start(&s->timers, TIMER_OUTPUT);
+    bool good = run->outputs == NULL || outputs_write(run->outputs, s, error);
+    if (good && checkpoint) {
+        good = resume_write(s, &run->output, "", error);
+        run->checkpoint_last = timer_now();
+    }
+    run->checkpoint_due = s->signals.stop || (s->signals.checkpoint && !checkpoint);
+    progress_update(&run->progress, s->step, s->total, s->time);
+    timer_stop(&s->timers, TIMER_OUTPUT);
+    return good;
+}
+
+/* Steps until the end, an error or a signal. A signal is seen by all ranks in one step, and the next writes
+ * the checkpoint. */
+static bool steps(struct run *run, struct error *error) {
+    struct simulation *s = run->s;
+    bool stopping = false;
+    while (s->step < run->last) {
+        if (!step_once(run, error))
+            return false;
+        if (s->signals.error || (s->alone && s->error.kind != ERROR_NONE))
+            return false;
+        if (stopping) {
+            run->stopped = run_signal ? run_signal : SIGTERM;
+            return true;
+        }
+        stopping = s->signals.stop;
+    }
+    return true;
+}
+
+static void report_levels(const struct simulation *s, struct report *report) {
+    struct index_description description;
+    index_describe(s->index, &description);
+    report->levels = description.levels < REPORT_LEVELS_MAX ? description.levels : REPORT_LEVELS_MAX;
+    for (int l = 0; l < report->levels; l++) {
+        const struct index_level *level = &description.level[l];
+        int64_t counts[2] = {(int64_t)level->cells, (int64_t)level->particles};
+        comm_sum_int(s->comm, counts, 2);
+        report->level[l] = (struct report_level){.cell = level->cell,
+                                                 .cells = (uint64_t)counts[0],
+                                                 .particles = (uint64_t)counts[1],
+                                                 .radius_min = level->radius_min,
+                                                 .radius_max = level->radius_max};
+    }
+}
+
+static void report_fill(const struct run *run, double setup, struct report *report) {
+    const struct simulation *s = run->s;
+    struct ghosts_counts ghosts;
+    ghosts_count(s->ghosts, &ghosts);
+    int64_t sums[3] = {(int64_t)s->list->primary_count, (int64_t)s->sums.contacts, (int64_t)memory_peak()};
+    comm_sum_int(s->comm, sums, 3);
+    report->steps = s->step - run->first;
+    report->step_last = s->step;
+    report->time = s->time;
+    report->dt = s->dt;
+    report->particles = s->total;
+    report->ranks = s->comm->size;
+    report->threads = s->threads;
+    report->newton = s->scene->ghosts.newton;
+    snprintf(report->index, sizeof report->index, "%s", s->scene->index.name);
+    snprintf(report->law, sizeof report->law, "%s", s->law.options.normal == LAW_HERTZ ? "hertz" : "hooke");
+    snprintf(report->integrator, sizeof report->integrator, "%s", s->scene->integrator);
+    report_levels(s, report);
+    report->pairs = (uint64_t)sums[0];
+    report->contacts = (uint64_t)sums[1];
+    report->rebuilds = s->skin->rebuilds > 0 ? s->skin->rebuilds - 1 : 0;
+    report->dangerous_rebuilds = s->skin->dangerous;
+    report->bytes_per_particle = s->total ? (double)sums[2] / (double)s->total : 0;
+    report->inserted = s->inserted;
+    report->deleted = s->deleted;
+    report->seed = s->scene->seed;
+    report->dimensionless = s->scene->units == SCENE_UNITS_NONE;
+    if (run->stopped)
+        snprintf(report->stopped, sizeof report->stopped, "signal %d", run->stopped);
+    struct report_mine mine = {.timers = &s->timers,
+                               .ghosts = ghosts.ghosts,
+                               .bytes_sent = ghosts.bytes,
+                               .seconds = timer_now() - run->began,
+                               .seconds_setup = setup};
+    report_gather(report, s->comm, &mine);
+}
+
+static bool report_out(const struct run *run, const struct report *report, struct error *error) {
+    if (run->s->comm->rank != 0)
+        return true;
+    if (!run->options->quiet)
+        report_print(report, stdout);
+    if (run->options->directory == NULL)
+        return true;
+    char path[OUTPUT_PATH_MAX];
+    snprintf(path, sizeof path, "%s/report.json", run->options->directory);
+    return report_write_json(report, path, error);
+}
+
+/* A guard stopped the run: leave the state to look at. */
+static void stopped_checkpoint(struct run *run, const struct error *why) {
+    struct error second = {0};
+    if (run->options->directory == NULL || why->kind != ERROR_PHYSICS)
+        return;
+    if (!resume_write(run->s, &run->output, "-stopped", &second) && run->s->comm->rank == 0)
+        fprintf(stderr, "scree: the state at the stop could not be written: %s\n", second.text);
+}
+
+static bool run_open(struct run *run, struct error *error) {
+    struct simulation *s = run->s;
+    if (run->options->directory == NULL)
+        return true;
+    if (!outputs_open(&run->outputs, s, &run->output, run->options->resume != NULL, error))
+        return false;
+    s->sums_each_step = outputs_sum_each_step(run->outputs);
+    return run->options->resume != NULL || outputs_write(run->outputs, s, error);
+}
+
+static void run_loop(struct run *run, struct error *error) {
+    struct simulation *s = run->s;
+    struct progress_options progress = s->scene->output.progress;
+    run->first = s->step;
+    run->last = last_step(s);
+    memset(&s->timers, 0, sizeof s->timers);
+    timer_start(&s->timers, TIMER_OTHER);
+    run->began = run->checkpoint_last = timer_now();
+    if (run->options->quiet || s->comm->rank != 0)
+        progress.mode = PROGRESS_OFF;
+    progress_start(&run->progress, &progress, stderr, run->first, run->last);
+    bool good = steps(run, error);
+    progress_finish(&run->progress);
+    timer_stop(&s->timers, TIMER_OTHER);
+    if (!good && error->kind == ERROR_NONE)
+        *error = s->error;
+    if (!comm_agree(s->comm, error))
+        stopped_checkpoint(run, error);
+}
+
+int run_scene(const struct comm *comm, const struct scene *scene, const struct run_options *options,
+              struct report *report, struct error *error) {
+    struct run run = {.options = options};
+    struct report own;
+    double start = timer_now();
+    run.s = simulation_create(comm, scene, options->resume, error);
+    if (run.s == NULL || !run_directory(comm, options, error)) {
+        simulation_destroy(&run.s);
+        return error->kind;
+    }
+    char *echo = scene_echo(scene);
+    run.output = (struct output_run){.directory = options->directory,
+                                     .scene = echo,
+                                     .dimensionless = scene->units == SCENE_UNITS_NONE,
+                                     .varying = scene->insertions > 0 || scene->deletions > 0 ||
+                                                simulation_may_lose(run.s),
+                                     .seed = scene->seed,
+                                     .materials = scene->materials,
+                                     .material = scene->material};
+    signals_catch();
+    if (run_open(&run, error)) {
+        double setup = timer_now() - start;
+        run_loop(&run, error);
+        report_create(&own, comm->size);
+        report_fill(&run, setup, &own);
+        outputs_close(&run.outputs, comm, error);
+        report_out(&run, &own, error);
+        if (report)
+            *report = own;
+        else
+            report_destroy(&own);
+    }
+    comm_agree(comm, error);
+    outputs_close(&run.outputs, comm, error);
+    simulation_destroy(&run.s);
+    memory_free(echo);
+    return error->kind != ERROR_NONE ? (int)error->kind : run.stopped ? 128 + run.stopped : 0;
+}

@@ -1,0 +1,25 @@
+/* The life of a run: from a scene to its files. */
+#ifndef SCREE_APP_RUN_H
+#define SCREE_APP_RUN_H
+
+#include "app/simulation.h"
+#include "output/report.h"
+
+struct run_options {
+    const char *directory; /* NULL: no files at all (ablate) */
+    const char *resume;    /* a checkpoint, or NULL */
+    bool overwrite;        /* a directory that exists is used, its files replaced */
+    bool quiet;            /* neither progress nor report on the terminal */
+};
+
+/* Runs a scene to its end. Fills `report` where it is not NULL (report_destroy is the caller's). Returns the
+ * status of the program: 0, or the kind of the error; 128 + signal where a signal ended the run after a
+ * checkpoint. Collective. */
+int run_scene(const struct comm *comm, const struct scene *scene, const struct run_options *options,
+              struct report *report, struct error *error);
+
+/* Prepares the directory: made if missing; exit 2 if it exists and is neither overwritten nor resumed in.
+ * Collective. */
+bool run_directory(const struct comm *comm, const struct run_options *options, struct error *error);
+
+#endif

@@ -1,0 +1,182 @@
+/* A simulation: everything that a run holds, and the verbs of its life.
+ *
+ *     simulation_create   scene -> law, walls, particles, domain, index ...; the first rebuild; the first
+ * forces step_run            one time step (step.c, on one screen) rebuild_run         migrate, reorder,
+ * ghosts, index, pairs (rebuild.c), when step_run finds it due simulation_destroy
+ *
+ * The parts know nothing of each other beyond what the arrows of docs/architecture.md allow; they meet here.
+ */
+#ifndef SCREE_APP_SIMULATION_H
+#define SCREE_APP_SIMULATION_H
+
+#include "comm/comm.h"
+#include "comm/domain.h"
+#include "comm/ghosts.h"
+#include "contact/force.h"
+#include "contact/law.h"
+#include "contact/wall.h"
+#include "core/timer.h"
+#include "index/index.h"
+#include "integrate/integrator.h"
+#include "integrate/timestep.h"
+#include "output/checkpoint.h"
+#include "output/output.h"
+#include "pairs/history.h"
+#include "pairs/pairlist.h"
+#include "pairs/skin.h"
+#include "particles/classes.h"
+#include "particles/particles.h"
+#include "scene/scene.h"
+
+enum { SIMULATION_PASSES_MAX = 16 };
+
+struct simulation;
+
+/* One pass of the step. */
+struct step_pass {
+    const char *name;
+    const char *why; /* what in the scene brings it; NULL: always */
+    enum timer_stage stage;
+    bool (*needed)(const struct simulation *simulation);
+    void (*run)(struct simulation *simulation);
+};
+
+/* What all ranks must know of a step before they go on; one reduction. */
+struct step_signals {
+    bool rebuild;
+    bool stop;       /* a signal asked the run to end */
+    bool checkpoint; /* wall clock says so */
+    bool error;      /* a rank has an error */
+};
+
+struct simulation {
+    const struct comm *comm;   /* borrowed */
+    const struct scene *scene; /* borrowed */
+    int threads;
+
+    struct law law;
+    struct integrator_context motion;
+    struct timestep_limits limits;
+    struct scene_census census; /* of the sources */
+
+    struct particles *particles;
+    struct size_classes classes;
+    bool classes_stale; /* radii may have changed: choose classes anew at the next rebuild */
+    uint64_t total;     /* particles on all ranks */
+    int64_t next_id;
+
+    struct domain *domain;
+    bool wrap[3]; /* directions that the index wraps */
+    struct ghosts *ghosts;
+    bool alone; /* one rank: nothing to exchange */
+
+    struct index *index;
+    struct index_view view; /* of the last rebuild */
+    struct pairlist *list;
+    struct history *history; /* NULL: the law has none */
+    struct skin *skin;
+    struct walls *walls; /* NULL: none */
+    struct force_loop *loop;
+    struct force_context contact;
+    struct force_sums sums; /* of the last evaluation, this rank's part */
+    double dissipated;      /* energy since the start, this rank's part */
+    bool sums_each_step;    /* dissipated energy is observed */
+
+    struct insertion insertion[INSERTIONS_MAX];
+    struct insertion_state insertion_state[INSERTIONS_MAX];
+    uint64_t inserted, deleted;
+    uint64_t sources_step; /* the last step at which particles came or went */
+    unsigned guard_warned; /* bit by guard: has warned */
+
+    uint64_t step;      /* steps done */
+    uint64_t step_base; /* time = time_base + (step - step_base) dt */
+    double time, time_base, dt;
+    double resumed_dt;          /* step of the run that wrote the checkpoint */
+    double (*speed)[CLASS_MAX]; /* [thread][class]: largest squared speed of the last drift */
+    double servo_force[WALLS_MAX][3];
+
+    int passes;
+    struct step_pass pass[SIMULATION_PASSES_MAX];
+    struct step_signals signals; /* in: this rank's; out of step_run: everybody's */
+    struct error error;          /* of a guard or of particles that left; checked after each step */
+    struct timers timers;
+};
+
+/* Builds all parts from a scene and, unless resuming, the particles of its sources; checks the time step.
+ * `resume` (NULL: none) names a checkpoint to go on from. The caller owns comm and scene and keeps them.
+ * Errors may differ between ranks: comm_agree follows inside. Collective. Returns NULL with the same error on
+ * all ranks. */
+struct simulation *simulation_create(const struct comm *comm, const struct scene *scene, const char *resume,
+                                     struct error *error);
+void simulation_destroy(struct simulation **simulation);
+
+/* Prepares law, walls, motion and limits but no particles: what `scree check` starts from. Used by
+ * simulation_create. */
+bool simulation_prepare(struct simulation *simulation, struct error *error);
+
+/* Chooses size classes from the radii on all ranks and counts their populations. Collective. */
+bool simulation_classify(struct simulation *simulation, struct error *error);
+
+/* The view that output/ looks at. Borrows everything. */
+struct output_view simulation_view(const struct simulation *simulation);
+
+/* The view of a set of particles that an index is to see. */
+void simulation_index_view(struct simulation *simulation, struct index_view *view);
+
+/* Stable time step and its limits from the particles present; sets dt or refuses. Collective. */
+bool timing_choose(struct simulation *simulation, struct error *error);
+
+/* Full rebuild: history detached, particles wrapped, inserted, deleted and migrated, sorted, copied,
+ * searched; history attached. Collective. */
+void rebuild_run(struct simulation *simulation);
+
+/* Contact history (pairs and walls together) on the move over a rebuild or into a checkpoint. */
+struct rebuild_rows {
+    struct history_rows pairs;
+    struct wall_rows walls;
+};
+void rebuild_detach(struct simulation *simulation, bool both_ends, struct rebuild_rows *rows);
+void rebuild_rows_free(struct rebuild_rows *rows);
+
+/* As rebuild_run, but with rows from elsewhere (a checkpoint); takes them over. */
+void rebuild_from_rows(struct simulation *simulation, struct rebuild_rows *rows);
+
+/* Writes DIR/checkpoint-STEP[suffix].h5. The last step must have rebuilt, or the resume is not bitwise.
+ * Collective. */
+bool resume_write(struct simulation *simulation, const struct output_run *run, const char *suffix,
+                  struct error *error);
+
+/* Reads a checkpoint: particles (wherever they are), numbers, wall poses, and histories into `rows`.
+ * resume_begin then rebuilds; the forces are those of the file. Collective. */
+bool resume_read(struct simulation *simulation, const char *path, struct rebuild_rows *rows,
+                 struct error *error);
+void resume_begin(struct simulation *simulation, struct rebuild_rows *rows);
+
+/* Particles that leave, are deleted or inserted; at a rebuild, while there are no ghosts. Collective. */
+void sources_run(struct simulation *simulation, struct rebuild_rows *rows);
+
+/* True if this step must rebuild because a source or a deletion is due. */
+bool sources_due(const struct simulation *simulation);
+
+/* True if particles may leave through an open side and be deleted. */
+bool simulation_may_lose(const struct simulation *simulation);
+
+/* Prepares the insertion regions. */
+bool sources_prepare(struct simulation *simulation, struct error *error);
+
+/* Makes the list of passes from the scene; prints it. */
+void step_plan(struct simulation *simulation);
+void step_plan_print(const struct simulation *simulation, FILE *file);
+
+/* One step: advance, rebuild or exchange, forces. `rebuild` forces a rebuild. Collective. */
+void step_run(struct simulation *simulation, bool rebuild);
+
+/* Forces at the present positions without advancing: the start of a run. history stays. Collective. */
+void step_forces(struct simulation *simulation);
+
+/* Guards: NaN and positions (a pass over all particles), overlap and speed (free). Fill simulation->error on
+ * the rank that sees it. */
+void guards_check(struct simulation *simulation);
+void guards_check_positions(struct simulation *simulation);
+
+#endif

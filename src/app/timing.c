@@ -1,0 +1,112 @@
+/* The time step of a run: given, or a fraction of the stable one; refused where it lies above. */
+#include "app/simulation.h"
+#include <math.h>
+#include <string.h>
+
+/* One kind a material that is present, from this rank's free particles and from what insertions may bring. */
+struct kinds {
+    double radius_min[LAW_MATERIALS_MAX], radius_max[LAW_MATERIALS_MAX], mass_min[LAW_MATERIALS_MAX];
+    double fixed[LAW_MATERIALS_MAX]; /* 1: particles with prescribed motion, or walls, of the material */
+};
+
+static void kinds_put(struct kinds *kinds, int material, double radius, double mass) {
+    kinds->radius_min[material] = fmin(kinds->radius_min[material], radius);
+    kinds->radius_max[material] = fmax(kinds->radius_max[material], radius);
+    kinds->mass_min[material] = fmin(kinds->mass_min[material], mass);
+}
+
+static void kinds_collect(const struct simulation *s, struct kinds *kinds) {
+    for (int m = 0; m < LAW_MATERIALS_MAX; m++) {
+        kinds->radius_min[m] = kinds->mass_min[m] = INFINITY;
+        kinds->radius_max[m] = kinds->fixed[m] = 0;
+    }
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        const struct particle_state *p = &s->particles->state[k];
+        int material = particles_material(s->particles, k);
+        if (p->inverse_mass > 0)
+            kinds_put(kinds, material, p->radius, 1 / p->inverse_mass);
+        else
+            kinds->fixed[material] = 1;
+    }
+    for (int k = 0; k < s->scene->insertions; k++) {
+        const struct insertion_options *options = &s->scene->insertion[k];
+        double smallest, largest,
+            density = options->density > 0 ? options->density : s->scene->material[options->material].density;
+        sizes_bounds(&options->sizes, &smallest, &largest);
+        kinds_put(kinds, options->material, smallest, particles_sphere_mass(smallest, density));
+        kinds_put(kinds, options->material, largest, particles_sphere_mass(largest, density));
+    }
+    for (int w = 0; w < s->scene->walls; w++)
+        kinds->fixed[s->scene->wall[w].material] = 1;
+    comm_min(s->comm, kinds->radius_min, LAW_MATERIALS_MAX);
+    comm_min(s->comm, kinds->mass_min, LAW_MATERIALS_MAX);
+    comm_max(s->comm, kinds->radius_max, LAW_MATERIALS_MAX);
+    comm_max(s->comm, kinds->fixed, LAW_MATERIALS_MAX);
+}
+
+/* The largest speed expected: the scene's word, else the fastest particle now, or a fall through the box. */
+static double speed_expected(const struct simulation *s) {
+    const struct scene *scene = s->scene;
+    double fall = 0, fastest = 0;
+    if (scene->step.speed_max > 0)
+        return scene->step.speed_max;
+    for (int d = 0; d < 3; d++)
+        if (!scene->box.periodic[d])
+            fall += 2 * fabs(scene->gravity[d]) * scene->box.edge[d];
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        const double *v = s->particles->state[k].v;
+        fastest = fmax(fastest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    comm_max(s->comm, &fastest, 1);
+    return sqrt(fmax(fall, fastest));
+}
+
+static void limits_find(struct simulation *s) {
+    struct kinds kinds;
+    struct timestep_kind kind[2 * LAW_MATERIALS_MAX];
+    int n = 0;
+    kinds_collect(s, &kinds);
+    for (int m = 0; m < s->scene->materials; m++) {
+        if (kinds.radius_max[m] > 0)
+            kind[n++] = (struct timestep_kind){.material = m,
+                                               .radius_min = kinds.radius_min[m],
+                                               .radius_max = kinds.radius_max[m],
+                                               .mass_min = kinds.mass_min[m]};
+        if (kinds.fixed[m] > 0)
+            kind[n++] = (struct timestep_kind){.material = m, .wall = true};
+    }
+    struct timestep_input input = {.law = &s->law,
+                                   .kinds = n,
+                                   .kind = kind,
+                                   .material = s->scene->material,
+                                   .speed_max = speed_expected(s),
+                                   .contacts = s->scene->step.contacts};
+    timestep_limits(&s->limits, &input);
+}
+
+bool timing_choose(struct simulation *s, struct error *error) {
+    const struct scene_step *step = &s->scene->step;
+    char place[SCENE_PATH_MAX];
+    limits_find(s);
+    if (step->dt > 0) {
+        s->dt = step->dt;
+    } else {
+        double fraction = step->fraction > 0 ? step->fraction : timestep_default_fraction();
+        if (!isfinite(s->limits.stable))
+            return error_set(error, ERROR_USER,
+                             "%s: step.dt is needed: without free particles there is no stable time step to "
+                             "take a fraction of",
+                             scene_place(s->scene, "step", place, sizeof place));
+        s->dt = fraction * s->limits.stable;
+    }
+    if (s->dt > s->limits.stable && !step->force)
+        return error_set(error, ERROR_USER,
+                         "%s: step.dt: the time step %.6g is above the stable one, %.6g (contact between "
+                         "materials '%s' and '%s', "
+                         "damping ratio %.3g); allowed: up to that, or step.force: true",
+                         scene_place(s->scene, "step.dt", place, sizeof place), s->dt, s->limits.stable,
+                         s->scene->material[s->limits.material_a].name,
+                         s->scene->material[s->limits.material_b].name, s->limits.damping_ratio);
+    s->motion.dt = s->contact.dt = s->dt;
+    return true;
+}
