@@ -1,4 +1,5 @@
-/* From what was read to what the modules take: the box, sides, pairs of materials, unit vectors, defaults that depend on other keys. */
+/* From what was read to what the modules take: the box, sides, pairs of materials, unit vectors, defaults
+ * that depend on other keys. */
 #include "scene/finish.h"
 
 #include "integrate/timestep.h"
@@ -46,12 +47,15 @@ static bool box_from_file(struct scene *scene, struct error *error) {
     const struct source_options *source = &scene->source[0];
     bool file = scene->sources > 0 && source->kind == SOURCE_FILE && source->format != SOURCE_TABLE;
     if (!file)
-        return finish_fail(scene, error, isnan(scene->box_lower[0]) ? "box.lower" : "box.upper", "is missing; needed: three numbers [x, y, z], in m");
+        return finish_fail(scene, error, isnan(scene->box_lower[0]) ? "box.lower" : "box.upper",
+                           "is missing; needed: three numbers [x, y, z], in m");
     struct rows rows = {0};
     struct h5md_read_options options = {.frame = source->frame};
-    if (source->format == SOURCE_LAMMPS_DATA ? !lammps_data_read(source->file, &rows, error) : !h5md_read(source->file, &options, NULL, &rows, error))
+    if (source->format == SOURCE_LAMMPS_DATA ? !lammps_data_read(source->file, &rows, error)
+                                             : !h5md_read(source->file, &options, NULL, &rows, error))
         return false;
-    bool good = rows.box_given || finish_fail(scene, error, "box.lower", "is missing, and %s has no box", source->file);
+    bool good = rows.box_given ||
+                finish_fail(scene, error, "box.lower", "is missing, and %s has no box", source->file);
     for (int d = 0; good && d < 3; d++) {
         scene->box_lower[d] = rows.lower[d] * source->scale + source->offset[d];
         scene->box_upper[d] = rows.upper[d] * source->scale + source->offset[d];
@@ -68,13 +72,15 @@ static bool finish_box(struct scene *scene, struct error *error) {
         return false;
     struct box *box = &scene->box;
     if (box->dimension == 2 && scene->box_lower[2] == scene->box_upper[2]) {
-        double thickness = fmin(scene->box_upper[0] - scene->box_lower[0], scene->box_upper[1] - scene->box_lower[1]);
+        double thickness =
+            fmin(scene->box_upper[0] - scene->box_lower[0], scene->box_upper[1] - scene->box_lower[1]);
         scene->box_lower[2] -= thickness / 2;
         scene->box_upper[2] += thickness / 2;
     }
     for (int d = 0; d < 3; d++) {
         if (!(scene->box_upper[d] > scene->box_lower[d]))
-            return finish_fail(scene, error, "box.upper", "%c: %g is not above the lower corner's %g", "xyz"[d], scene->box_upper[d], scene->box_lower[d]);
+            return finish_fail(scene, error, "box.upper", "%c: %g is not above the lower corner's %g",
+                               "xyz"[d], scene -> box_upper[d], scene -> box_lower[d]);
         box->origin[d] = scene->box_lower[d];
         box->edge[d] = scene->box_upper[d] - scene->box_lower[d];
         for (int side = 0; side < 2; side++) {
@@ -96,7 +102,8 @@ static void finish_step(struct scene *scene) {
 }
 
 /* Names of a list: all different. */
-static bool names_differ(const struct scene *scene, const char *list, const char *names, size_t stride, int count, struct error *error) {
+static bool names_differ(const struct scene *scene, const char *list, const char *names, size_t stride,
+                         int count, struct error *error) {
     for (int a = 0; a < count; a++)
         for (int b = 0; b < a; b++)
             if (names[a * stride] && strcmp(names + a * stride, names + b * stride) == 0) {
@@ -128,7 +135,9 @@ static bool finish_pairs(struct scene *scene, struct error *error) {
         snprintf(key, sizeof(key), "material_pairs[%d].between", k);
         if (pair->between_count == 0) {
             if (fallback >= 0)
-                return finish_fail(scene, error, key, "is missing; only one entry may be the default of all pairs, and [%d] is it", fallback);
+                return finish_fail(
+                    scene, error, key,
+                    "is missing; only one entry may be the default of all pairs, and [%d] is it", fallback);
             fallback = k;
             continue;
         }
@@ -136,7 +145,8 @@ static bool finish_pairs(struct scene *scene, struct error *error) {
             return finish_fail(scene, error, key, "names %d materials; needed: two", pair->between_count);
         int a = pair->material[0], b = pair->material[1];
         if (named[a][b])
-            return finish_fail(scene, error, key, "the pair %s, %s is given twice", scene->material[a].name, scene->material[b].name);
+            return finish_fail(scene, error, key, "the pair %s, %s is given twice", scene->material[a].name,
+                               scene->material[b].name);
         named[a][b] = named[b][a] = true;
         scene->law_pair[a][b] = scene->law_pair[b][a] = law_pair_of(pair);
     }
@@ -145,20 +155,24 @@ static bool finish_pairs(struct scene *scene, struct error *error) {
             if (named[a][b])
                 continue;
             if (fallback < 0)
-                return finish_fail(scene, error, "material_pairs", "the pair %s, %s is missing (an entry without `between` serves all that are not named)",
-                                   scene->material[b].name, scene->material[a].name);
+                return finish_fail(
+                    scene, error, "material_pairs",
+                    "the pair %s, %s is missing (an entry without `between` serves all that are not named)",
+                    scene->material[b].name, scene->material[a].name);
             scene->law_pair[a][b] = scene->law_pair[b][a] = law_pair_of(&scene->pair[fallback]);
         }
     return true;
 }
 
 /* A material that was not named: the only one. */
-static bool only_material(const struct scene *scene, int *material, struct error *error, const char *list, int number) {
+static bool only_material(const struct scene *scene, int *material, struct error *error, const char *list,
+                          int number) {
     if (*material < 0 && scene->materials == 1)
         *material = 0;
     char key[64];
     snprintf(key, sizeof(key), "%s[%d].material", list, number);
-    return *material >= 0 || finish_fail(scene, error, key, "is missing; needed, as there are several materials");
+    return *material >= 0 ||
+           finish_fail(scene, error, key, "is missing; needed, as there are several materials");
 }
 
 static bool finish_walls(struct scene *scene, struct error *error) {
@@ -179,7 +193,8 @@ static bool finish_walls(struct scene *scene, struct error *error) {
         for (int m = 0; m < wall->motions; m++) {
             struct wall_motion *motion = &wall->motion[m];
             snprintf(key, sizeof(key), "walls[%d].motion[%d].direction", w, m);
-            if (motion->kind != WALL_TRANSLATE && motion->kind != WALL_TABLE && !unit_vector(scene, motion->direction, error, key))
+            if (motion->kind != WALL_TRANSLATE && motion->kind != WALL_TABLE &&
+                !unit_vector(scene, motion->direction, error, key))
                 return false;
         }
     }
@@ -198,7 +213,8 @@ static bool finish_groups(struct scene *scene, struct error *error) {
         if (isnan(group->radius_upto))
             group->radius_upto = INFINITY;
         group->by_region = group->region.shape != REGION_ALL;
-        group->selects = group->by_region || group->material >= 0 || group->id_count > 0 || group->radius_above >= 0 || isfinite(group->radius_upto);
+        group->selects = group->by_region || group->material >= 0 || group->id_count > 0 ||
+                         group->radius_above >= 0 || isfinite(group->radius_upto);
     }
     for (int g = 1; g < scene->groups; g++)
         for (int other = 0; other < g; other++)
@@ -215,7 +231,8 @@ static bool finish_sources(struct scene *scene, struct error *error) {
         struct source_options *source = &scene->source[s];
         char key[80];
         snprintf(key, sizeof(key), "particles.sources[%d].region.axis", s);
-        if (source->kind != SOURCE_FILE && !only_material(scene, &source->material, error, "particles.sources", s))
+        if (source->kind != SOURCE_FILE &&
+            !only_material(scene, &source->material, error, "particles.sources", s))
             return false;
         if (source->region.shape == REGION_CYLINDER && !unit_vector(scene, source->region.axis, error, key))
             return false;
@@ -226,14 +243,16 @@ static bool finish_sources(struct scene *scene, struct error *error) {
         snprintf(key, sizeof(key), "insertions[%d].region.axis", k);
         if (!only_material(scene, &insertion->material, error, "insertions", k))
             return false;
-        if (insertion->region.shape == REGION_CYLINDER && !unit_vector(scene, insertion->region.axis, error, key))
+        if (insertion->region.shape == REGION_CYLINDER &&
+            !unit_vector(scene, insertion->region.axis, error, key))
             return false;
         insertion->group = insertion->group < 0 ? 0 : insertion->group;
     }
     for (int k = 0; k < scene->deletions; k++) {
         char key[80];
         snprintf(key, sizeof(key), "deletions[%d].region.axis", k);
-        if (scene->deletion[k].region.shape == REGION_CYLINDER && !unit_vector(scene, scene->deletion[k].region.axis, error, key))
+        if (scene->deletion[k].region.shape == REGION_CYLINDER &&
+            !unit_vector(scene, scene->deletion[k].region.axis, error, key))
             return false;
     }
     return true;
@@ -241,10 +260,11 @@ static bool finish_sources(struct scene *scene, struct error *error) {
 
 bool finish_scene(struct scene *scene, struct error *error) {
     if (!finish_box(scene, error) ||
-        !names_differ(scene, "materials", scene->material[0].name, sizeof(scene->material[0]), scene->materials, error) ||
+        !names_differ(scene, "materials", scene->material[0].name, sizeof(scene->material[0]),
+                      scene->materials, error) ||
         !finish_pairs(scene, error) || !finish_walls(scene, error) ||
-        !names_differ(scene, "walls", scene->wall[0].name, sizeof(scene->wall[0]), scene->walls, error) || !finish_groups(scene, error) ||
-        !finish_sources(scene, error))
+        !names_differ(scene, "walls", scene->wall[0].name, sizeof(scene->wall[0]), scene->walls, error) ||
+        !finish_groups(scene, error) || !finish_sources(scene, error))
         return false;
     finish_step(scene);
     scene->ghosts.reduced = scene->ghosts_name == 1;

@@ -7,13 +7,15 @@
 /* Before reading: what is there without being named (the group "free"). */
 void finish_prepare(struct scene *scene);
 
-/* After reading: derived values. Fails (user) where a value that is needed is missing, or a file with the box cannot be read. */
+/* After reading: derived values. Fails (user) where a value that is needed is missing, or a file with the box
+ * cannot be read. */
 bool finish_scene(struct scene *scene, struct error *error);
 
 /* Combinations that cannot be. Fails (user) on the first. */
 bool scene_check(const struct scene *scene, struct error *error);
 
 /* Fills `error` with "PLACE: KEY: TEXT"; returns false. */
-bool finish_fail(const struct scene *scene, struct error *error, const char *key, const char *format, ...) __attribute__((format(printf, 4, 5)));
+bool finish_fail(const struct scene *scene, struct error *error, const char *key, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
 
 #endif

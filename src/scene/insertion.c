@@ -15,8 +15,8 @@ static double mean_cube(const struct sizes_sampler *sampler, uint64_t seed) {
     return sum / SAMPLE;
 }
 
-bool insertion_prepare(struct insertion *insertion, const struct insertion_options *options, int number, double density,
-                       uint64_t seed, const struct box *box, struct error *error) {
+bool insertion_prepare(struct insertion *insertion, const struct insertion_options *options, int number,
+                       double density, uint64_t seed, const struct box *box, struct error *error) {
     *insertion = (struct insertion){.options = *options, .number = number, .box = *box, .seed = seed};
     insertion->density = options->density > 0 ? options->density : density;
     struct region *region = &insertion->options.region;
@@ -27,9 +27,11 @@ bool insertion_prepare(struct insertion *insertion, const struct insertion_optio
             region->upper[d] = box->origin[d] + box->edge[d];
         }
     }
-    insertion->space = (struct region_space){.dimension = box->dimension, .plane = box->origin[2] + box->edge[2] / 2};
+    insertion->space =
+        (struct region_space){.dimension = box->dimension, .plane = box->origin[2] + box->edge[2] / 2};
     for (int d = 0; d < 3; d++)
-        insertion->space.wrap[d] = box->periodic[d] && region->shape == REGION_BOX && region->lower[d] <= box->origin[d] &&
+        insertion->space.wrap[d] = box->periodic[d] && region->shape == REGION_BOX &&
+                                   region->lower[d] <= box->origin[d] &&
                                    region->upper[d] >= box->origin[d] + box->edge[d];
     if (!sizes_prepare(&insertion->sampler, &options->sizes, error))
         return false;
@@ -50,23 +52,28 @@ uint64_t insertion_due(const struct insertion *insertion, double time) {
 }
 
 /* The sequence of a particle of this region: its size and velocity, or its place in one round. */
-static struct random_sequence sequence_of(const struct insertion *insertion, uint64_t number, uint32_t round) {
+static struct random_sequence sequence_of(const struct insertion *insertion, uint64_t number,
+                                          uint32_t round) {
     uint64_t item = (uint64_t)(insertion->number + 1) << 48 | (number & 0xffffffffffff);
     struct random_sequence random = random_sequence(insertion->seed, RANDOM_INSERTION, item);
     random.draw = round;
     return random;
 }
 
-void insertion_begin(const struct insertion *insertion, const struct insertion_state *state, struct insertion_candidate *candidate, size_t n) {
+void insertion_begin(const struct insertion *insertion, const struct insertion_state *state,
+                     struct insertion_candidate *candidate, size_t n) {
     const struct insertion_options *o = &insertion->options;
     for (size_t k = 0; k < n; k++) {
         uint64_t number = state->placed + k;
         struct random_sequence random = sequence_of(insertion, number, 0);
-        candidate[k] = (struct insertion_candidate){.number = number, .density = insertion->density, .material = o->material, .group = o->group};
+        candidate[k] = (struct insertion_candidate){
+            .number = number, .density = insertion->density, .material = o->material, .group = o->group};
         candidate[k].radius = sizes_draw(&insertion->sampler, &random);
         for (int d = 0; d < 3; d++) {
             bool flat = d == 2 && insertion->space.dimension == 2;
-            candidate[k].v[d] = o->velocity[d] + (o->velocity_sigma > 0 && !flat ? o->velocity_sigma * random_normal(&random) : 0);
+            candidate[k].v[d] =
+                o->velocity[d] +
+                (o->velocity_sigma > 0 && !flat ? o->velocity_sigma * random_normal(&random) : 0);
             candidate[k].omega[d] = o->omega[d];
         }
     }
@@ -84,8 +91,8 @@ static void enter_box(const struct insertion *insertion, double x[3]) {
     }
 }
 
-void insertion_propose(const struct insertion *insertion, struct insertion_state *state, struct insertion_candidate *candidate, uint8_t *blocked,
-                       size_t n) {
+void insertion_propose(const struct insertion *insertion, struct insertion_state *state,
+                       struct insertion_candidate *candidate, uint8_t *blocked, size_t n) {
     /* each round has draws of its own, far from those of sizes and velocities */
     uint32_t round = (uint32_t)(1 + state->tried % 4000000) << 10;
     memset(blocked, 0, n);
@@ -93,13 +100,15 @@ void insertion_propose(const struct insertion *insertion, struct insertion_state
         if (candidate[k].settled)
             continue;
         struct random_sequence random = sequence_of(insertion, candidate[k].number, round);
-        blocked[k] = !region_draw(&insertion->options.region, &insertion->space, candidate[k].radius, &random, candidate[k].x);
+        blocked[k] = !region_draw(&insertion->options.region, &insertion->space, candidate[k].radius, &random,
+                                  candidate[k].x);
         enter_box(insertion, candidate[k].x);
     }
     state->tried++;
 }
 
-static bool candidates_touch(const struct box *box, const struct insertion_candidate *a, const struct insertion_candidate *b) {
+static bool candidates_touch(const struct box *box, const struct insertion_candidate *a,
+                             const struct insertion_candidate *b) {
     double sum = 0, reach = a->radius + b->radius;
     for (int d = 0; d < 3; d++) {
         double gap = fabs(a->x[d] - b->x[d]);
@@ -110,21 +119,24 @@ static bool candidates_touch(const struct box *box, const struct insertion_candi
     return sum < reach * reach;
 }
 
-size_t insertion_settle(const struct insertion *insertion, struct insertion_candidate *candidate, const uint8_t *blocked, size_t n) {
+size_t insertion_settle(const struct insertion *insertion, struct insertion_candidate *candidate,
+                        const uint8_t *blocked, size_t n) {
     size_t unsettled = 0;
     for (size_t k = 0; k < n; k++) {
         if (candidate[k].settled)
             continue;
         bool free = !blocked[k];
         for (size_t other = 0; other < n && free; other++)
-            free = !candidate[other].accepted || !candidates_touch(&insertion->box, &candidate[k], &candidate[other]);
+            free = !candidate[other].accepted ||
+                   !candidates_touch(&insertion->box, &candidate[k], &candidate[other]);
         candidate[k].settled = candidate[k].accepted = free;
         unsettled += !free;
     }
     return unsettled;
 }
 
-size_t insertion_end(const struct insertion *insertion, struct insertion_state *state, struct insertion_candidate *candidate, size_t n) {
+size_t insertion_end(const struct insertion *insertion, struct insertion_state *state,
+                     struct insertion_candidate *candidate, size_t n) {
     size_t placed = 0;
     while (placed < n && candidate[placed].accepted) {
         double r = candidate[placed].radius;

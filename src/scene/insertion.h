@@ -1,12 +1,13 @@
-/* Particles inserted during a run, and deleted. What is to be inserted depends on seed, region and the number of the particle alone:
- * no rank or thread enters. Whether a place is free is for the caller to find out, with all ranks:
+/* Particles inserted during a run, and deleted. What is to be inserted depends on seed, region and the number
+ * of the particle alone: no rank or thread enters. Whether a place is free is for the caller to find out,
+ * with all ranks:
  *
  *     n = insertion_due(insertion, time) - state.placed          particles due; insertion_begin(...)
  *     for round = 0 ... attempts - 1, while some are unplaced:
  *         insertion_propose(...)                                 the same candidates on every rank
- *         each rank sets blocked[k] where candidate k touches one of its particles or a wall; maximum over ranks
- *         insertion_settle(...)                                  those neither blocked nor touching an accepted one are accepted
- *     insertion_end(...); the owner of each candidate that entered appends it
+ *         each rank sets blocked[k] where candidate k touches one of its particles or a wall; maximum over
+ * ranks insertion_settle(...)                                  those neither blocked nor touching an accepted
+ * one are accepted insertion_end(...); the owner of each candidate that entered appends it
  *
  * What found no place waits for the next call: a full region slows down and catches up, and is reported. */
 #ifndef SCREE_SCENE_INSERTION_H
@@ -21,15 +22,15 @@ struct insertion_options {
     char name[SOURCE_NAME_MAX];
     struct region region;
     struct sizes_options sizes;
-    double rate;          /* particles a time unit */
-    double mass_rate;     /* or mass a time unit; one of the two is > 0 */
-    double start, stop;   /* time */
-    int64_t count;        /* at most so many in all; 0: no bound */
-    int64_t attempts;     /* rounds of places tried at one step */
+    double rate;        /* particles a time unit */
+    double mass_rate;   /* or mass a time unit; one of the two is > 0 */
+    double start, stop; /* time */
+    int64_t count;      /* at most so many in all; 0: no bound */
+    int64_t attempts;   /* rounds of places tried at one step */
     double velocity[3], velocity_sigma;
     double omega[3];
     int material, group;
-    double density;       /* 0: the material's */
+    double density; /* 0: the material's */
 };
 
 struct deletion_options {
@@ -53,7 +54,7 @@ struct insertion {
     struct region_space space;
     struct box box;
     uint64_t seed;
-    int number;       /* of the region in the scene: chooses its random numbers */
+    int number; /* of the region in the scene: chooses its random numbers */
     double density;
     double mean_mass; /* of a particle, for mass_rate */
 };
@@ -68,27 +69,33 @@ struct insertion_candidate {
 };
 
 /* Prepares an insertion. `density` is that of its material. */
-bool insertion_prepare(struct insertion *insertion, const struct insertion_options *options, int number, double density,
-                       uint64_t seed, const struct box *box, struct error *error);
+bool insertion_prepare(struct insertion *insertion, const struct insertion_options *options, int number,
+                       double density, uint64_t seed, const struct box *box, struct error *error);
 
 /* Particles that should have been inserted by `time`, all in all. */
 uint64_t insertion_due(const struct insertion *insertion, double time);
 
-/* Fills `n` candidates for the particles state->placed ... with radii and velocities, unsettled and without a place. */
-void insertion_begin(const struct insertion *insertion, const struct insertion_state *state, struct insertion_candidate *candidate, size_t n);
+/* Fills `n` candidates for the particles state->placed ... with radii and velocities, unsettled and without a
+ * place. */
+void insertion_begin(const struct insertion *insertion, const struct insertion_state *state,
+                     struct insertion_candidate *candidate, size_t n);
 
-/* Gives every unsettled candidate the place of this round and counts the round in state->tried. A candidate for which the region has no
- * room is marked in blocked[k] (n bytes, the rest set to 0). */
-void insertion_propose(const struct insertion *insertion, struct insertion_state *state, struct insertion_candidate *candidate,
-                       uint8_t *blocked, size_t n);
+/* Gives every unsettled candidate the place of this round and counts the round in state->tried. A candidate
+ * for which the region has no room is marked in blocked[k] (n bytes, the rest set to 0). */
+void insertion_propose(const struct insertion *insertion, struct insertion_state *state,
+                       struct insertion_candidate *candidate, uint8_t *blocked, size_t n);
 
-/* Accepts, in order, the unsettled candidates that are not blocked and touch no accepted one (periodic images counted). Returns how many are still unsettled. */
-size_t insertion_settle(const struct insertion *insertion, struct insertion_candidate *candidate, const uint8_t *blocked, size_t n);
+/* Accepts, in order, the unsettled candidates that are not blocked and touch no accepted one (periodic images
+ * counted). Returns how many are still unsettled. */
+size_t insertion_settle(const struct insertion *insertion, struct insertion_candidate *candidate,
+                        const uint8_t *blocked, size_t n);
 
-/* Counts the accepted candidates into the state, as far as they follow one another without a gap: particles enter in the order of their
- * numbers, so that a size law keeps its shares where large ones find no room. Those behind a gap are marked as not accepted, and come again
- * at the next call. Returns how many entered: candidate[0] ... */
-size_t insertion_end(const struct insertion *insertion, struct insertion_state *state, struct insertion_candidate *candidate, size_t n);
+/* Counts the accepted candidates into the state, as far as they follow one another without a gap: particles
+ * enter in the order of their numbers, so that a size law keeps its shares where large ones find no room.
+ * Those behind a gap are marked as not accepted, and come again at the next call. Returns how many entered:
+ * candidate[0] ... */
+size_t insertion_end(const struct insertion *insertion, struct insertion_state *state,
+                     struct insertion_candidate *candidate, size_t n);
 
 /* True if a deletion is active at this step. */
 bool deletion_due(const struct deletion_options *options, double time, int64_t step);

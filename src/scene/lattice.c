@@ -1,4 +1,5 @@
-/* Lattices as rectangular cells with a basis: places run through the cells with x fastest, basis innermost. */
+/* Lattices as rectangular cells with a basis: places run through the cells with x fastest, basis innermost.
+ */
 #include "scene/source_parts.h"
 
 #include "core/memory.h"
@@ -7,9 +8,9 @@
 #include <string.h>
 
 struct lattice {
-    double cell[3];      /* edges, in spacings */
+    double cell[3]; /* edges, in spacings */
     int points;
-    double basis[4][3];  /* in cell edges */
+    double basis[4][3]; /* in cell edges */
 };
 
 static const struct lattice lattices[] = {
@@ -47,12 +48,14 @@ static void prepare_walk(struct walk *walk, const struct scene *scene, const str
     region_bounds(&walk->region, lower, upper);
     for (int d = 0; d < 3; d++) {
         walk->cell[d] = walk->lattice->cell[d] * source->spacing;
-        walk->start[d] = walk->space.wrap[d] ? lower[d] + walk->cell[d] / 4 : lower[d] + largest + walk->jitter;
+        walk->start[d] =
+            walk->space.wrap[d] ? lower[d] + walk->cell[d] / 4 : lower[d] + largest + walk->jitter;
         double room = upper[d] - lower[d];
         if (walk->cell[d] == 0)
             walk->cells[d] = 1;
         else if (walk->space.wrap[d])
-            walk->cells[d] = (int64_t)floor(room / walk->cell[d] * (1 + 1e-9)); /* whole cells, so that the seam fits */
+            walk->cells[d] =
+                (int64_t)floor(room / walk->cell[d] * (1 + 1e-9)); /* whole cells, so that the seam fits */
         else
             walk->cells[d] = (int64_t)floor(room / walk->cell[d]) + 1;
     }
@@ -84,12 +87,15 @@ bool lattice_make(const struct scene *scene, int source, struct source_batch *ba
     struct walk walk;
     char key[96];
     prepare_walk(&walk, scene, options);
-    double places_real = (double)walk.cells[0] * (double)walk.cells[1] * (double)walk.cells[2] * walk.lattice->points;
+    double places_real =
+        (double)walk.cells[0] * (double)walk.cells[1] * (double)walk.cells[2] * walk.lattice->points;
     if (places_real > 1e10)
-        return finish_fail(scene, error, source_key(source, "spacing", key, sizeof(key)), "gives %.3g places; at most 1e10 are possible", places_real);
+        return finish_fail(scene, error, source_key(source, "spacing", key, sizeof(key)),
+                           "gives %.3g places; at most 1e10 are possible", places_real);
     int64_t places = (int64_t)places_real, found = count_places(&walk, places, options->count);
     if (found == 0 || found < options->count)
-        return finish_fail(scene, error, source_key(source, options->count ? "count" : "spacing", key, sizeof(key)),
+        return finish_fail(scene, error,
+                           source_key(source, options->count ? "count" : "spacing", key, sizeof(key)),
                            "the lattice has %lld places in the region, too few", (long long)found);
     struct sizes_sampler sampler;
     if (!sizes_prepare(&sampler, &options->sizes, error))

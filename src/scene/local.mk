@@ -32,6 +32,8 @@ libscene_la_SOURCES = \
 	src/scene/table.c \
 	src/scene/tree.c \
 	src/scene/tree.h \
+	src/scene/unique.c \
+	src/scene/unique.h \
 	src/scene/units.c \
 	src/scene/units.h
 libscene_la_CPPFLAGS = $(AM_CPPFLAGS) $(YAML_CFLAGS) $(MPI_CFLAGS)

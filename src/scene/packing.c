@@ -1,7 +1,8 @@
-/* Random sequential addition: radii are drawn first, then placed from large to small, each at the first of its random places that is free. The
- * places of a sphere come from a sequence of its own, so that the packing depends on seed and scene alone. Without moving what is placed
- * the density is bounded: equal spheres end at 0.382 of the volume, equal discs at 0.547 of the area (Feder 1980), and the last
- * percents take very long; wide size laws reach more. */
+/* Random sequential addition: radii are drawn first, then placed from large to small, each at the first of
+ * its random places that is free. The places of a sphere come from a sequence of its own, so that the packing
+ * depends on seed and scene alone. Without moving what is placed the density is bounded: equal spheres end at
+ * 0.382 of the volume, equal discs at 0.547 of the area (Feder 1980), and the last percents take very long;
+ * wide size laws reach more. */
 #include "scene/source_parts.h"
 
 #include "core/memory.h"
@@ -35,7 +36,8 @@ struct order {
     double volume; /* of the region */
 };
 
-static bool draw_radii(const struct scene *scene, int source, double volume, struct order *order, struct error *error) {
+static bool draw_radii(const struct scene *scene, int source, double volume, struct order *order,
+                       struct error *error) {
     const struct source_options *options = &scene->source[source];
     struct sizes_sampler sampler;
     if (!sizes_prepare(&sampler, &options->sizes, error))
@@ -45,17 +47,20 @@ static bool draw_radii(const struct scene *scene, int source, double volume, str
     *order = (struct order){.volume = volume};
     char key[96];
     if (options->count > SPHERES_MAX)
-        return finish_fail(scene, error, source_key(source, "count", key, sizeof(key)), "more than %d spheres", SPHERES_MAX);
+        return finish_fail(scene, error, source_key(source, "count", key, sizeof(key)),
+                           "more than %d spheres", SPHERES_MAX);
     order->draw = memory_allocate(capacity, sizeof(*order->draw), "radii");
     while (options->count ? order->count < (size_t)options->count : have < wanted) {
-        struct random_sequence random = random_sequence(scene->seed, RANDOM_RADIUS, (uint64_t)(source + 1) << 40 | order->count);
+        struct random_sequence random =
+            random_sequence(scene->seed, RANDOM_RADIUS, (uint64_t)(source + 1) << 40 | order->count);
         double r = sizes_draw(&sampler, &random);
         double more = solid(scene->box.dimension, r);
         if (!options->count && have + more - wanted > wanted - have)
             break; /* without it the fraction is nearer */
         have += more;
         if (order->count == SPHERES_MAX)
-            return finish_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)), "needs more than %d spheres", SPHERES_MAX);
+            return finish_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),
+                               "needs more than %d spheres", SPHERES_MAX);
         if (order->count == capacity)
             order->draw = memory_resize(order->draw, capacity *= 2, sizeof(*order->draw), "radii");
         order->draw[order->count] = (struct draw){r, (uint32_t)order->count};
@@ -75,9 +80,11 @@ static void relative(const struct box *box, const double x[3], double y[3]) {
 }
 
 /* Finds a free place for one sphere; *tries counts. */
-static bool find_place(const struct scene *scene, int source, const struct region *region, const struct region_space *space,
-                       const struct placegrid *grid, const struct draw *draw, double x[3]) {
-    struct random_sequence random = random_sequence(scene->seed, RANDOM_POSITION, (uint64_t)(source + 1) << 40 | draw->number);
+static bool find_place(const struct scene *scene, int source, const struct region *region,
+                       const struct region_space *space, const struct placegrid *grid,
+                       const struct draw *draw, double x[3]) {
+    struct random_sequence random =
+        random_sequence(scene->seed, RANDOM_POSITION, (uint64_t)(source + 1) << 40 | draw->number);
     for (int64_t k = 0; k < scene->source[source].attempts; k++) {
         double y[3];
         if (!region_draw(region, space, draw->radius, &random, x))
@@ -89,21 +96,26 @@ static bool find_place(const struct scene *scene, int source, const struct regio
     return false;
 }
 
-static bool not_placed(const struct scene *scene, int source, const struct order *order, size_t placed, double reached, struct error *error) {
+static bool not_placed(const struct scene *scene, int source, const struct order *order, size_t placed,
+                       double reached, struct error *error) {
     char key[96];
     double wanted = 0;
     for (size_t k = 0; k < order->count; k++)
         wanted += solid(scene->box.dimension, order->draw[k].radius);
     source_key(source, scene->source[source].count ? "count" : "volume_fraction", key, sizeof(key));
-    return finish_fail(scene, error, key,
-                       "only %zu of %zu spheres found a place (volume fraction %.4g of %.4g) in %lld attempts for the next one, of radius %g. Random placement ends "
-                       "at about %s; wide size laws reach more, a lattice or a packing made beforehand as well",
-                       placed, order->count, reached / order->volume, wanted / order->volume, (long long)scene->source[source].attempts,
-                       order->draw[placed].radius, scene->box.dimension == 2 ? "0.547 of the area for equal discs" : "0.382 for equal spheres");
+    return finish_fail(
+        scene, error, key,
+        "only %zu of %zu spheres found a place (volume fraction %.4g of %.4g) in %lld attempts for the next "
+        "one, of radius %g. Random placement ends "
+        "at about %s; wide size laws reach more, a lattice or a packing made beforehand as well",
+        placed, order->count, reached / order->volume, wanted / order->volume,
+        (long long)scene->source[source].attempts, order->draw[placed].radius,
+        scene->box.dimension == 2 ? "0.547 of the area for equal discs" : "0.382 for equal spheres");
 }
 
-static bool place_all(const struct scene *scene, int source, const struct region *region, const struct region_space *space, struct placegrid *grid,
-                      const struct order *order, struct source_batch *batch, struct error *error) {
+static bool place_all(const struct scene *scene, int source, const struct region *region,
+                      const struct region_space *space, struct placegrid *grid, const struct order *order,
+                      struct source_batch *batch, struct error *error) {
     double reached = 0;
     for (size_t k = 0; k < order->count; k++) {
         double *x = batch->rows.position[k], y[3];
@@ -117,14 +129,16 @@ static bool place_all(const struct scene *scene, int source, const struct region
     return true;
 }
 
-bool packing_make(const struct scene *scene, int source, struct placegrid *grid, struct source_batch *batch, struct error *error) {
+bool packing_make(const struct scene *scene, int source, struct placegrid *grid, struct source_batch *batch,
+                  struct error *error) {
     struct region_space space;
     struct region region = source_region(scene, &scene->source[source].region, &space);
     struct order order = {0};
     bool good = draw_radii(scene, source, region_volume(&region, &space), &order, error);
     char key[96];
     if (good && order.count == 0)
-        good = finish_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)), "is too small for a single sphere");
+        good = finish_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),
+                           "is too small for a single sphere");
     if (good) {
         rows_create(&batch->rows, order.count, ROWS_POSITION | ROWS_RADIUS);
         good = place_all(scene, source, &region, &space, grid, &order, batch, error);

@@ -127,12 +127,13 @@ static double distance2(const struct placegrid *grid, const double a[3], const d
     return sum;
 }
 
-static bool cell_touches(const struct placegrid *grid, int level, const int64_t cell[3], const double x[3], double radius) {
+static bool cell_touches(const struct placegrid *grid, int level, const int64_t cell[3], const double x[3],
+                         double radius) {
     for (uint32_t k = grid->bucket[bucket_of(grid, level, cell)]; k; k = grid->sphere[k - 1].next) {
         const struct sphere *sphere = &grid->sphere[k - 1];
         double reach = radius + sphere->radius;
-        if (sphere->level == level && sphere->cell[0] == cell[0] && sphere->cell[1] == cell[1] && sphere->cell[2] == cell[2] &&
-            distance2(grid, sphere->x, x) < reach * reach)
+        if (sphere->level == level && sphere->cell[0] == cell[0] && sphere->cell[1] == cell[1] &&
+            sphere->cell[2] == cell[2] && distance2(grid, sphere->x, x) < reach * reach)
             return true;
     }
     return false;

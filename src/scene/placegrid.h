@@ -1,5 +1,6 @@
-/* Spheres that were placed, to be asked whether a new one would touch any of them. Hashed cells on levels of doubling size, so that neither the
- * size ratio nor the extent of the box matters; periodic directions wrap. Box-relative coordinates. */
+/* Spheres that were placed, to be asked whether a new one would touch any of them. Hashed cells on levels of
+ * doubling size, so that neither the size ratio nor the extent of the box matters; periodic directions wrap.
+ * Box-relative coordinates. */
 #ifndef SCREE_SCENE_PLACEGRID_H
 #define SCREE_SCENE_PLACEGRID_H
 

@@ -6,7 +6,8 @@ static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-bool region_contains(const struct region *region, const struct region_space *space, const double x[3], double margin) {
+bool region_contains(const struct region *region, const struct region_space *space, const double x[3],
+                     double margin) {
     double d[3] = {x[0] - region->centre[0], x[1] - region->centre[1], x[2] - region->centre[2]};
     if (space->dimension == 2)
         d[2] = 0;
@@ -18,7 +19,8 @@ bool region_contains(const struct region *region, const struct region_space *spa
     case REGION_BOX:
         for (int k = 0; k < space->dimension; k++) {
             double gap = space->wrap[k] ? 0 : margin;
-            if (!(x[k] >= region->lower[k] + gap && (gap > 0 ? x[k] <= region->upper[k] - gap : x[k] < region->upper[k])))
+            if (!(x[k] >= region->lower[k] + gap &&
+                  (gap > 0 ? x[k] <= region->upper[k] - gap : x[k] < region->upper[k])))
                 return false;
         }
         return true;
@@ -35,9 +37,12 @@ void region_bounds(const struct region *region, double lower[3], double upper[3]
     for (int k = 0; k < 3; k++) {
         double half = region->radius;
         if (region->shape == REGION_CYLINDER)
-            half = fabs(region->axis[k]) * region->length / 2 + region->radius * sqrt(fmax(0, 1 - region->axis[k] * region->axis[k]));
+            half = fabs(region->axis[k]) * region->length / 2 +
+                   region->radius * sqrt(fmax(0, 1 - region->axis[k] * region->axis[k]));
         bool box = region->shape == REGION_BOX;
-        lower[k] = box ? region->lower[k] : region->shape == REGION_ALL ? -INFINITY : region->centre[k] - half;
+        lower[k] = box                           ? region->lower[k]
+                   : region->shape == REGION_ALL ? -INFINITY
+                                                 : region->centre[k] - half;
         upper[k] = box ? region->upper[k] : region->shape == REGION_ALL ? INFINITY : region->centre[k] + half;
     }
 }
@@ -58,13 +63,16 @@ double region_volume(const struct region *region, const struct region_space *spa
     }
 }
 
-bool region_draw(const struct region *region, const struct region_space *space, double margin, struct random_sequence *random, double x[3]) {
+bool region_draw(const struct region *region, const struct region_space *space, double margin,
+                 struct random_sequence *random, double x[3]) {
     double lower[3], upper[3];
     region_bounds(region, lower, upper);
     for (int k = 0; k < 3; k++) {
         double gap = region->shape == REGION_BOX && space->wrap[k] ? 0 : margin;
         if (region->shape == REGION_CYLINDER && fabs(region->axis[k]) < 1)
-            gap = margin < region->radius ? 0 : margin; /* the corners of a slanting cylinder's box are cut off below */
+            gap = margin < region->radius
+                      ? 0
+                      : margin; /* the corners of a slanting cylinder's box are cut off below */
         lower[k] += gap;
         upper[k] -= gap;
         if (k < space->dimension && !(upper[k] >= lower[k]))

@@ -26,7 +26,8 @@ bool scene_read_text(const char *path, char **text, size_t *length, struct error
         if (have + 1 == room)
             data = memory_resize(data, room *= 2, 1, "scene text");
     }
-    bool good = !ferror(file) || error_set(error, ERROR_USER, "%s: cannot be read: %s", path, strerror(errno));
+    bool good =
+        !ferror(file) || error_set(error, ERROR_USER, "%s: cannot be read: %s", path, strerror(errno));
     fclose(file);
     if (good && memchr(data, '\0', have))
         good = error_set(error, ERROR_USER, "%s: not a text file", path);
@@ -48,9 +49,14 @@ static void set_folder(struct scene *scene, const char *file) {
     snprintf(scene->folder, sizeof(scene->folder), "%.*s", slash ? (int)(slash - file) + 1 : 0, file);
 }
 
-static bool read_scene(struct scene *scene, const char *text, const struct scene_setting *set, int sets, struct error *error) {
-    struct schema_reader reader = {
-        .file = scene->file, .folder = scene->folder, .root = (char *)scene, .units = true, .dimension = &scene->box.dimension, .error = error};
+static bool read_scene(struct scene *scene, const char *text, const struct scene_setting *set, int sets,
+                       struct error *error) {
+    struct schema_reader reader = {.file = scene->file,
+                                   .folder = scene->folder,
+                                   .root = (char *)scene,
+                                   .units = true,
+                                   .dimension = &scene->box.dimension,
+                                   .error = error};
     scene->tree->root = tree_parse(scene->file, text, 1, error);
     if (!scene->tree->root || !schema_normalise(&reader, scene->tree->root))
         return false;
@@ -62,12 +68,14 @@ static bool read_scene(struct scene *scene, const char *text, const struct scene
     return schema_read(&reader, scene->tree->root);
 }
 
-struct scene *scene_parse(const char *file, const char *text, const struct scene_setting *set, int sets, struct error *error) {
+struct scene *scene_parse(const char *file, const char *text, const struct scene_setting *set, int sets,
+                          struct error *error) {
     struct scene *scene = memory_allocate_zero(1, sizeof(*scene), "scene");
     scene->tree = memory_allocate_zero(1, sizeof(*scene->tree), "scene");
     set_folder(scene, file);
     finish_prepare(scene);
-    if (!read_scene(scene, text, set, sets, error) || !finish_scene(scene, error) || !scene_check(scene, error))
+    if (!read_scene(scene, text, set, sets, error) || !finish_scene(scene, error) ||
+        !scene_check(scene, error))
         scene_free(&scene);
     return scene;
 }

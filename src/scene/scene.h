@@ -1,12 +1,13 @@
-/* The scene: all that a user sets, read from a YAML file against one schema (schema.h), as the option structs of the modules by
- * value, plus what belongs to the scene alone. Nobody else knows the file.
+/* The scene: all that a user sets, read from a YAML file against one schema (schema.h), as the option structs
+ * of the modules by value, plus what belongs to the scene alone. Nobody else knows the file.
  *
  *     text (any rank reads it, all parse it)  ->  tree.h: nodes with lines, --set applied
- *         ->  schema_read: every key checked and stored  ->  scene_finish.c: derived values  ->  scene_check.c: combinations
+ *         ->  schema_read: every key checked and stored  ->  scene_finish.c: derived values  ->
+ * scene_check.c: combinations
  *
- * A number that the user did not give and that has no default is NAN while reading; scene_finish leaves none behind in
- * what the modules receive (`step.dt`, for one, is then 0). Lengths of regions, sources, walls and observables are in the user's coordinates;
- * everything handed to particles is box-relative. */
+ * A number that the user did not give and that has no default is NAN while reading; scene_finish leaves none
+ * behind in what the modules receive (`step.dt`, for one, is then 0). Lengths of regions, sources, walls and
+ * observables are in the user's coordinates; everything handed to particles is box-relative. */
 #ifndef SCREE_SCENE_SCENE_H
 #define SCREE_SCENE_SCENE_H
 
@@ -31,29 +32,29 @@ enum scene_units { SCENE_UNITS_SI, SCENE_UNITS_NONE };
 
 /* Length of a run and of its step. */
 struct scene_step {
-    double dt;           /* > 0: given; 0: fraction x the stable step */
-    double fraction;     /* of the stable step; set where dt is 0 */
-    int64_t count;       /* steps; -1: by duration */
-    bool force;          /* run although dt is above the stable step */
-    int contacts;        /* simultaneous contacts counted for the stable step; 0: the default of timestep.h */
-    double speed_max;    /* largest impact speed expected for the stable step; 0: from the particles */
+    double dt;        /* > 0: given; 0: fraction x the stable step */
+    double fraction;  /* of the stable step; set where dt is 0 */
+    int64_t count;    /* steps; -1: by duration */
+    bool force;       /* run although dt is above the stable step */
+    int contacts;     /* simultaneous contacts counted for the stable step; 0: the default of timestep.h */
+    double speed_max; /* largest impact speed expected for the stable step; 0: from the particles */
 };
 
 enum scene_group_motion { SCENE_FREE, SCENE_FROZEN, SCENE_MOVING };
 
-/* A group: group 0 is "free" and always there. A particle belongs to the group that its source names, else to the last group
- * whose selection it meets; a group without any selection is filled by sources alone. */
+/* A group: group 0 is "free" and always there. A particle belongs to the group that its source names, else to
+ * the last group whose selection it meets; a group without any selection is filled by sources alone. */
 struct scene_group {
     char name[SCENE_NAME_MAX];
     enum scene_group_motion motion;
     double velocity[3], omega[3]; /* MOVING */
     bool by_region;
-    struct region region;         /* centre inside */
-    int material;                 /* -1: any */
-    int id_count;                 /* 0: any */
+    struct region region; /* centre inside */
+    int material;         /* -1: any */
+    int id_count;         /* 0: any */
     int64_t id[SCENE_IDS_MAX];
     double radius_above, radius_upto; /* radius in (above, upto] */
-    bool selects;                 /* true if any of the criteria was given */
+    bool selects;                     /* true if any of the criteria was given */
 };
 
 /* What a guard does. */
@@ -80,23 +81,23 @@ struct scene_index {
 struct tree; /* the parsed text, for places in messages */
 
 struct scene {
-    char file[SCENE_PATH_MAX];      /* as named in messages */
-    char folder[SCENE_PATH_MAX];    /* what relative paths start from, ends with '/' or is empty */
-    struct tree *tree;              /* owned */
+    char file[SCENE_PATH_MAX];   /* as named in messages */
+    char folder[SCENE_PATH_MAX]; /* what relative paths start from, ends with '/' or is empty */
+    struct tree *tree;           /* owned */
     char title[256];
     enum scene_units units;
     uint64_t seed;
     struct box box;
     double box_lower[3], box_upper[3];
-    bool box_given;                 /* false: the box came from the first particle file */
+    bool box_given; /* false: the box came from the first particle file */
     int leave_all;
     int leave_side[3][2];
     double gravity[3];
-    double duration;                /* time; 0: by step.count */
+    double duration; /* time; 0: by step.count */
     struct scene_step step;
     char integrator[SCENE_NAME_MAX];
-    bool fused;                     /* passes of the step share a visit of each block; off: pass after pass */
-    int threads;                    /* 0: as many as OpenMP offers */
+    bool fused;  /* passes of the step share a visit of each block; off: pass after pass */
+    int threads; /* 0: as many as OpenMP offers */
 
     struct law_options law;
     int materials;
@@ -108,7 +109,7 @@ struct scene {
     int walls;
     struct wall_options wall[WALLS_MAX];
 
-    int groups;                     /* group[0] is "free" */
+    int groups; /* group[0] is "free" */
     struct scene_group group[INTEGRATOR_GROUPS_MAX];
 
     int sources;
@@ -132,20 +133,24 @@ struct scene_setting {
     const char *text; /* "walls[0].radius=0.2" */
 };
 
-/* Reads a whole text file into memory (memory_free), ended by a zero byte; `length` may be NULL. Fails (user) where it cannot be read. */
+/* Reads a whole text file into memory (memory_free), ended by a zero byte; `length` may be NULL. Fails (user)
+ * where it cannot be read. */
 bool scene_read_text(const char *path, char **text, size_t *length, struct error *error);
 
-/* Parses and checks a scene. `file` names the text in messages and gives the folder that relative paths start from; `set` has `sets` overrides, applied in
- * order. Every rank gives the same arguments. Opens the particle file where the box comes from it. Returns the scene, to be freed by
- * scene_free, or NULL with a user's error. One thread. */
-struct scene *scene_parse(const char *file, const char *text, const struct scene_setting *set, int sets, struct error *error);
+/* Parses and checks a scene. `file` names the text in messages and gives the folder that relative paths start
+ * from; `set` has `sets` overrides, applied in order. Every rank gives the same arguments. Opens the particle
+ * file where the box comes from it. Returns the scene, to be freed by scene_free, or NULL with a user's
+ * error. One thread. */
+struct scene *scene_parse(const char *file, const char *text, const struct scene_setting *set, int sets,
+                          struct error *error);
 void scene_free(struct scene **scene);
 
-/* Writes the effective scene as YAML: every key that applies with its value, in base units; parsing it gives the same scene.
- * Returned as allocated text (memory_free). */
+/* Writes the effective scene as YAML: every key that applies with its value, in base units; parsing it gives
+ * the same scene. Returned as allocated text (memory_free). */
 char *scene_echo(const struct scene *scene);
 
-/* "FILE:LINE" or "command line" of a key ("walls[0].radius"), or of the nearest section above it that was given. Writes at most `room` bytes; returns `place`. */
+/* "FILE:LINE" or "command line" of a key ("walls[0].radius"), or of the nearest section above it that was
+ * given. Writes at most `room` bytes; returns `place`. */
 const char *scene_place(const struct scene *scene, const char *key, char *place, size_t room);
 
 /* The particle features (bits of enum particle_feature) that the scene needs; `law` as prepared from it. */
@@ -159,8 +164,8 @@ int scene_material(const struct scene *scene, const char *name);
 int scene_group(const struct scene *scene, const char *name);
 int scene_wall(const struct scene *scene, const char *name);
 
-/* Which particles this rank keeps: those with mine(context, x) true (x box-relative, wrapped), or, where `mine` is NULL, an
- * equal share: blocks of the stream dealt out in turn, wherever they lie. */
+/* Which particles this rank keeps: those with mine(context, x) true (x box-relative, wrapped), or, where
+ * `mine` is NULL, an equal share: blocks of the stream dealt out in turn, wherever they lie. */
 struct scene_share {
     int rank, size;
     bool (*mine)(void *context, const double x[3]);
@@ -178,15 +183,17 @@ struct scene_census {
     double volume; /* solid */
 };
 
-/* Fills an empty particle set, made with scene_features, with this rank's particles: box-relative positions, velocities as given (full step),
- * inverse masses (0 in groups that do not move freely), ids, materials, groups. Every rank reads or generates the whole stream; no communication. Bad data: file,
- * line, column and what is allowed. Duplicate ids and coinciding centres are searched for by all ranks together, each a part: errors differ between ranks,
- * so the caller agrees on them (comm_agree). One thread. `census` may be NULL. */
-bool scene_particles(const struct scene *scene, const struct scene_share *share, struct particles *particles, struct scene_census *census,
-                     struct error *error);
+/* Fills an empty particle set, made with scene_features, with this rank's particles: box-relative positions,
+ * velocities as given (full step), inverse masses (0 in groups that do not move freely), ids, materials,
+ * groups. Every rank reads or generates the whole stream; no communication. Bad data: file, line, column and
+ * what is allowed. Duplicate ids and coinciding centres are searched for by all ranks together, each a part:
+ * errors differ between ranks, so the caller agrees on them (comm_agree). One thread. `census` may be NULL.
+ */
+bool scene_particles(const struct scene *scene, const struct scene_share *share, struct particles *particles,
+                     struct scene_census *census, struct error *error);
 
-/* Text of `scree help`: all keys in one line each (`key` NULL), a section, or one key at length. False if there is no such key; then the nearest is
- * named in `out` too. */
+/* Text of `scree help`: all keys in one line each (`key` NULL), a section, or one key at length. False if
+ * there is no such key; then the nearest is named in `out` too. */
 bool scene_help(FILE *out, const char *key);
 
 /* docs/scene.md. */

@@ -10,13 +10,15 @@ static bool check_plane_motion(const struct scene *scene, struct error *error) {
     if (scene->box.periodic[2])
         return finish_fail(scene, error, "box.periodic", "z cannot be periodic in two dimensions");
     if (scene->gravity[2] != 0)
-        return finish_fail(scene, error, "gravity", "has a z component (%g) in a two-dimensional scene", scene->gravity[2]);
+        return finish_fail(scene, error, "gravity", "has a z component (%g) in a two-dimensional scene",
+                           scene->gravity[2]);
     for (int s = 0; s < scene->sources; s++) {
         const struct source_options *source = &scene->source[s];
         char key[80];
         snprintf(key, sizeof(key), "particles.sources[%d].velocity", s);
         if (source->velocity[2] != 0)
-            return finish_fail(scene, error, key, "has a z component (%g) in a two-dimensional scene", source->velocity[2]);
+            return finish_fail(scene, error, key, "has a z component (%g) in a two-dimensional scene",
+                               source->velocity[2]);
         snprintf(key, sizeof(key), "particles.sources[%d].omega", s);
         if (source->omega[0] != 0 || source->omega[1] != 0)
             return finish_fail(scene, error, key, "turns out of the plane of a two-dimensional scene");
@@ -40,12 +42,17 @@ static bool check_periodic_walls(const struct scene *scene, struct error *error)
                 continue;
             snprintf(key, sizeof(key), "walls[%d].%s", w, wall->shape == WALL_PLANE ? "normal" : "radius");
             if (wall->shape == WALL_PLANE && wall->normal[d] != 0)
-                return finish_fail(scene, error, key, "the plane crosses the periodic direction %c; its normal must have no component along it", "xyz"[d]);
+                return finish_fail(
+                    scene, error, key,
+                    "the plane crosses the periodic direction %c; its normal must have no component along it",
+                    "xyz"[d]);
             double reach = wall->radius * sqrt(fmax(0, 1 - wall->axis[d] * wall->axis[d]));
             if (wall->shape == WALL_CYLINDER && fabs(wall->axis[d]) < 1 &&
-                (wall->point[d] - reach < scene->box_lower[d] || wall->point[d] + reach > scene->box_upper[d]))
-                return finish_fail(scene, error, key, "the cylinder crosses the ends of the periodic direction %c (%g to %g)", "xyz"[d], scene->box_lower[d],
-                                   scene->box_upper[d]);
+                (wall->point[d] - reach < scene->box_lower[d] ||
+                 wall->point[d] + reach > scene->box_upper[d]))
+                return finish_fail(scene, error, key,
+                                   "the cylinder crosses the ends of the periodic direction %c (%g to %g)",
+                                   "xyz"[d], scene -> box_lower[d], scene -> box_upper[d]);
         }
     return true;
 }
@@ -58,7 +65,8 @@ static bool check_motions(const struct scene *scene, struct error *error) {
             char key[80];
             snprintf(key, sizeof(key), "walls[%d].motion[%d].stop", w, m);
             if (!(motion->stop > motion->start))
-                return finish_fail(scene, error, key, "%g is not after start (%g)", motion->stop, motion->start);
+                return finish_fail(scene, error, key, "%g is not after start (%g)", motion->stop,
+                                   motion->start);
             snprintf(key, sizeof(key), "walls[%d].motion[%d].kind", w, m);
             servos += motion->kind == WALL_SERVO;
             if (servos > 1)
@@ -69,14 +77,16 @@ static bool check_motions(const struct scene *scene, struct error *error) {
 }
 
 /* A region must meet the box; in two dimensions a cylinder stands upright. */
-static bool check_region(const struct scene *scene, const struct region *region, const char *section, struct error *error) {
+static bool check_region(const struct scene *scene, const struct region *region, const char *section,
+                         struct error *error) {
     char key[96];
     if (region->shape == REGION_ALL)
         return true;
     snprintf(key, sizeof(key), "%s.region.upper", section);
     for (int d = 0; region->shape == REGION_BOX && d < scene->box.dimension; d++)
         if (!(region->upper[d] > region->lower[d]))
-            return finish_fail(scene, error, key, "%c: %g is not above the lower corner's %g", "xyz"[d], region->upper[d], region->lower[d]);
+            return finish_fail(scene, error, key, "%c: %g is not above the lower corner's %g", "xyz"[d],
+                               region -> upper[d], region -> lower[d]);
     snprintf(key, sizeof(key), "%s.region.axis", section);
     if (region->shape == REGION_CYLINDER && scene->box.dimension == 2 && fabs(region->axis[2]) < 1)
         return finish_fail(scene, error, key, "must be [0, 0, 1] in two dimensions");
@@ -85,12 +95,14 @@ static bool check_region(const struct scene *scene, const struct region *region,
     snprintf(key, sizeof(key), "%s.region", section);
     for (int d = 0; d < scene->box.dimension; d++)
         if (lower[d] > scene->box_upper[d] || upper[d] < scene->box_lower[d])
-            return finish_fail(scene, error, key, "lies outside of the box (%c from %g to %g, the box from %g to %g)", "xyz"[d], lower[d], upper[d],
-                               scene->box_lower[d], scene->box_upper[d]);
+            return finish_fail(scene, error, key,
+                               "lies outside of the box (%c from %g to %g, the box from %g to %g)", "xyz"[d],
+                               lower[d], upper[d], scene -> box_lower[d], scene -> box_upper[d]);
     return true;
 }
 
-static bool check_sizes(const struct scene *scene, const struct sizes_options *sizes, const char *section, struct error *error) {
+static bool check_sizes(const struct scene *scene, const struct sizes_options *sizes, const char *section,
+                        struct error *error) {
     struct sizes_sampler sampler;
     struct error why = {0};
     char key[96];
@@ -98,59 +110,73 @@ static bool check_sizes(const struct scene *scene, const struct sizes_options *s
     return sizes_prepare(&sampler, sizes, &why) || finish_fail(scene, error, key, "%s", why.text);
 }
 
-static bool check_lattice(const struct scene *scene, const struct source_options *source, const char *section, struct error *error) {
+static bool check_lattice(const struct scene *scene, const struct source_options *source, const char *section,
+                          struct error *error) {
     char key[96];
     bool flat = source->lattice == SOURCE_SQUARE || source->lattice == SOURCE_HEXAGONAL;
     snprintf(key, sizeof(key), "%s.lattice", section);
     if (flat != (scene->box.dimension == 2))
-        return finish_fail(scene, error, key, "not a lattice of %d dimensions; allowed: %s", scene->box.dimension, flat ? "sc, fcc, hcp" : "square, hexagonal");
+        return finish_fail(scene, error, key, "not a lattice of %d dimensions; allowed: %s",
+                           scene->box.dimension, flat ? "sc, fcc, hcp" : "square, hexagonal");
     double smallest, largest;
     sizes_bounds(&source->sizes, &smallest, &largest);
     snprintf(key, sizeof(key), "%s.spacing", section);
     return source->spacing >= 2 * largest * (1 - 1e-12) ||
-           finish_fail(scene, error, key, "%g is less than the largest diameter, %g: neighbours would overlap", source->spacing, 2 * largest);
+           finish_fail(scene, error, key,
+                       "%g is less than the largest diameter, %g: neighbours would overlap", source->spacing,
+                       2 * largest);
 }
 
-static bool check_random(const struct scene *scene, const struct source_options *source, const char *section, struct error *error) {
+static bool check_random(const struct scene *scene, const struct source_options *source, const char *section,
+                         struct error *error) {
     char key[96];
     snprintf(key, sizeof(key), "%s.volume_fraction", section);
     if (source->count > 0 && source->volume_fraction > 0)
         return finish_fail(scene, error, key, "beside count; give one of the two");
     snprintf(key, sizeof(key), "%s.count", section);
-    return source->count > 0 || source->volume_fraction > 0 || finish_fail(scene, error, key, "is missing; give count or volume_fraction");
+    return source->count > 0 || source->volume_fraction > 0 ||
+           finish_fail(scene, error, key, "is missing; give count or volume_fraction");
 }
 
 /* A spin needs a law that knows one. */
-static bool check_spin(const struct scene *scene, const double omega[3], const char *section, struct error *error) {
+static bool check_spin(const struct scene *scene, const double omega[3], const char *section,
+                       struct error *error) {
     char key[96];
     snprintf(key, sizeof(key), "%s.omega", section);
     if (scene->law.tangential != LAW_FRICTIONLESS || (omega[0] == 0 && omega[1] == 0 && omega[2] == 0))
         return true;
-    return finish_fail(scene, error, key, "a spin without friction has no meaning (contact.tangential: none)");
+    return finish_fail(scene, error, key,
+                       "a spin without friction has no meaning (contact.tangential: none)");
 }
 
-static bool check_file(const struct scene *scene, const struct source_options *source, const char *section, struct error *error) {
+static bool check_file(const struct scene *scene, const struct source_options *source, const char *section,
+                       struct error *error) {
     char key[96];
     snprintf(key, sizeof(key), "%s.radius_upto", section);
     if (!(source->radius_upto > source->radius_above))
-        return finish_fail(scene, error, key, "%g is not above radius_above (%g)", source->radius_upto, source->radius_above);
+        return finish_fail(scene, error, key, "%g is not above radius_above (%g)", source->radius_upto,
+                           source->radius_above);
     snprintf(key, sizeof(key), "%s.material", section);
-    return source->material < 0 || source->type_count == 0 || finish_fail(scene, error, key, "beside types; give one of the two");
+    return source->material < 0 || source->type_count == 0 ||
+           finish_fail(scene, error, key, "beside types; give one of the two");
 }
 
 static bool check_sources(const struct scene *scene, struct error *error) {
     if (scene->sources == 0 && scene->insertions == 0)
-        return finish_fail(scene, error, "particles", "is missing; needed: a file or a generator (or insertions)");
+        return finish_fail(scene, error, "particles",
+                           "is missing; needed: a file or a generator (or insertions)");
     for (int s = 0; s < scene->sources; s++) {
         const struct source_options *source = &scene->source[s];
         char section[64];
         snprintf(section, sizeof(section), "particles.sources[%d]", s);
         bool generated = source->kind == SOURCE_LATTICE || source->kind == SOURCE_RANDOM;
-        if (generated && (!check_region(scene, &source->region, section, error) || !check_sizes(scene, &source->sizes, section, error)))
+        if (generated && (!check_region(scene, &source->region, section, error) ||
+                          !check_sizes(scene, &source->sizes, section, error)))
             return false;
         if ((source->kind == SOURCE_LATTICE && !check_lattice(scene, source, section, error)) ||
             (source->kind == SOURCE_RANDOM && !check_random(scene, source, section, error)) ||
-            (source->kind == SOURCE_FILE && !check_file(scene, source, section, error)) || !check_spin(scene, source->omega, section, error))
+            (source->kind == SOURCE_FILE && !check_file(scene, source, section, error)) ||
+            !check_spin(scene, source->omega, section, error))
             return false;
     }
     return true;
@@ -166,8 +192,10 @@ static bool check_insertions(const struct scene *scene, struct error *error) {
             return finish_fail(scene, error, key, "give one of rate and mass_rate");
         snprintf(key, sizeof(key), "insertions[%d].stop", k);
         if (!(insertion->stop > insertion->start))
-            return finish_fail(scene, error, key, "%g is not after start (%g)", insertion->stop, insertion->start);
-        if (!check_region(scene, &insertion->region, section, error) || !check_sizes(scene, &insertion->sizes, section, error) ||
+            return finish_fail(scene, error, key, "%g is not after start (%g)", insertion->stop,
+                               insertion->start);
+        if (!check_region(scene, &insertion->region, section, error) ||
+            !check_sizes(scene, &insertion->sizes, section, error) ||
             !check_spin(scene, insertion->omega, section, error))
             return false;
     }
@@ -177,7 +205,8 @@ static bool check_insertions(const struct scene *scene, struct error *error) {
         snprintf(section, sizeof(section), "deletions[%d]", k);
         snprintf(key, sizeof(key), "deletions[%d].stop", k);
         if (!(deletion->stop > deletion->start))
-            return finish_fail(scene, error, key, "%g is not after start (%g)", deletion->stop, deletion->start);
+            return finish_fail(scene, error, key, "%g is not after start (%g)", deletion->stop,
+                               deletion->start);
         if (!check_region(scene, &deletion->region, section, error))
             return false;
     }
@@ -195,9 +224,11 @@ static bool check_groups(const struct scene *scene, struct error *error) {
             named = named || scene->insertion[k].group == g;
         snprintf(key, sizeof(key), "groups[%d].select", g - 1);
         if (!named)
-            return finish_fail(scene, error, key, "the group '%s' selects nothing, and no source names it", scene->group[g].name);
+            return finish_fail(scene, error, key, "the group '%s' selects nothing, and no source names it",
+                               scene->group[g].name);
         if (!(scene->group[g].radius_upto > scene->group[g].radius_above))
-            return finish_fail(scene, error, key, "no radius lies above %g and up to %g", scene->group[g].radius_above, scene->group[g].radius_upto);
+            return finish_fail(scene, error, key, "no radius lies above %g and up to %g",
+                               scene->group[g].radius_above, scene->group[g].radius_upto);
         snprintf(section, sizeof(section), "groups[%d].select", g - 1);
         if (!check_region(scene, &scene->group[g].region, section, error))
             return false;
@@ -211,34 +242,44 @@ static bool check_groups(const struct scene *scene, struct error *error) {
 static bool check_step(const struct scene *scene, struct error *error) {
     if (scene->step.dt > 0 && scene->step.fraction > 0)
         return finish_fail(scene, error, "step.fraction", "beside step.dt; give one of the two");
-    return scene->duration >= 0 || scene->step.count >= 0 || finish_fail(scene, error, "duration", "is missing; give duration or step.count");
+    return scene->duration >= 0 || scene->step.count >= 0 ||
+           finish_fail(scene, error, "duration", "is missing; give duration or step.count");
 }
 
 static bool check_law(const struct scene *scene, struct error *error) {
     if (scene->law.tangential_damping_equal && scene->law.tangential_damping_ratio != 1)
-        return finish_fail(scene, error, "contact.tangential_damping_equal", "beside tangential_damping_ratio; give one of the two");
+        return finish_fail(scene, error, "contact.tangential_damping_equal",
+                           "beside tangential_damping_ratio; give one of the two");
     if (scene->law.lammps_hooke && scene->law.damping != LAW_DAMPING_COEFFICIENT)
         return finish_fail(scene, error, "contact.lammps_hooke", "needs contact.damping: coefficient");
     if (scene->law.lammps_hooke && scene->law.rolling != LAW_ROLLING_NONE)
         return finish_fail(scene, error, "contact.lammps_hooke", "has no rolling resistance");
     if (scene->law.damping == LAW_DAMPING_COEFFICIENT && scene->law.normal != LAW_HOOKE)
-        return finish_fail(scene, error, "contact.damping", "coefficient is for contact.law: hooke; hertz takes restitution");
+        return finish_fail(scene, error, "contact.damping",
+                           "coefficient is for contact.law: hooke; hertz takes restitution");
     return true;
 }
 
 static bool check_search(const struct scene *scene, struct error *error) {
     if (scene->ghosts.reduced && !scene->ghosts.newton)
-        return finish_fail(scene, error, "ghosts", "reduced needs newton: on (with newton: off the owner of a large particle needs the small ones too)");
+        return finish_fail(scene, error, "ghosts",
+                           "reduced needs newton: on (with newton: off the owner of a large particle needs "
+                           "the small ones too)");
     for (int k = 1; scene->classes.method == CLASSES_CUTS && k < scene->classes.cut_count; k++)
         if (!(scene->classes.cut[k] > scene->classes.cut[k - 1]))
-            return finish_fail(scene, error, "classes.cuts", "must increase: %g after %g", scene->classes.cut[k], scene->classes.cut[k - 1]);
-    if (scene->index.level_cells > 0 && scene->index.params.levels > 0 && scene->index.level_cells != scene->index.params.levels)
-        return finish_fail(scene, error, "index.level_cells", "%d cell sizes for %d levels", scene->index.level_cells, scene->index.params.levels);
+            return finish_fail(scene, error, "classes.cuts", "must increase: %g after %g",
+                               scene->classes.cut[k], scene->classes.cut[k - 1]);
+    if (scene->index.level_cells > 0 && scene->index.params.levels > 0 &&
+        scene->index.level_cells != scene->index.params.levels)
+        return finish_fail(scene, error, "index.level_cells", "%d cell sizes for %d levels",
+                           scene->index.level_cells, scene->index.params.levels);
     return true;
 }
 
-static bool check_interval(const struct scene *scene, const struct output_interval *every, const char *key, struct error *error) {
-    return every->steps == 0 || every->time == 0 || finish_fail(scene, error, key, "steps and time both; give one of the two");
+static bool check_interval(const struct scene *scene, const struct output_interval *every, const char *key,
+                           struct error *error) {
+    return every->steps == 0 || every->time == 0 ||
+           finish_fail(scene, error, key, "steps and time both; give one of the two");
 }
 
 static bool check_output(const struct scene *scene, struct error *error) {
@@ -258,16 +299,19 @@ static bool check_output(const struct scene *scene, struct error *error) {
         snprintf(key, sizeof(key), "observables.regions[%d].upper", k);
         for (int d = 0; region->shape == OUTPUT_REGION_BOX && d < 3; d++)
             if (!(region->upper[d] > region->lower[d]))
-                return finish_fail(scene, error, key, "%c: %g is not above the lower corner's %g", "xyz"[d], region->upper[d], region->lower[d]);
+                return finish_fail(scene, error, key, "%c: %g is not above the lower corner's %g", "xyz"[d],
+                                   region -> upper[d], region -> lower[d]);
         snprintf(key, sizeof(key), "observables.regions[%d].axis", k);
-        if (region->shape == OUTPUT_REGION_CYLINDER && region->axis[0] == 0 && region->axis[1] == 0 && region->axis[2] == 0)
+        if (region->shape == OUTPUT_REGION_CYLINDER && region->axis[0] == 0 && region->axis[1] == 0 &&
+            region->axis[2] == 0)
             return finish_fail(scene, error, key, "[0, 0, 0] has no direction");
     }
     return true;
 }
 
 bool scene_check(const struct scene *scene, struct error *error) {
-    return check_law(scene, error) && check_step(scene, error) && check_plane_motion(scene, error) && check_periodic_walls(scene, error) &&
-           check_motions(scene, error) && check_search(scene, error) && check_groups(scene, error) && check_sources(scene, error) &&
-           check_insertions(scene, error) && check_output(scene, error);
+    return check_law(scene, error) && check_step(scene, error) && check_plane_motion(scene, error) &&
+           check_periodic_walls(scene, error) && check_motions(scene, error) && check_search(scene, error) &&
+           check_groups(scene, error) && check_sources(scene, error) && check_insertions(scene, error) &&
+           check_output(scene, error);
 }

@@ -43,7 +43,8 @@ const struct schema_row *schema_find(const char *key) {
 }
 
 static void walk_table(const struct schema_table *table, const char *prefix, int depth,
-                       void (*visit)(void *context, const struct schema_row *row, const char *key, int depth), void *context) {
+                       void (*visit)(void *context, const struct schema_row *row, const char *key, int depth),
+                       void *context) {
     for (int k = 0; k < table->count; k++) {
         const struct schema_row *row = &table->rows[k];
         char key[SCHEMA_KEY_MAX], below[SCHEMA_KEY_MAX];
@@ -56,7 +57,8 @@ static void walk_table(const struct schema_table *table, const char *prefix, int
     }
 }
 
-void schema_walk(void (*visit)(void *context, const struct schema_row *row, const char *key, int depth), void *context) {
+void schema_walk(void (*visit)(void *context, const struct schema_row *row, const char *key, int depth),
+                 void *context) {
     walk_table(&schema_root, "", 0, visit, context);
 }
 
@@ -85,7 +87,8 @@ struct suggestion {
     char *nearest;
 };
 
-/* A sibling with a typing error is nearest, then the same name in another section, then the same with an error. */
+/* A sibling with a typing error is nearest, then the same name in another section, then the same with an
+ * error. */
 static void suggest_row(void *context, const struct schema_row *row, const char *key, int depth) {
     struct suggestion *s = context;
     (void)depth;
@@ -108,7 +111,8 @@ bool schema_suggest(const char *section, const char *key, char nearest[SCHEMA_KE
     return suggestion.score < 1e9;
 }
 
-bool schema_fail(struct schema_reader *reader, const struct tree_node *node, const char *key, const char *format, ...) {
+bool schema_fail(struct schema_reader *reader, const struct tree_node *node, const char *key,
+                 const char *format, ...) {
     char place[1200], text[1024];
     va_list list;
     va_start(list, format);
@@ -140,7 +144,8 @@ static struct interval range_of(const struct schema_row *row) {
 
 bool schema_in_range(const struct schema_row *row, double value) {
     struct interval range = range_of(row);
-    return (value > range.low || (range.with_low && value == range.low)) && (value < range.high || (range.with_high && value == range.high));
+    return (value > range.low || (range.with_low && value == range.low)) &&
+           (value < range.high || (range.with_high && value == range.high));
 }
 
 static void range_words(const struct schema_row *row, char *text, size_t room) {
@@ -150,12 +155,14 @@ static void range_words(const struct schema_row *row, char *text, size_t room) {
     else if (isinf(range.high))
         snprintf(text, room, " %s %g", range.with_low ? ">=" : ">", range.low);
     else
-        snprintf(text, room, " from %g%s to %g%s", range.low, range.with_low ? "" : " (excluded)", range.high, range.with_high ? "" : " (excluded)");
+        snprintf(text, room, " from %g%s to %g%s", range.low, range.with_low ? "" : " (excluded)", range.high,
+                 range.with_high ? "" : " (excluded)");
 }
 
 /* Conditions. */
 
-static bool name_is(const struct schema_row *row, const char *value, const char *alternatives, size_t length) {
+static bool name_is(const struct schema_row *row, const char *value, const char *alternatives,
+                    size_t length) {
     const char *name = NULL;
     if (row->type == SCHEMA_CHOICE)
         name = value;
@@ -175,7 +182,8 @@ static bool name_is(const struct schema_row *row, const char *value, const char 
 }
 
 /* One condition "key=a|b" of `length` bytes. */
-static bool holds(const char *condition, size_t length, const struct schema_table *table, const char *base, const char *root) {
+static bool holds(const char *condition, size_t length, const struct schema_table *table, const char *base,
+                  const char *root) {
     if (*condition == '/') {
         table = &schema_root;
         base = root;
@@ -197,7 +205,8 @@ static bool holds(const char *condition, size_t length, const struct schema_tabl
     }
 }
 
-bool schema_applies(const struct schema_row *row, const struct schema_table *table, const char *base, const char *root) {
+bool schema_applies(const struct schema_row *row, const struct schema_table *table, const char *base,
+                    const char *root) {
     const char *condition = row->when;
     while (condition) {
         const char *end = strstr(condition, " & ");

@@ -94,7 +94,8 @@ static void print_row(FILE *out, const struct schema_row *row) {
 
 bool scene_help(FILE *out, const char *key) {
     if (!key) {
-        fprintf(out, "Keys of a scene (`scree help KEY` tells more; any key may be set by --set KEY=VALUE):\n");
+        fprintf(out,
+                "Keys of a scene (`scree help KEY` tells more; any key may be set by --set KEY=VALUE):\n");
         schema_walk(print_line, out);
         return true;
     }
@@ -171,24 +172,31 @@ static void print_subsection(void *context, const struct schema_row *row, const 
     char title[SCHEMA_KEY_MAX + 4];
     snprintf(title, sizeof(title), "`%s`", key);
     char help[512];
-    snprintf(help, sizeof(help), "%c%s", row->help[0] >= 'a' && row->help[0] <= 'z' ? row->help[0] - 32 : row->help[0], row->help + 1);
+    snprintf(help, sizeof(help), "%c%s",
+             row->help[0] >= 'a' && row->help[0] <= 'z' ? row->help[0] - 32 : row->help[0], row->help + 1);
     if (row->sub)
         print_section(out, row->sub, title, help);
 }
 
 void scene_document(FILE *out) {
     fprintf(out, "# The scene file\n\n"
-                 "This page is written by the program itself, from the table that it reads scenes by; `scree help KEY` prints the same.\n\n"
-                 "- A scene is a YAML file. Unknown, duplicate and ill-typed keys, values out of range and impossible combinations stop the\n"
+                 "This page is written by the program itself, from the table that it reads scenes by; `scree "
+                 "help KEY` prints the same.\n\n"
+                 "- A scene is a YAML file. Unknown, duplicate and ill-typed keys, values out of range and "
+                 "impossible combinations stop the\n"
                  "  program before anything runs, with file, line, key and what is allowed.\n"
-                 "- Numbers are in SI base units (m, kg, s, rad) unless a unit follows: `5 mm`, `2 GPa`, `0.1 ms`, `20 rpm`, `2.5 g/cm3`. Prefixes n, u,\n"
-                 "  m, c, d, h, k, M, G, T stand before m, g, s, N, Pa, J, W, Hz, rad, bar, L; without prefix there are t, min, h, deg, rpm, %%. With `units: none`\n"
+                 "- Numbers are in SI base units (m, kg, s, rad) unless a unit follows: `5 mm`, `2 GPa`, "
+                 "`0.1 ms`, `20 rpm`, `2.5 g/cm3`. Prefixes n, u,\n"
+                 "  m, c, d, h, k, M, G, T stand before m, g, s, N, Pa, J, W, Hz, rad, bar, L; without "
+                 "prefix there are t, min, h, deg, rpm, %%. With `units: none`\n"
                  "  a unit is an error.\n"
-                 "- `--set KEY=VALUE` on the command line overrides any key: `--set step.dt=1e-6`, `--set walls[0].radius=\"5 cm\"`, `--set index=multi`.\n"
+                 "- `--set KEY=VALUE` on the command line overrides any key: `--set step.dt=1e-6`, `--set "
+                 "walls[0].radius=\"5 cm\"`, `--set index=multi`.\n"
                  "  Lists count from 0; the number after the last appends an entry.\n"
                  "- Paths are relative to the folder of the scene file.\n"
                  "- In two dimensions vectors may have two components.\n"
-                 "- The effective scene, defaults included, is written into every output file; it can be run again.\n");
+                 "- The effective scene, defaults included, is written into every output file; it can be run "
+                 "again.\n");
     print_section(out, &schema_root, "Top level", "The sections, and the keys outside of any");
     schema_walk(print_subsection, out);
 }

@@ -5,39 +5,51 @@
 
 #include <string.h>
 
+/* One row a key, packed to the line: */
+/* clang-format off */
+
 static const struct schema_row every_rows[] = {
-    {.key = "steps", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", AT(struct output_interval, steps), .help = "every so many steps; 0: by time",
-     .example = "1000"},
-    {.key = "time", .type = SCHEMA_REAL, .unit = "s", .range = "[0, inf)", .fallback = "0", AT(struct output_interval, time),
-     .help = "at multiples of this time; 0: by steps", .example = "0.5 ms"},
+    {.key = "steps", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0",
+     AT(struct output_interval, steps), .help = "every so many steps; 0: by time", .example = "1000"},
+    {.key = "time", .type = SCHEMA_REAL, .unit = "s", .range = "[0, inf)", .fallback = "0",
+     AT(struct output_interval, time), .help = "at multiples of this time; 0: by steps", .example = "0.5 ms"},
 };
 static const struct schema_table every_table = TABLE(every_rows);
 
-#define EVERY(owner, member) .type = SCHEMA_SECTION, .sub = &every_table, .main = "steps", .offset = offsetof(owner, member)
+#define EVERY(owner, member)                                                                                 \
+    .type = SCHEMA_SECTION, .sub = &every_table, .main = "steps", .offset = offsetof(owner, member)
 
 static const struct schema_row trajectory_rows[] = {
-    {.key = "every", EVERY(struct trajectory_options, every), .help = "how often; a bare number counts steps, {time: ...} is simulated time"},
+    {.key = "every", EVERY(struct trajectory_options, every),
+     .help = "how often; a bare number counts steps, {time: ...} is simulated time"},
     {.key = "fields", .type = SCHEMA_TEXTS, ARRAY_AT(struct trajectory_options, fields.name, fields.count),
-     .help = "particle fields; none named: all that the scene has", .example = "[position, velocity, radius]"},
-    {.key = "xdmf", .type = SCHEMA_BOOL, .fallback = "true", AT(struct trajectory_options, xdmf), .help = "trajectory.xdmf beside it, for ParaView"},
-    {.key = "contacts", EVERY(struct trajectory_options, contacts), .help = "how often the contact list (force chains) is written, too"},
+     .help = "particle fields; none named: all that the scene has",
+     .example = "[position, velocity, radius]"},
+    {.key = "xdmf", .type = SCHEMA_BOOL, .fallback = "true", AT(struct trajectory_options, xdmf),
+     .help = "trajectory.xdmf beside it, for ParaView"},
+    {.key = "contacts", EVERY(struct trajectory_options, contacts),
+     .help = "how often the contact list (force chains) is written, too"},
 };
 static const struct schema_table trajectory_table = TABLE(trajectory_rows);
 
 static const struct schema_row dump_rows[] = {
     {.key = "every", EVERY(struct dump_options, every), .help = "how often"},
-    {.key = "fields", .type = SCHEMA_TEXTS, ARRAY_AT(struct dump_options, fields.name, fields.count), .help = "particle fields; none named: all",
-     .example = "[position, velocity, radius]"},
+    {.key = "fields", .type = SCHEMA_TEXTS, ARRAY_AT(struct dump_options, fields.name, fields.count),
+     .help = "particle fields; none named: all", .example = "[position, velocity, radius]"},
 };
 static const struct schema_table dump_table = TABLE(dump_rows);
 
 static const struct schema_row checkpoint_rows[] = {
-    {.key = "every", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", AT(struct checkpoint_options, every_steps), .help = "steps between checkpoints; 0: none",
+    {.key = "every", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0",
+     AT(struct checkpoint_options, every_steps), .help = "steps between checkpoints; 0: none",
      .example = "10000"},
-    {.key = "minutes", .type = SCHEMA_REAL, .range = "[0, inf)", .fallback = "0", AT(struct checkpoint_options, every_minutes),
+    {.key = "minutes", .type = SCHEMA_REAL, .range = "[0, inf)", .fallback = "0",
+     AT(struct checkpoint_options, every_minutes),
      .help = "minutes of wall clock between checkpoints; 0: none", .example = "30"},
-    {.key = "keep", .type = SCHEMA_INT, .range = "[1, 1000]", .fallback = "2", AT(struct checkpoint_options, keep), .help = "how many to keep"},
-    {.key = "at_end", .type = SCHEMA_BOOL, .fallback = "true", AT(struct checkpoint_options, at_end), .help = "one after the last step"},
+    {.key = "keep", .type = SCHEMA_INT, .range = "[1, 1000]", .fallback = "2",
+     AT(struct checkpoint_options, keep), .help = "how many to keep"},
+    {.key = "at_end", .type = SCHEMA_BOOL, .fallback = "true", AT(struct checkpoint_options, at_end),
+     .help = "one after the last step"},
 };
 static const struct schema_table checkpoint_table = TABLE(checkpoint_rows);
 
@@ -49,12 +61,14 @@ static const struct schema_name progress_names[] = {
     {0}};
 
 static const struct schema_row output_rows[] = {
-    {.key = "trajectory", .type = SCHEMA_SECTION, .sub = &trajectory_table, .offset = offsetof(struct output_options, trajectory),
-     .help = "trajectory.h5, H5MD by parallel HDF5"},
-    {.key = "dump", .type = SCHEMA_SECTION, .sub = &dump_table, .offset = offsetof(struct output_options, dump), .help = "dump.lammpstrj, LAMMPS's text format"},
-    {.key = "checkpoint", .type = SCHEMA_SECTION, .sub = &checkpoint_table, .offset = offsetof(struct output_options, checkpoint),
-     .help = "checkpoint-STEP.h5, to resume from"},
-    {.key = "progress", .type = SCHEMA_NAME, .names = progress_names, .fallback = "auto", AT(struct output_options, progress.mode), .help = "what the terminal shows"},
+    {.key = "trajectory", .type = SCHEMA_SECTION, .sub = &trajectory_table,
+     .offset = offsetof(struct output_options, trajectory), .help = "trajectory.h5, H5MD by parallel HDF5"},
+    {.key = "dump", .type = SCHEMA_SECTION, .sub = &dump_table,
+     .offset = offsetof(struct output_options, dump), .help = "dump.lammpstrj, LAMMPS's text format"},
+    {.key = "checkpoint", .type = SCHEMA_SECTION, .sub = &checkpoint_table,
+     .offset = offsetof(struct output_options, checkpoint), .help = "checkpoint-STEP.h5, to resume from"},
+    {.key = "progress", .type = SCHEMA_NAME, .names = progress_names, .fallback = "auto",
+     AT(struct output_options, progress.mode), .help = "what the terminal shows"},
 };
 const struct schema_table schema_output = TABLE(output_rows);
 
@@ -77,47 +91,60 @@ static const char *observable_choice(int k, const char **help) {
     return NULL;
 }
 
-static const struct schema_name component_names[] = {{"all", 0, NULL}, {"x", 1, NULL},  {"y", 2, NULL},  {"z", 4, NULL},
-                                                     {"xy", 3, NULL},  {"xz", 5, NULL}, {"yz", 6, NULL}, {0}};
+static const struct schema_name component_names[] = {
+    {"all", 0, NULL}, {"x", 1, NULL},  {"y", 2, NULL},  {"z", 4, NULL},
+    {"xy", 3, NULL},  {"xz", 5, NULL}, {"yz", 6, NULL}, {0}};
 
 static const struct schema_row request_rows[] = {
-    {.key = "name", .type = SCHEMA_CHOICE, .choice = observable_choice, .required = true, AT(struct observable_request, name),
-     .help = "what is observed", .example = "position"},
-    {.key = "label", .type = SCHEMA_TEXT, .fallback = "", AT(struct observable_request, label), .help = "first part of the column's name; left out: the target's name",
-     .example = "ball"},
+    {.key = "name", .type = SCHEMA_CHOICE, .choice = observable_choice, .required = true,
+     AT(struct observable_request, name), .help = "what is observed", .example = "position"},
+    {.key = "label", .type = SCHEMA_TEXT, .fallback = "", AT(struct observable_request, label),
+     .help = "first part of the column's name; left out: the target's name", .example = "ball"},
     {.key = "target", .type = SCHEMA_TEXT, .fallback = "", AT(struct observable_request, target),
      .help = "wall or region, `region/material` for one material; left out: all", .example = "floor"},
-    {.key = "id", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", AT(struct observable_request, id), .help = "number of the particle observed",
-     .example = "25001"},
-    {.key = "components", .type = SCHEMA_NAME, .names = component_names, .fallback = "all", AT(struct observable_request, components),
-     .help = "components of a vector", .example = "z"},
+    {.key = "id", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0",
+     AT(struct observable_request, id), .help = "number of the particle observed", .example = "25001"},
+    {.key = "components", .type = SCHEMA_NAME, .names = component_names, .fallback = "all",
+     AT(struct observable_request, components), .help = "components of a vector", .example = "z"},
 };
 static const struct schema_table request_table = TABLE(request_rows);
 
-static const struct schema_name region_shape_names[] = {
-    {"box", OUTPUT_REGION_BOX, NULL}, {"sphere", OUTPUT_REGION_SPHERE, NULL}, {"cylinder", OUTPUT_REGION_CYLINDER, NULL}, {0}};
+static const struct schema_name region_shape_names[] = {{"box", OUTPUT_REGION_BOX, NULL},
+                                                        {"sphere", OUTPUT_REGION_SPHERE, NULL},
+                                                        {"cylinder", OUTPUT_REGION_CYLINDER, NULL},
+                                                        {0}};
 static const struct schema_row region_rows[] = {
-    {.key = "name", .type = SCHEMA_TEXT, .required = true, AT(struct output_region, name), .help = "by which observables refer to it", .example = "upper_right"},
-    {.key = "shape", .type = SCHEMA_NAME, .names = region_shape_names, .required = true, AT(struct output_region, shape), .help = "the shape", .example = "box"},
-    {.key = "lower", .type = SCHEMA_VECTOR, .unit = "m", .range = "[-inf, inf]", .fallback = "[-.inf, -.inf, -.inf]", .when = "shape=box",
-     AT(struct output_region, lower), .help = "lower corner; -.inf leaves a side open", .example = "[0, -.inf, 0]"},
-    {.key = "upper", .type = SCHEMA_VECTOR, .unit = "m", .range = "[-inf, inf]", .fallback = "[.inf, .inf, .inf]", .when = "shape=box",
-     AT(struct output_region, upper), .help = "upper corner; .inf leaves a side open"},
-    {.key = "centre", .type = SCHEMA_VECTOR, .unit = "m", .when = "shape=sphere|cylinder", .required = true, AT(struct output_region, centre),
-     .help = "centre of the sphere; middle of the cylinder's axis", .example = "[0, 0, 5 cm]"},
-    {.key = "axis", .type = SCHEMA_VECTOR, .when = "shape=cylinder", .required = true, AT(struct output_region, axis), .help = "direction of the axis", .example = "[0, 0, 1]"},
-    {.key = "radius", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "shape=sphere|cylinder", .required = true,
-     AT(struct output_region, radius), .help = "radius", .example = "2 cm"},
-    {.key = "length", .type = SCHEMA_REAL, .unit = "m", .range = "[0, inf)", .fallback = "0", .when = "shape=cylinder", AT(struct output_region, length),
+    {.key = "name", .type = SCHEMA_TEXT, .required = true, AT(struct output_region, name),
+     .help = "by which observables refer to it", .example = "upper_right"},
+    {.key = "shape", .type = SCHEMA_NAME, .names = region_shape_names, .required = true,
+     AT(struct output_region, shape), .help = "the shape", .example = "box"},
+    {.key = "lower", .type = SCHEMA_VECTOR, .unit = "m", .range = "[-inf, inf]",
+     .fallback = "[-.inf, -.inf, -.inf]", .when = "shape=box", AT(struct output_region, lower),
+     .help = "lower corner; -.inf leaves a side open", .example = "[0, -.inf, 0]"},
+    {.key = "upper", .type = SCHEMA_VECTOR, .unit = "m", .range = "[-inf, inf]",
+     .fallback = "[.inf, .inf, .inf]", .when = "shape=box", AT(struct output_region, upper),
+     .help = "upper corner; .inf leaves a side open"},
+    {.key = "centre", .type = SCHEMA_VECTOR, .unit = "m", .when = "shape=sphere|cylinder", .required = true,
+     AT(struct output_region, centre), .help = "centre of the sphere; middle of the cylinder's axis",
+     .example = "[0, 0, 5 cm]"},
+    {.key = "axis", .type = SCHEMA_VECTOR, .when = "shape=cylinder", .required = true,
+     AT(struct output_region, axis), .help = "direction of the axis", .example = "[0, 0, 1]"},
+    {.key = "radius", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "shape=sphere|cylinder",
+     .required = true, AT(struct output_region, radius), .help = "radius", .example = "2 cm"},
+    {.key = "length", .type = SCHEMA_REAL, .unit = "m", .range = "[0, inf)", .fallback = "0",
+     .when = "shape=cylinder", AT(struct output_region, length),
      .help = "whole length along the axis; 0: infinite"},
 };
 static const struct schema_table region_table = TABLE(region_rows);
 
 static const struct schema_row observables_rows[] = {
-    {.key = "every", EVERY(struct observables_options, every), .help = "how often a row is written; a bare number counts steps, {time: ...} is simulated time"},
-    {.key = "regions", .type = SCHEMA_LIST, .sub = &region_table, ARRAY_AT(struct observables_options, region, regions),
+    {.key = "every", EVERY(struct observables_options, every),
+     .help = "how often a row is written; a bare number counts steps, {time: ...} is simulated time"},
+    {.key = "regions", .type = SCHEMA_LIST, .sub = &region_table,
+     ARRAY_AT(struct observables_options, region, regions),
      .help = "parts of space in which particles are counted; a centre counts, lower faces belong to it"},
-    {.key = "list", .type = SCHEMA_LIST, .sub = &request_table, ARRAY_AT(struct observables_options, request, count),
+    {.key = "list", .type = SCHEMA_LIST, .sub = &request_table,
+     ARRAY_AT(struct observables_options, request, count),
      .help = "what is observed; left out: energies, momentum, contacts"},
 };
 const struct schema_table schema_observables = TABLE(observables_rows);

@@ -1,8 +1,8 @@
 /* From the tree to the struct. Short forms are resolved first, so that the rest sees full forms only:
  *
  *     index: hgrid               ->  index: {name: hgrid}
- *     particles: {file: a.txt}   ->  particles: {sources: [{file: a.txt}]}      (the list is marked `implied`)
- *     walls:                     ->  walls: []
+ *     particles: {file: a.txt}   ->  particles: {sources: [{file: a.txt}]}      (the list is marked
+ * `implied`) walls:                     ->  walls: []
  *
  * Rows that do not apply are left as they are (the struct comes zeroed): two keys may share a place. */
 #include "scene/schema.h"
@@ -11,7 +11,8 @@
 #include <string.h>
 
 static bool is_empty(const struct tree_node *node) {
-    return node->kind == TREE_SCALAR && !node->quoted && (!node->text[0] || strcmp(node->text, "~") == 0 || strcmp(node->text, "null") == 0);
+    return node->kind == TREE_SCALAR && !node->quoted &&
+           (!node->text[0] || strcmp(node->text, "~") == 0 || strcmp(node->text, "null") == 0);
 }
 
 static const struct schema_row *short_list(const struct schema_table *table) {
@@ -32,7 +33,8 @@ static void wrap_scalar(struct tree_node *node, const char *key) {
 }
 
 /* Moves the keys of a section that belong to a single element into that element. */
-static bool fold_short_form(struct schema_reader *reader, const struct schema_table *table, struct tree_node *node, const char *key) {
+static bool fold_short_form(struct schema_reader *reader, const struct schema_table *table,
+                            struct tree_node *node, const char *key) {
     const struct schema_row *list_row = short_list(table);
     if (!list_row || node->kind != TREE_MAP)
         return true;
@@ -44,8 +46,9 @@ static bool fold_short_form(struct schema_reader *reader, const struct schema_ta
             continue;
         }
         if (tree_get(node, list_row->key))
-            return schema_fail(reader, node->child[k], key, "'%.80s' beside '%s': either one source directly here, or a list of %s", name, list_row->key,
-                               list_row->key);
+            return schema_fail(reader, node->child[k], key,
+                               "'%.80s' beside '%s': either one source directly here, or a list of %s", name,
+                               list_row->key, list_row->key);
         if (!element)
             element = tree_new(TREE_MAP, node->line);
         char *moved = strdup(name);
@@ -61,9 +64,11 @@ static bool fold_short_form(struct schema_reader *reader, const struct schema_ta
     return true;
 }
 
-static bool normalise_table(struct schema_reader *reader, const struct schema_table *table, struct tree_node *node, const char *prefix);
+static bool normalise_table(struct schema_reader *reader, const struct schema_table *table,
+                            struct tree_node *node, const char *prefix);
 
-static bool normalise_row(struct schema_reader *reader, const struct schema_row *row, struct tree_node *node, const char *key) {
+static bool normalise_row(struct schema_reader *reader, const struct schema_row *row, struct tree_node *node,
+                          const char *key) {
     if (row->type == SCHEMA_SECTION) {
         if (is_empty(node))
             tree_clear(node, TREE_MAP);
@@ -81,7 +86,8 @@ static bool normalise_row(struct schema_reader *reader, const struct schema_row 
     return true;
 }
 
-static bool normalise_table(struct schema_reader *reader, const struct schema_table *table, struct tree_node *node, const char *prefix) {
+static bool normalise_table(struct schema_reader *reader, const struct schema_table *table,
+                            struct tree_node *node, const char *prefix) {
     for (size_t k = 0; node->kind == TREE_MAP && k < node->children; k++) {
         const struct schema_row *row = schema_row_find(table, node->key[k], strlen(node->key[k]));
         char key[SCHEMA_KEY_MAX];
@@ -100,10 +106,13 @@ bool schema_normalise(struct schema_reader *reader, struct tree_node *root) {
 
 /* Settings of the command line. */
 
-static bool unknown_key(struct schema_reader *reader, const struct tree_node *node, const char *section, const char *key) {
+static bool unknown_key(struct schema_reader *reader, const struct tree_node *node, const char *section,
+                        const char *key) {
     char nearest[SCHEMA_KEY_MAX];
     if (schema_suggest(section, key, nearest))
-        return schema_fail(reader, node, "", "unknown key '%s%.80s'; did you mean '%s'? (`scree help` lists all keys)", section, key, nearest);
+        return schema_fail(reader, node, "",
+                           "unknown key '%s%.80s'; did you mean '%s'? (`scree help` lists all keys)", section,
+                           key, nearest);
     return schema_fail(reader, node, "", "unknown key '%s%.80s' (`scree help` lists all keys)", section, key);
 }
 
@@ -121,13 +130,15 @@ static bool read_number(struct descent *descent, const char **key, size_t *numbe
     char *end;
     *number = strtoul(*key + 1, &end, 10);
     if (*end != ']' || end == *key + 1)
-        return schema_fail(descent->reader, descent->value, descent->whole, "the number in brackets is missing");
+        return schema_fail(descent->reader, descent->value, descent->whole,
+                           "the number in brackets is missing");
     *key = end + 1;
     return true;
 }
 
 /* The child under `name`, made if it is not there. */
-static struct tree_node *child_or_new(struct tree_node *node, const char *name, enum tree_kind kind, long line) {
+static struct tree_node *child_or_new(struct tree_node *node, const char *name, enum tree_kind kind,
+                                      long line) {
     if (!tree_get(node, name))
         tree_put(node, name, tree_new(kind, line));
     return tree_get(node, name);
@@ -139,14 +150,17 @@ static struct tree_node *element_of(struct descent *descent, struct tree_node *l
         tree_append(list, tree_new(TREE_MAP, 0));
     if (list->kind == TREE_LIST && number < list->children)
         return list->child[number];
-    schema_fail(descent->reader, descent->value, descent->whole, "there is no number %zu: the list has %zu", number, list->children);
+    schema_fail(descent->reader, descent->value, descent->whole, "there is no number %zu: the list has %zu",
+                number, list->children);
     return NULL;
 }
 
 /* Replaces entry `number` of a list of plain values. */
-static bool replace_item(struct descent *descent, struct tree_node *list, size_t number, struct tree_node *value) {
+static bool replace_item(struct descent *descent, struct tree_node *list, size_t number,
+                         struct tree_node *value) {
     if (list->kind != TREE_LIST || number >= list->children)
-        return schema_fail(descent->reader, value, descent->whole, "there is no number %zu in the scene's list", number);
+        return schema_fail(descent->reader, value, descent->whole,
+                           "there is no number %zu in the scene's list", number);
     tree_free(&list->child[number]);
     list->child[number] = value;
     return true;
@@ -155,13 +169,15 @@ static bool replace_item(struct descent *descent, struct tree_node *list, size_t
 /* Steps into the section's short-form list, where `name` is a key of its elements. */
 static bool step_into_short_form(struct descent *descent, const char *name, size_t length) {
     const struct schema_row *list_row = short_list(descent->table);
-    if (!list_row || schema_row_find(descent->table, name, length) || !schema_row_find(list_row->sub, name, length))
+    if (!list_row || schema_row_find(descent->table, name, length) ||
+        !schema_row_find(list_row->sub, name, length))
         return true;
     struct tree_node *list = child_or_new(descent->node, list_row->key, TREE_LIST, 0);
     if (list->kind == TREE_LIST && list->children == 0)
         list->implied = true;
     if (list->children > 1)
-        return schema_fail(descent->reader, descent->value, descent->whole, "there are %zu %s: name one, as in %s[0]", list->children, list_row->key,
+        return schema_fail(descent->reader, descent->value, descent->whole,
+                           "there are %zu %s: name one, as in %s[0]", list->children, list_row->key,
                            list_row->key);
     descent->node = element_of(descent, list, 0);
     descent->table = list_row->sub;
@@ -207,13 +223,15 @@ static bool put_setting(struct descent *descent, const char *key, struct tree_no
 bool schema_set(struct schema_reader *reader, struct tree_node *root, const char *text) {
     const char *equals = strchr(text, '=');
     if (!equals || equals == text || equals - text >= SCHEMA_KEY_MAX)
-        return error_set(reader->error, ERROR_USER, "command line: --set %.200s: write it as --set key=value", text);
+        return error_set(reader->error, ERROR_USER, "command line: --set %.200s: write it as --set key=value",
+                         text);
     char key[SCHEMA_KEY_MAX];
     snprintf(key, sizeof(key), "%.*s", (int)(equals - text), text);
     struct tree_node *value = tree_parse(reader->file, equals[1] ? equals + 1 : "''", 0, reader->error);
     if (!value)
         return false;
-    struct descent descent = {.reader = reader, .table = &schema_root, .node = root, .value = value, .whole = key};
+    struct descent descent = {
+        .reader = reader, .table = &schema_root, .node = root, .value = value, .whole = key};
     if (!put_setting(&descent, key, value)) {
         tree_free(&value);
         return false;
@@ -223,10 +241,12 @@ bool schema_set(struct schema_reader *reader, struct tree_node *root, const char
 
 /* Reading. */
 
-static bool read_table(struct schema_reader *reader, const struct schema_table *table, const struct tree_node *node, const char *prefix, char *base);
+static bool read_table(struct schema_reader *reader, const struct schema_table *table,
+                       const struct tree_node *node, const char *prefix, char *base);
 
 /* Every key of the section must be in its table. */
-static bool check_keys(struct schema_reader *reader, const struct schema_table *table, const struct tree_node *node, const char *prefix) {
+static bool check_keys(struct schema_reader *reader, const struct schema_table *table,
+                       const struct tree_node *node, const char *prefix) {
     for (size_t k = 0; k < node->children; k++) {
         const char *key = node->key[k];
         if (schema_row_find(table, key, strlen(key)))
@@ -237,13 +257,16 @@ static bool check_keys(struct schema_reader *reader, const struct schema_table *
             memmove(open + 1, strchr(open, ']'), strlen(strchr(open, ']')) + 1);
         char nearest[SCHEMA_KEY_MAX];
         if (schema_suggest(section, key, nearest))
-            return schema_fail(reader, node->child[k], "", "unknown key '%s%.80s'; did you mean '%s'? (`scree help` lists all keys)", prefix, key, nearest);
+            return schema_fail(reader, node->child[k], "",
+                               "unknown key '%s%.80s'; did you mean '%s'? (`scree help` lists all keys)",
+                               prefix, key, nearest);
         return unknown_key(reader, node->child[k], prefix, key);
     }
     return true;
 }
 
-static bool read_list(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, char *base) {
+static bool read_list(struct schema_reader *reader, const struct schema_row *row,
+                      const struct tree_node *node, const char *key, char *base) {
     int count = row->first;
     memcpy(base + row->count_offset, &count, sizeof(count));
     if (node->kind != TREE_LIST)
@@ -251,14 +274,16 @@ static bool read_list(struct schema_reader *reader, const struct schema_row *row
     if (node->children == 0 && row->required)
         return schema_fail(reader, node, key, "the list is empty; at least one is needed");
     if (node->children > (size_t)(row->max - row->first))
-        return schema_fail(reader, node, key, "%zu entries; at most %d are possible", node->children, row->max - row->first);
+        return schema_fail(reader, node, key, "%zu entries; at most %d are possible", node->children,
+                           row->max - row->first);
     for (size_t k = 0; k < node->children; k++) {
         char prefix[SCHEMA_KEY_MAX];
         if (node->implied) /* named as the user wrote it: particles.file */
             snprintf(prefix, sizeof(prefix), "%.*s", (int)(strlen(key) - strlen(row->key)), key);
         else
             snprintf(prefix, sizeof(prefix), "%.200s[%zu].", key, k);
-        if (!read_table(reader, row->sub, node->child[k], prefix, base + row->offset + (size_t)count * row->size))
+        if (!read_table(reader, row->sub, node->child[k], prefix,
+                        base + row->offset + (size_t)count * row->size))
             return false;
         count++;
         memcpy(base + row->count_offset, &count, sizeof(count));
@@ -267,7 +292,8 @@ static bool read_list(struct schema_reader *reader, const struct schema_row *row
 }
 
 /* A row that the scene does not name: its default. */
-static bool read_default(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *section, const char *key, char *base) {
+static bool read_default(struct schema_reader *reader, const struct schema_row *row,
+                         const struct tree_node *section, const char *key, char *base) {
     if (row->required) {
         char allowed[512];
         schema_allowed(row, allowed, sizeof(allowed));
@@ -276,14 +302,16 @@ static bool read_default(struct schema_reader *reader, const struct schema_row *
     schema_unset(row, base);
     if (!row->fallback)
         return true;
-    struct tree_node *node = tree_parse("(default)", row->fallback[0] ? row->fallback : "''", 1, reader->error);
+    struct tree_node *node =
+        tree_parse("(default)", row->fallback[0] ? row->fallback : "''", 1, reader->error);
     bool good = node && schema_value(reader, row, node, key, base);
     tree_free(&node);
     return good;
 }
 
-static bool read_row(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *section, const struct tree_node *node,
-                     const char *key, char *base) {
+static bool read_row(struct schema_reader *reader, const struct schema_row *row,
+                     const struct tree_node *section, const struct tree_node *node, const char *key,
+                     char *base) {
     static const struct tree_node nothing = {.kind = TREE_MAP};
     char below[SCHEMA_KEY_MAX];
     if (row->type == SCHEMA_SECTION) {
@@ -303,7 +331,8 @@ static bool read_row(struct schema_reader *reader, const struct schema_row *row,
     return schema_value(reader, row, node, key, base);
 }
 
-static bool read_table(struct schema_reader *reader, const struct schema_table *table, const struct tree_node *node, const char *prefix, char *base) {
+static bool read_table(struct schema_reader *reader, const struct schema_table *table,
+                       const struct tree_node *node, const char *prefix, char *base) {
     if (node->kind != TREE_MAP) {
         char key[SCHEMA_KEY_MAX];
         snprintf(key, sizeof(key), "%.*s", (int)(prefix[0] ? strlen(prefix) - 1 : 0), prefix);

@@ -7,10 +7,12 @@
 #define AT(type, member) .offset = offsetof(type, member), .size = sizeof(((type *)0)->member)
 
 /* An array member and the member that counts its entries. */
-#define ARRAY_AT(type, member, counter)                                                                                \
-    .offset = offsetof(type, member), .size = sizeof(((type *)0)->member[0]),                                          \
-    .max = sizeof(((type *)0)->member) / sizeof(((type *)0)->member[0]), .count_offset = offsetof(type, counter)
+#define ARRAY_AT(type, member, counter)                                                                      \
+    .offset = offsetof(type, member), .size = sizeof(((type *)0)->member[0]),                                \
+    .max = sizeof(((type *)0)->member) / sizeof(((type *)0)->member[0]),                                     \
+    .count_offset = offsetof(type, counter)
 
-#define TABLE(array) {array, sizeof(array) / sizeof(array[0])}
+#define TABLE(array)                                                                                         \
+    { array, sizeof(array) / sizeof(array[0]) }
 
 #endif

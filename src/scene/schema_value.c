@@ -16,7 +16,8 @@ static bool read_decimal(const char *text, const char **end, double *value) {
         *end = digits + 4;
         return true;
     }
-    if (!((*digits >= '0' && *digits <= '9') || *digits == '.') || (digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'X')))
+    if (!((*digits >= '0' && *digits <= '9') || *digits == '.') ||
+        (digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'X')))
         return false;
     char *after;
     *value = strtod(text, &after);
@@ -24,15 +25,8 @@ static bool read_decimal(const char *text, const char **end, double *value) {
     return after != text && isfinite(*value);
 }
 
-/* value x factor, exact where the factor is a power of ten below one: 3 mm is the double nearest to 0.003. */
-static double scale_value(double value, double factor) {
-    double inverse = 1 / factor;
-    if (factor < 1 && fabs(inverse - nearbyint(inverse)) < 1e-12 * inverse)
-        return value / nearbyint(inverse);
-    return value * factor;
-}
-
-bool schema_number(const char *text, const char *unit, bool units_allowed, double *value, char *why, size_t room) {
+bool schema_number(const char *text, const char *unit, bool units_allowed, double *value, char *why,
+                   size_t room) {
     const char *end;
     if (!read_decimal(text, &end, value)) {
         snprintf(why, room, "'%.80s' is not a number", text);
@@ -42,8 +36,8 @@ bool schema_number(const char *text, const char *unit, bool units_allowed, doubl
     if (*end == '\0')
         return true;
     struct units_dimension wanted, given;
-    double wanted_factor, factor;
-    if (!units_parse(end, &factor, &given)) {
+    struct units_scale scale, base;
+    if (!units_parse(end, &scale, &given)) {
         snprintf(why, room, "'%.80s': '%.40s' is not a unit", text, end);
         return false;
     }
@@ -51,7 +45,7 @@ bool schema_number(const char *text, const char *unit, bool units_allowed, doubl
         snprintf(why, room, "'%.80s': no units in a dimensionless scene (units: none)", text);
         return false;
     }
-    units_parse(unit ? unit : "", &wanted_factor, &wanted);
+    units_parse(unit ? unit : "", &base, &wanted);
     if (!units_same(&given, &wanted)) {
         if (unit && unit[0])
             snprintf(why, room, "'%.80s': '%.40s' is not a unit of %s", text, end, units_name(unit));
@@ -59,30 +53,36 @@ bool schema_number(const char *text, const char *unit, bool units_allowed, doubl
             snprintf(why, room, "'%.80s': a pure number has no unit", text);
         return false;
     }
-    *value = scale_value(*value, factor / wanted_factor);
+    *value = units_convert(*value, &scale);
     return true;
 }
 
 static bool is_null(const struct tree_node *node) {
-    return node->kind == TREE_SCALAR && !node->quoted && (!node->text[0] || strcmp(node->text, "~") == 0 || strcmp(node->text, "null") == 0);
+    return node->kind == TREE_SCALAR && !node->quoted &&
+           (!node->text[0] || strcmp(node->text, "~") == 0 || strcmp(node->text, "null") == 0);
 }
 
 /* Fails with `why` and what is allowed. */
-static bool refuse(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, const char *why) {
+static bool refuse(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node,
+                   const char *key, const char *why) {
     char allowed[512];
     schema_allowed(row, allowed, sizeof(allowed));
     return schema_fail(reader, node, key, "%s; allowed: %s", why, allowed);
 }
 
 /* The node must be a scalar with a value. */
-static bool want_scalar(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key) {
+static bool want_scalar(struct schema_reader *reader, const struct schema_row *row,
+                        const struct tree_node *node, const char *key) {
     if (node->kind == TREE_SCALAR && !is_null(node))
         return true;
-    static const char *const kinds[] = {[TREE_SCALAR] = "no value is given", [TREE_LIST] = "a list stands here", [TREE_MAP] = "a section stands here"};
+    static const char *const kinds[] = {[TREE_SCALAR] = "no value is given",
+                                        [TREE_LIST] = "a list stands here",
+                                        [TREE_MAP] = "a section stands here"};
     return refuse(reader, row, node, key, kinds[node->kind]);
 }
 
-static bool read_real(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, double *value) {
+static bool read_real(struct schema_reader *reader, const struct schema_row *row,
+                      const struct tree_node *node, const char *key, double *value) {
     char why[256];
     if (!want_scalar(reader, row, node, key))
         return false;
@@ -95,7 +95,8 @@ static bool read_real(struct schema_reader *reader, const struct schema_row *row
 }
 
 /* A whole number; 1e6 is one. */
-static bool read_long(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, int64_t *value) {
+static bool read_long(struct schema_reader *reader, const struct schema_row *row,
+                      const struct tree_node *node, const char *key, int64_t *value) {
     if (!want_scalar(reader, row, node, key))
         return false;
     char why[256], *end;
@@ -104,7 +105,8 @@ static bool read_long(struct schema_reader *reader, const struct schema_row *row
     bool good = errno == 0 && end != node->text && *end == '\0';
     double real;
     const char *after;
-    if (!good && read_decimal(node->text, &after, &real) && *after == '\0' && fabs(real) < 9e15 && real == nearbyint(real)) {
+    if (!good && read_decimal(node->text, &after, &real) && *after == '\0' && fabs(real) < 9e15 &&
+        real == nearbyint(real)) {
         *value = (int64_t)real;
         good = true;
     }
@@ -112,10 +114,13 @@ static bool read_long(struct schema_reader *reader, const struct schema_row *row
     if (!good)
         return refuse(reader, row, node, key, why);
     snprintf(why, sizeof(why), "'%.80s' is out of range", node->text);
-    return (schema_in_range(row, (double)*value) && (row->type != SCHEMA_INT || llabs(*value) <= INT32_MAX)) || refuse(reader, row, node, key, why);
+    return (schema_in_range(row, (double)*value) &&
+            (row->type != SCHEMA_INT || llabs(*value) <= INT32_MAX)) ||
+           refuse(reader, row, node, key, why);
 }
 
-static bool read_seed(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, uint64_t *value) {
+static bool read_seed(struct schema_reader *reader, const struct schema_row *row,
+                      const struct tree_node *node, const char *key, uint64_t *value) {
     if (!want_scalar(reader, row, node, key))
         return false;
     char *end;
@@ -128,7 +133,8 @@ static bool read_seed(struct schema_reader *reader, const struct schema_row *row
     return refuse(reader, row, node, key, why);
 }
 
-static bool read_bool(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, bool *value) {
+static bool read_bool(struct schema_reader *reader, const struct schema_row *row,
+                      const struct tree_node *node, const char *key, bool *value) {
     static const char *const words[] = {"false", "true", "off", "on", "no", "yes"};
     if (!want_scalar(reader, row, node, key))
         return false;
@@ -142,7 +148,8 @@ static bool read_bool(struct schema_reader *reader, const struct schema_row *row
     return refuse(reader, row, node, key, why);
 }
 
-static bool read_text(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, char *value) {
+static bool read_text(struct schema_reader *reader, const struct schema_row *row,
+                      const struct tree_node *node, const char *key, char *value) {
     if (!want_scalar(reader, row, node, key))
         return false;
     if (row->required && !node->text[0])
@@ -156,15 +163,18 @@ static bool read_text(struct schema_reader *reader, const struct schema_row *row
     return true;
 }
 
-static bool read_path(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, char *value) {
+static bool read_path(struct schema_reader *reader, const struct schema_row *row,
+                      const struct tree_node *node, const char *key, char *value) {
     if (!want_scalar(reader, row, node, key))
         return false;
     bool relative = node->text[0] != '/';
     int length = snprintf(value, row->size, "%s%s", relative ? reader->folder : "", node->text);
-    return (node->text[0] && (size_t)length < row->size) || refuse(reader, row, node, key, node->text[0] ? "the path is too long" : "the path is empty");
+    return (node->text[0] && (size_t)length < row->size) ||
+           refuse(reader, row, node, key, node->text[0] ? "the path is too long" : "the path is empty");
 }
 
-static bool read_name(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, char *value) {
+static bool read_name(struct schema_reader *reader, const struct schema_row *row,
+                      const struct tree_node *node, const char *key, char *value) {
     if (!want_scalar(reader, row, node, key))
         return false;
     const char *name, *help;
@@ -181,7 +191,8 @@ static bool read_name(struct schema_reader *reader, const struct schema_row *row
     return refuse(reader, row, node, key, why);
 }
 
-static bool read_reference(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, int *value) {
+static bool read_reference(struct schema_reader *reader, const struct schema_row *row,
+                           const struct tree_node *node, const char *key, int *value) {
     if (!want_scalar(reader, row, node, key))
         return false;
     const char *name;
@@ -194,7 +205,8 @@ static bool read_reference(struct schema_reader *reader, const struct schema_row
         size_t length = strlen(known);
         snprintf(known + length, sizeof(known) - length, "%s%s", k ? ", " : "", name);
     }
-    return schema_fail(reader, node, key, "'%.80s' is not one of the %s; known: %s", node->text, row->target, known[0] ? known : "none");
+    return schema_fail(reader, node, key, "'%.80s' is not one of the %s; known: %s", node->text, row->target,
+                       known[0] ? known : "none");
 }
 
 /* Lists: the items of a list, or one bare value. */
@@ -207,7 +219,8 @@ static const struct tree_node *item_of(const struct tree_node *node, size_t k) {
     return node->kind == TREE_LIST ? node->child[k] : node;
 }
 
-static bool read_item(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, char *value) {
+static bool read_item(struct schema_reader *reader, const struct schema_row *row,
+                      const struct tree_node *node, const char *key, char *value) {
     switch (row->type) {
     case SCHEMA_REALS:
         return read_real(reader, row, node, key, (double *)value);
@@ -220,7 +233,8 @@ static bool read_item(struct schema_reader *reader, const struct schema_row *row
     }
 }
 
-static bool read_items(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, char *base) {
+static bool read_items(struct schema_reader *reader, const struct schema_row *row,
+                       const struct tree_node *node, const char *key, char *base) {
     size_t count = item_count(node);
     char why[80];
     snprintf(why, sizeof(why), "more than %d values", row->max);
@@ -231,7 +245,8 @@ static bool read_items(struct schema_reader *reader, const struct schema_row *ro
     for (size_t k = 0; k < count; k++) {
         char name[SCHEMA_KEY_MAX];
         snprintf(name, sizeof(name), "%.200s[%zu]", key, k);
-        if (!read_item(reader, row, item_of(node, k), node->kind == TREE_LIST ? name : key, base + row->offset + k * row->size))
+        if (!read_item(reader, row, item_of(node, k), node->kind == TREE_LIST ? name : key,
+                       base + row->offset + k * row->size))
             return false;
     }
     int stored = (int)count;
@@ -239,7 +254,8 @@ static bool read_items(struct schema_reader *reader, const struct schema_row *ro
     return true;
 }
 
-static bool read_vector(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, double *value) {
+static bool read_vector(struct schema_reader *reader, const struct schema_row *row,
+                        const struct tree_node *node, const char *key, double *value) {
     bool planar = reader->dimension && *reader->dimension == 2;
     if (node->kind != TREE_LIST || (node->children != 3 && !(planar && node->children == 2)))
         return refuse(reader, row, node, key, "not three numbers in brackets");
@@ -250,7 +266,8 @@ static bool read_vector(struct schema_reader *reader, const struct schema_row *r
     return true;
 }
 
-static bool read_bools(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, bool *value) {
+static bool read_bools(struct schema_reader *reader, const struct schema_row *row,
+                       const struct tree_node *node, const char *key, bool *value) {
     bool planar = reader->dimension && *reader->dimension == 2;
     if (node->kind == TREE_LIST && node->children != 3 && !(planar && node->children == 2))
         return refuse(reader, row, node, key, "not three values");
@@ -262,7 +279,8 @@ static bool read_bools(struct schema_reader *reader, const struct schema_row *ro
     return true;
 }
 
-bool schema_value(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node, const char *key, char *base) {
+bool schema_value(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node,
+                  const char *key, char *base) {
     char *value = base + row->offset;
     int64_t number;
     switch (row->type) {

@@ -2,6 +2,9 @@
 #include "scene/scene.h"
 #include "scene/schema_rows.h"
 
+/* One row a key, packed to the line: */
+/* clang-format off */
+
 static const struct schema_name motion_names[] = {
     {"translate", WALL_TRANSLATE, "constant velocity"},
     {"rotate", WALL_ROTATE, "constant rate about an axis"},
@@ -12,42 +15,56 @@ static const struct schema_name motion_names[] = {
     {0}};
 
 static const struct schema_row motion_rows[] = {
-    {.key = "kind", .type = SCHEMA_NAME, .names = motion_names, .required = true, AT(struct wall_motion, kind), .help = "the kind of motion",
-     .example = "rotate"},
-    {.key = "start", .type = SCHEMA_REAL, .unit = "s", .fallback = "0", AT(struct wall_motion, start), .help = "moves from this time on"},
-    {.key = "stop", .type = SCHEMA_REAL, .unit = "s", .fallback = ".inf", .range = "[-inf, inf]", AT(struct wall_motion, stop), .help = "and until this time"},
-    {.key = "velocity", .type = SCHEMA_VECTOR, .unit = "m/s", .when = "kind=translate", .required = true, AT(struct wall_motion, velocity),
-     .help = "velocity", .example = "[0, 0, -1 mm/s]"},
-    {.key = "direction", .type = SCHEMA_VECTOR, .when = "kind=rotate|oscillate|oscillate_rotation|servo", .required = true,
-     AT(struct wall_motion, direction), .help = "axis of a rotation, direction of a displacement; any length", .example = "[0, 1, 0]"},
-    {.key = "point", .type = SCHEMA_VECTOR, .unit = "m", .fallback = "[0, 0, 0]", .when = "kind=rotate|oscillate_rotation", AT(struct wall_motion, point),
-     .help = "a point of the axis"},
-    {.key = "rate", .type = SCHEMA_REAL, .unit = "rad/s", .when = "kind=rotate", .required = true, AT(struct wall_motion, rate),
-     .help = "angular velocity, right-handed about direction", .example = "20 rpm"},
-    {.key = "amplitude", .type = SCHEMA_REAL, .unit = "m", .when = "kind=oscillate", .required = true, AT(struct wall_motion, amplitude),
+    {.key = "kind", .type = SCHEMA_NAME, .names = motion_names, .required = true,
+     AT(struct wall_motion, kind), .help = "the kind of motion", .example = "rotate"},
+    {.key = "start", .type = SCHEMA_REAL, .unit = "s", .fallback = "0", AT(struct wall_motion, start),
+     .help = "moves from this time on"},
+    {.key = "stop", .type = SCHEMA_REAL, .unit = "s", .fallback = ".inf", .range = "[-inf, inf]",
+     AT(struct wall_motion, stop), .help = "and until this time"},
+    {.key = "velocity", .type = SCHEMA_VECTOR, .unit = "m/s", .when = "kind=translate", .required = true,
+     AT(struct wall_motion, velocity), .help = "velocity", .example = "[0, 0, -1 mm/s]"},
+    {.key = "direction", .type = SCHEMA_VECTOR, .when = "kind=rotate|oscillate|oscillate_rotation|servo",
+     .required = true, AT(struct wall_motion, direction),
+     .help = "axis of a rotation, direction of a displacement; any length", .example = "[0, 1, 0]"},
+    {.key = "point", .type = SCHEMA_VECTOR, .unit = "m", .fallback = "[0, 0, 0]",
+     .when = "kind=rotate|oscillate_rotation", AT(struct wall_motion, point), .help = "a point of the axis"},
+    {.key = "rate", .type = SCHEMA_REAL, .unit = "rad/s", .when = "kind=rotate", .required = true,
+     AT(struct wall_motion, rate), .help = "angular velocity, right-handed about direction",
+     .example = "20 rpm"},
+    {.key = "amplitude", .type = SCHEMA_REAL, .unit = "m", .when = "kind=oscillate", .required = true,
+     AT(struct wall_motion, amplitude),
      .help = "of the displacement amplitude x sin(2 pi frequency t + phase)", .example = "2 mm"},
-    {.key = "angle", .type = SCHEMA_REAL, .unit = "rad", .when = "kind=oscillate_rotation", .required = true, AT(struct wall_motion, amplitude),
-     .help = "amplitude of the angle", .example = "5 deg"},
-    {.key = "frequency", .type = SCHEMA_REAL, .unit = "1/s", .range = "[0, inf)", .when = "kind=oscillate|oscillate_rotation", .required = true,
-     AT(struct wall_motion, frequency), .help = "cycles a time unit", .example = "50 Hz"},
-    {.key = "phase", .type = SCHEMA_REAL, .unit = "rad", .fallback = "0", .when = "kind=oscillate|oscillate_rotation", AT(struct wall_motion, phase),
-     .help = "phase at t = 0"},
-    {.key = "file", .type = SCHEMA_PATH, .when = "kind=table", .required = true, AT(struct wall_motion, table),
-     .help = "rows `t x y z a b c`: time, displacement, rotation vector; linear between rows", .example = "shake.txt"},
-    {.key = "force", .type = SCHEMA_REAL, .unit = "N", .when = "kind=servo", .required = true, AT(struct wall_motion, force),
+    {.key = "angle", .type = SCHEMA_REAL, .unit = "rad", .when = "kind=oscillate_rotation", .required = true,
+     AT(struct wall_motion, amplitude), .help = "amplitude of the angle", .example = "5 deg"},
+    {.key = "frequency", .type = SCHEMA_REAL, .unit = "1/s", .range = "[0, inf)",
+     .when = "kind=oscillate|oscillate_rotation", .required = true, AT(struct wall_motion, frequency),
+     .help = "cycles a time unit", .example = "50 Hz"},
+    {.key = "phase", .type = SCHEMA_REAL, .unit = "rad", .fallback = "0",
+     .when = "kind=oscillate|oscillate_rotation", AT(struct wall_motion, phase), .help = "phase at t = 0"},
+    {.key = "file", .type = SCHEMA_PATH, .when = "kind=table", .required = true,
+     AT(struct wall_motion, table),
+     .help = "rows `t x y z a b c`: time, displacement, rotation vector; linear between rows",
+     .example = "shake.txt"},
+    {.key = "force", .type = SCHEMA_REAL, .unit = "N", .when = "kind=servo", .required = true,
+     AT(struct wall_motion, force),
      .help = "force of the particles on the wall along direction that is sought", .example = "10 N"},
-    {.key = "speed_max", .type = SCHEMA_REAL, .unit = "m/s", .range = "(0, inf)", .when = "kind=servo", .required = true,
-     AT(struct wall_motion, speed_max), .help = "bound on the speed", .example = "1 cm/s"},
-    {.key = "gain", .type = SCHEMA_REAL, .unit = "m/s", .range = "[0, inf)", .fallback = "0", .when = "kind=servo", AT(struct wall_motion, gain),
+    {.key = "speed_max", .type = SCHEMA_REAL, .unit = "m/s", .range = "(0, inf)", .when = "kind=servo",
+     .required = true, AT(struct wall_motion, speed_max), .help = "bound on the speed", .example = "1 cm/s"},
+    {.key = "gain", .type = SCHEMA_REAL, .unit = "m/s", .range = "[0, inf)", .fallback = "0",
+     .when = "kind=servo", AT(struct wall_motion, gain),
      .help = "speed for a force that is wrong by as much as it should be; 0: speed_max"},
 };
 static const struct schema_table motion_table = TABLE(motion_rows);
 
-static const struct schema_name shape_names[] = {
-    {"plane", WALL_PLANE, "infinite, one-sided"}, {"cylinder", WALL_CYLINDER, "around an axis"}, {"mesh", WALL_MESH, "triangles from a file"}, {0}};
+static const struct schema_name shape_names[] = {{"plane", WALL_PLANE, "infinite, one-sided"},
+                                                 {"cylinder", WALL_CYLINDER, "around an axis"},
+                                                 {"mesh", WALL_MESH, "triangles from a file"},
+                                                 {0}};
 
 static const char *mesh_format_choice(int k, const char **help) {
-    static const char *const names[][2] = {{"auto", "by content"}, {"stl", "STL, ASCII or binary"}, {"table", "nine numbers a row: three corners"}};
+    static const char *const names[][2] = {{"auto", "by content"},
+                                           {"stl", "STL, ASCII or binary"},
+                                           {"table", "nine numbers a row: three corners"}};
     if (k >= (int)(sizeof(names) / sizeof(names[0])))
         return NULL;
     *help = names[k][1];
@@ -55,31 +72,37 @@ static const char *mesh_format_choice(int k, const char **help) {
 }
 
 static const struct schema_row wall_rows[] = {
-    {.key = "name", .type = SCHEMA_TEXT, .fallback = "", AT(struct wall_options, name), .help = "by which observables refer to it; left out: wall1, wall2, ...",
-     .example = "floor"},
-    {.key = "shape", .type = SCHEMA_NAME, .names = shape_names, .required = true, AT(struct wall_options, shape), .help = "the shape", .example = "plane"},
+    {.key = "name", .type = SCHEMA_TEXT, .fallback = "", AT(struct wall_options, name),
+     .help = "by which observables refer to it; left out: wall1, wall2, ...", .example = "floor"},
+    {.key = "shape", .type = SCHEMA_NAME, .names = shape_names, .required = true,
+     AT(struct wall_options, shape), .help = "the shape", .example = "plane"},
     {.key = "material", .type = SCHEMA_REF, .target = "materials", AT(struct wall_options, material),
      .help = "its material; may be left out where there is only one", .example = "steel"},
-    {.key = "point", .type = SCHEMA_VECTOR, .unit = "m", .when = "shape=plane|cylinder", .required = true, AT(struct wall_options, point),
-     .help = "a point of the plane; the middle of the cylinder's axis", .example = "[0, 0, 0]"},
-    {.key = "normal", .type = SCHEMA_VECTOR, .when = "shape=plane", .required = true, AT(struct wall_options, normal),
-     .help = "towards the particles; any length", .example = "[0, 0, 1]"},
-    {.key = "axis", .type = SCHEMA_VECTOR, .when = "shape=cylinder", .required = true, AT(struct wall_options, axis), .help = "direction of the axis; any length",
-     .example = "[0, 1, 0]"},
-    {.key = "radius", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "shape=cylinder", .required = true, AT(struct wall_options, radius),
-     .help = "radius", .example = "10 cm"},
-    {.key = "length", .type = SCHEMA_REAL, .unit = "m", .range = "[0, inf)", .fallback = "0", .when = "shape=cylinder", AT(struct wall_options, length),
+    {.key = "point", .type = SCHEMA_VECTOR, .unit = "m", .when = "shape=plane|cylinder", .required = true,
+     AT(struct wall_options, point), .help = "a point of the plane; the middle of the cylinder's axis",
+     .example = "[0, 0, 0]"},
+    {.key = "normal", .type = SCHEMA_VECTOR, .when = "shape=plane", .required = true,
+     AT(struct wall_options, normal), .help = "towards the particles; any length", .example = "[0, 0, 1]"},
+    {.key = "axis", .type = SCHEMA_VECTOR, .when = "shape=cylinder", .required = true,
+     AT(struct wall_options, axis), .help = "direction of the axis; any length", .example = "[0, 1, 0]"},
+    {.key = "radius", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "shape=cylinder",
+     .required = true, AT(struct wall_options, radius), .help = "radius", .example = "10 cm"},
+    {.key = "length", .type = SCHEMA_REAL, .unit = "m", .range = "[0, inf)", .fallback = "0",
+     .when = "shape=cylinder", AT(struct wall_options, length),
      .help = "whole length along the axis; 0: infinite"},
-    {.key = "inside", .type = SCHEMA_BOOL, .fallback = "true", .when = "shape=cylinder", AT(struct wall_options, inside),
-     .help = "the particles are inside (true) or outside"},
-    {.key = "file", .type = SCHEMA_PATH, .when = "shape=mesh", .required = true, AT(struct wall_options, file), .help = "the triangles", .example = "hopper.stl"},
-    {.key = "format", .type = SCHEMA_CHOICE, .choice = mesh_format_choice, .fallback = "auto", .when = "shape=mesh", AT(struct wall_options, format),
-     .help = "format of the file"},
-    {.key = "scale", .type = SCHEMA_REAL, .range = "(0, inf)", .fallback = "1", .when = "shape=mesh", AT(struct wall_options, scale),
+    {.key = "inside", .type = SCHEMA_BOOL, .fallback = "true", .when = "shape=cylinder",
+     AT(struct wall_options, inside), .help = "the particles are inside (true) or outside"},
+    {.key = "file", .type = SCHEMA_PATH, .when = "shape=mesh", .required = true,
+     AT(struct wall_options, file), .help = "the triangles", .example = "hopper.stl"},
+    {.key = "format", .type = SCHEMA_CHOICE, .choice = mesh_format_choice, .fallback = "auto",
+     .when = "shape=mesh", AT(struct wall_options, format), .help = "format of the file"},
+    {.key = "scale", .type = SCHEMA_REAL, .range = "(0, inf)", .fallback = "1", .when = "shape=mesh",
+     AT(struct wall_options, scale),
      .help = "lengths in the file times this: 0.001 for a mesh in millimetres"},
-    {.key = "offset", .type = SCHEMA_VECTOR, .unit = "m", .fallback = "[0, 0, 0]", .when = "shape=mesh", AT(struct wall_options, offset),
-     .help = "added after scaling"},
-    {.key = "motion", .type = SCHEMA_LIST, .sub = &motion_table, ARRAY_AT(struct wall_options, motion, motions),
+    {.key = "offset", .type = SCHEMA_VECTOR, .unit = "m", .fallback = "[0, 0, 0]", .when = "shape=mesh",
+     AT(struct wall_options, offset), .help = "added after scaling"},
+    {.key = "motion", .type = SCHEMA_LIST, .sub = &motion_table,
+     ARRAY_AT(struct wall_options, motion, motions),
      .help = "motions, one on top of the other; none: at rest"},
 };
 const struct schema_table schema_wall = TABLE(wall_rows);

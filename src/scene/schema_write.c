@@ -1,5 +1,5 @@
-/* The echo: the effective values as YAML that reads back to the same scene. A value that its own row would refuse stands
- * for "not given" and is left out, as are empty texts and lists. */
+/* The echo: the effective values as YAML that reads back to the same scene. A value that its own row would
+ * refuse stands for "not given" and is left out, as are empty texts and lists. */
 #include "scene/schema.h"
 
 #include <math.h>
@@ -159,7 +159,8 @@ static void write_value(const struct writer *writer, const struct schema_row *ro
 }
 
 /* True if anything below this row would be written. */
-static bool has_content(const struct writer *writer, const struct schema_row *row, const struct schema_table *table, const char *base) {
+static bool has_content(const struct writer *writer, const struct schema_row *row,
+                        const struct schema_table *table, const char *base) {
     if (!schema_applies(row, table, base, writer->root))
         return false;
     if (row->type == SCHEMA_LIST)
@@ -173,7 +174,8 @@ static bool has_content(const struct writer *writer, const struct schema_row *ro
 }
 
 /* Writes a section; the first line of a list's element begins with "- ". */
-static void write_table(const struct writer *writer, const struct schema_table *table, const char *base, int indent, bool dash) {
+static void write_table(const struct writer *writer, const struct schema_table *table, const char *base,
+                        int indent, bool dash) {
     for (int k = 0; k < table->count; k++) {
         const struct schema_row *row = &table->rows[k];
         if (!has_content(writer, row, table, base))

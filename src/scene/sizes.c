@@ -1,10 +1,11 @@
-/* Laws are given by number or by mass; radii are always drawn by number. A sieve curve by mass is taken as linear in the radius between two
- * sieves, so that the number density there is as r^-3. */
+/* Laws are given by number or by mass; radii are always drawn by number. A sieve curve by mass is taken as
+ * linear in the radius between two sieves, so that the number density there is as r^-3. */
 #include "scene/sizes.h"
 
 #include <math.h>
 
-/* Part of the particles (by number) for a share of the mass, up to a factor: integral of r^-3 over the interval, by its length. */
+/* Part of the particles (by number) for a share of the mass, up to a factor: integral of r^-3 over the
+ * interval, by its length. */
 static double number_weight(double low, double high) {
     return (1 / (low * low) - 1 / (high * high)) / 2 / (high - low);
 }
@@ -15,7 +16,8 @@ static bool prepare_table(struct sizes_sampler *sampler, struct error *error) {
         return error_set(error, ERROR_USER, "a table needs two radii at least");
     for (int k = 1; k < o->points; k++)
         if (!(o->radii[k] > o->radii[k - 1]) || o->share[k] < o->share[k - 1])
-            return error_set(error, ERROR_USER, "radii must increase, and passing must not fall (entry %d)", k);
+            return error_set(error, ERROR_USER, "radii must increase, and passing must not fall (entry %d)",
+                             k);
     if (o->share[0] != 0 || o->share[o->points - 1] != 1)
         return error_set(error, ERROR_USER, "passing must begin with 0 and end with 1");
     sampler->bins = o->points - 1;
@@ -50,7 +52,8 @@ bool sizes_prepare(struct sizes_sampler *sampler, const struct sizes_options *op
     *sampler = (struct sizes_sampler){.options = *options};
     bool table = options->law == SIZES_TABLE, discrete = options->law == SIZES_DISCRETE;
     if ((table || discrete) && options->points != options->values)
-        return error_set(error, ERROR_USER, "%d radii but %d %s", options->points, options->values, table ? "values of passing" : "weights");
+        return error_set(error, ERROR_USER, "%d radii but %d %s", options->points, options->values,
+                         table ? "values of passing" : "weights");
     if (table || discrete) {
         if (table ? !prepare_table(sampler, error) : !prepare_discrete(sampler, error))
             return false;
@@ -67,7 +70,8 @@ bool sizes_prepare(struct sizes_sampler *sampler, const struct sizes_options *op
         double high = logarithmic ? log(options->max / options->mean) : options->max - options->mean;
         double part = (erf(high / deviation / M_SQRT2) - erf(low / deviation / M_SQRT2)) / 2;
         if (part < 1e-3)
-            return error_set(error, ERROR_USER, "only %.2g of the distribution lies between min and max", part);
+            return error_set(error, ERROR_USER, "only %.2g of the distribution lies between min and max",
+                             part);
     }
     return true;
 }

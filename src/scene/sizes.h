@@ -1,5 +1,5 @@
-/* Size laws: how large the particles of a source are. A law is options (plain data); a sampler is what is prepared from
- * them once. Radii depend on the random sequence alone. */
+/* Size laws: how large the particles of a source are. A law is options (plain data); a sampler is what is
+ * prepared from them once. Radii depend on the random sequence alone. */
 #ifndef SCREE_SCENE_SIZES_H
 #define SCREE_SCENE_SIZES_H
 
@@ -9,21 +9,29 @@
 
 enum { SIZES_POINTS_MAX = 64 };
 
-enum sizes_law { SIZES_FIXED, SIZES_UNIFORM, SIZES_NORMAL, SIZES_LOGNORMAL, SIZES_POWER, SIZES_TABLE, SIZES_DISCRETE };
+enum sizes_law {
+    SIZES_FIXED,
+    SIZES_UNIFORM,
+    SIZES_NORMAL,
+    SIZES_LOGNORMAL,
+    SIZES_POWER,
+    SIZES_TABLE,
+    SIZES_DISCRETE
+};
 enum sizes_by { SIZES_BY_NUMBER, SIZES_BY_MASS };
 
 struct sizes_options {
     enum sizes_law law;
-    double radius;   /* FIXED, length unit */
-    double min, max; /* UNIFORM, POWER: bounds; NORMAL, LOGNORMAL: truncation; length unit */
-    double mean;     /* NORMAL: mean; LOGNORMAL: median; length unit */
-    double sigma;    /* NORMAL: standard deviation, length unit */
-    double width;    /* LOGNORMAL: standard deviation of ln r */
-    double exponent; /* POWER: number density f(r) ~ r^exponent */
-    enum sizes_by by; /* TABLE, DISCRETE: what passing and weights count */
-    int points, values;                /* how many of the following */
-    double radii[SIZES_POINTS_MAX];    /* TABLE: sieve radii, increasing; DISCRETE: the sizes; length unit */
-    double share[SIZES_POINTS_MAX];    /* TABLE: part that passes, from 0 rising to 1; DISCRETE: weights */
+    double radius;                  /* FIXED, length unit */
+    double min, max;                /* UNIFORM, POWER: bounds; NORMAL, LOGNORMAL: truncation; length unit */
+    double mean;                    /* NORMAL: mean; LOGNORMAL: median; length unit */
+    double sigma;                   /* NORMAL: standard deviation, length unit */
+    double width;                   /* LOGNORMAL: standard deviation of ln r */
+    double exponent;                /* POWER: number density f(r) ~ r^exponent */
+    enum sizes_by by;               /* TABLE, DISCRETE: what passing and weights count */
+    int points, values;             /* how many of the following */
+    double radii[SIZES_POINTS_MAX]; /* TABLE: sieve radii, increasing; DISCRETE: the sizes; length unit */
+    double share[SIZES_POINTS_MAX]; /* TABLE: part that passes, from 0 rising to 1; DISCRETE: weights */
 };
 
 struct sizes_sampler {
@@ -32,7 +40,8 @@ struct sizes_sampler {
     double cumulative[SIZES_POINTS_MAX]; /* TABLE, DISCRETE: by number, normalised */
 };
 
-/* Prepares a sampler. Fails (user) on tables that do not rise, empty ranges, unequal lengths; the text names what is wrong but no place. */
+/* Prepares a sampler. Fails (user) on tables that do not rise, empty ranges, unequal lengths; the text names
+ * what is wrong but no place. */
 bool sizes_prepare(struct sizes_sampler *sampler, const struct sizes_options *options, struct error *error);
 
 /* One radius, by number. Draws a varying count of numbers from the sequence. */

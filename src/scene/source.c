@@ -1,39 +1,28 @@
-/* From sources to particles. Every rank walks through all rows of all sources in the same order; what depends on a particle's number (id, random
- * velocity) is therefore the same everywhere, and each rank keeps its own. Two searches over the whole stream, for ids and for places that
- * occur twice, are divided by hash: rank r remembers what falls to it. */
+/* From sources to particles. Every rank walks through all rows of all sources in the same order; what depends
+ * on a particle's number (id, random velocity) is therefore the same everywhere, and each rank keeps its own.
+ * Two searches over the whole stream, for ids and for places that occur twice, are divided by hash: rank r
+ * remembers what falls to it. */
 #include "scene/source_parts.h"
 
 #include "core/checksum.h"
 #include "core/memory.h"
 #include "output/h5md_read.h"
 #include "output/lammps_data.h"
+#include "scene/unique.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { SHARE_BLOCK = 1024 };
-
-/* Something that may occur only once. */
-struct seen {
-    uint64_t key;
-    int64_t id;
-    uint32_t line, source;
-};
-
-struct seen_list {
-    struct seen *entry;
-    size_t count, capacity;
-};
 
 struct walk {
     const struct scene *scene;
     const struct scene_share *share;
     struct particles *particles;
     struct scene_census census;
-    struct seen_list ids, places;
-    struct placegrid *grid; /* NULL where no later source needs it */
-    uint64_t stream;        /* spheres so far */
+    struct unique ids, places; /* what may occur only once */
+    struct placegrid *grid;    /* NULL where no later source needs it */
+    uint64_t stream;           /* spheres so far */
     struct error *error;
 };
 
@@ -48,72 +37,62 @@ void source_batch_free(struct source_batch *batch) {
     batch->line = NULL;
 }
 
-struct region source_region(const struct scene *scene, const struct region *region, struct region_space *space) {
+struct region source_region(const struct scene *scene, const struct region *region,
+                            struct region_space *space) {
     struct region resolved = *region;
     if (region->shape == REGION_ALL) {
         resolved.shape = REGION_BOX;
         memcpy(resolved.lower, scene->box_lower, sizeof(resolved.lower));
         memcpy(resolved.upper, scene->box_upper, sizeof(resolved.upper));
     }
-    *space = (struct region_space){.dimension = scene->box.dimension, .plane = (scene->box_lower[2] + scene->box_upper[2]) / 2};
+    *space = (struct region_space){.dimension = scene->box.dimension,
+                                   .plane = (scene->box_lower[2] + scene->box_upper[2]) / 2};
     for (int d = 0; d < 3; d++)
-        space->wrap[d] = scene->box.periodic[d] && resolved.shape == REGION_BOX && resolved.lower[d] <= scene->box_lower[d] &&
-                         resolved.upper[d] >= scene->box_upper[d];
+        space->wrap[d] = scene->box.periodic[d] && resolved.shape == REGION_BOX &&
+                         resolved.lower[d] <= scene->box_lower[d] && resolved.upper[d] >= scene->box_upper[d];
     return resolved;
 }
 
 /* Fills the error with the place of a sphere: line of the file, else its id. */
-static bool sphere_fail(const struct walk *walk, int source, const struct source_sphere *sphere, const char *text) {
+static bool sphere_fail(const struct walk *walk, int source, const struct source_sphere *sphere,
+                        const char *text) {
     const struct source_options *options = &walk->scene->source[source];
     char place[SCENE_PATH_MAX], key[96];
     if (options->kind == SOURCE_FILE && sphere->line > 0)
         return error_set(walk->error, ERROR_USER, "%.700s:%ld: %s", options->file, sphere->line, text);
     if (options->kind == SOURCE_FILE)
-        return error_set(walk->error, ERROR_USER, "%.700s: particle %lld: %s", options->file, (long long)sphere->id, text);
+        return error_set(walk->error, ERROR_USER, "%.700s: particle %lld: %s", options->file,
+                         (long long)sphere->id, text);
     source_key(source, options->kind == SOURCE_SINGLE ? "position" : "from", key, sizeof(key));
     scene_place(walk->scene, key, place, sizeof(place));
-    return error_set(walk->error, ERROR_USER, "%.700s: %s: particle %lld: %s", place, key, (long long)sphere->id, text);
+    return error_set(walk->error, ERROR_USER, "%.700s: %s: particle %lld: %s", place, key,
+                     (long long)sphere->id, text);
 }
 
-static void remember(const struct walk *walk, struct seen_list *list, uint64_t key, int source, const struct source_sphere *sphere) {
-    if (key % (uint64_t)walk->share->size != (uint64_t)walk->share->rank)
-        return;
-    if (list->count == list->capacity) {
-        list->capacity = list->capacity ? 2 * list->capacity : 1024;
-        list->entry = memory_resize(list->entry, list->capacity, sizeof(*list->entry), "ids seen");
-    }
-    list->entry[list->count++] = (struct seen){key, sphere->id, (uint32_t)sphere->line, (uint32_t)source};
-}
-
-static int by_key(const void *a, const void *b) {
-    const struct seen *p = a, *q = b;
-    if (p->key != q->key)
-        return p->key < q->key ? -1 : 1;
-    if (p->source != q->source)
-        return p->source < q->source ? -1 : 1;
-    return p->line < q->line ? -1 : p->line > q->line;
+/* Remembers a sphere under a key, on the rank to which the key falls. */
+static void remember(const struct walk *walk, struct unique *list, uint64_t key, int source,
+                     const struct source_sphere *sphere) {
+    if (key % (uint64_t)walk->share->size == (uint64_t)walk->share->rank)
+        unique_add(list, &(struct unique_entry){key, sphere->id, (uint32_t)sphere->line, (uint32_t)source});
 }
 
 /* Fails if a key was seen twice. */
-static bool check_unique(const struct walk *walk, struct seen_list *list, const char *what) {
-    if (list->count > 1)
-        qsort(list->entry, list->count, sizeof(*list->entry), by_key);
-    for (size_t k = 1; k < list->count; k++) {
-        const struct seen *a = &list->entry[k - 1], *b = &list->entry[k];
-        if (a->key != b->key)
-            continue;
-        char text[200], line[64] = "";
-        struct source_sphere sphere = {.id = b->id, .line = b->line};
-        if (a->line > 0)
-            snprintf(line, sizeof(line), ", line %u", a->line);
-        snprintf(text, sizeof(text), what, (long long)a->id, line);
-        return sphere_fail(walk, (int)b->source, &sphere, text);
-    }
-    return true;
+static bool check_unique(const struct walk *walk, struct unique *list, const char *what) {
+    const struct unique_entry *first, *second;
+    if (!unique_find_twice(list, &first, &second))
+        return true;
+    char text[200], line[64] = "";
+    struct source_sphere sphere = {.id = second->id, .line = second->line};
+    if (first->line > 0)
+        snprintf(line, sizeof(line), ", line %u", first->line);
+    snprintf(text, sizeof(text), "%s particle %lld%s", what, (long long)first->id, line);
+    return sphere_fail(walk, (int)second->source, &sphere, text);
 }
 
-/* Puts a position into the box: box-relative, wrapped, images counted. False with a text if it cannot be there. */
-static bool place_in_box(const struct scene *scene, struct source_sphere *sphere, double x[3], char *why, size_t room) {
+/* Puts a position into the box: box-relative, wrapped, images counted. False with a text if it cannot be
+ * there. */
+static bool place_in_box(const struct scene *scene, struct source_sphere *sphere, double x[3], char *why,
+                         size_t room) {
     const struct box *box = &scene->box;
     for (int d = 0; d < 3; d++) {
         x[d] = sphere->x[d] - box->origin[d];
@@ -123,14 +102,16 @@ static bool place_in_box(const struct scene *scene, struct source_sphere *sphere
         }
         int side = x[d] < 0 ? 0 : 1;
         bool inside = x[d] >= 0 && x[d] <= box->edge[d];
-        snprintf(why, room, "%c = %g lies outside of the box (%g to %g); allowed only with box.periodic or box.leave: keep", "xyz"[d], sphere->x[d],
-                 scene->box_lower[d], scene->box_upper[d]);
+        snprintf(
+            why, room,
+            "%c = %g lies outside of the box (%g to %g); allowed only with box.periodic or box.leave: keep",
+            "xyz"[d], sphere -> x[d], scene -> box_lower[d], scene -> box_upper[d]);
         if (!box->periodic[d] && !inside && box->leave[d][side] != BOX_KEEP)
             return false;
         if (!box->periodic[d])
             continue;
         double images = floor(x[d] / box->edge[d]);
-        snprintf(why, room, "%c = %g lies too many box lengths away", "xyz"[d], sphere->x[d]);
+        snprintf(why, room, "%c = %g lies too many box lengths away", "xyz"[d], sphere -> x[d]);
         if (fabs(images) > 1e6)
             return false;
         x[d] -= images * box->edge[d];
@@ -139,7 +120,8 @@ static bool place_in_box(const struct scene *scene, struct source_sphere *sphere
             images++;
         }
         sphere->image[d] += (int32_t)images;
-        snprintf(why, room, "the diameter (%g) is not smaller than the periodic box in %c (%g)", 2 * sphere->radius, "xyz"[d], box->edge[d]);
+        snprintf(why, room, "the diameter (%g) is not smaller than the periodic box in %c (%g)",
+                 2 * sphere->radius, "xyz"[d], box -> edge[d]);
         if (2 * sphere->radius >= box->edge[d])
             return false;
     }
@@ -151,8 +133,9 @@ static int select_group(const struct scene *scene, const struct source_sphere *s
     struct region_space space = {.dimension = scene->box.dimension};
     for (int g = 1; g < scene->groups; g++) {
         const struct scene_group *group = &scene->group[g];
-        bool in = group->selects && (group->material < 0 || group->material == sphere->material) && sphere->radius > group->radius_above &&
-                  sphere->radius <= group->radius_upto && (!group->by_region || region_contains(&group->region, &space, sphere->x, 0));
+        bool in = group->selects && (group->material < 0 || group->material == sphere->material) &&
+                  sphere->radius > group->radius_above && sphere->radius <= group->radius_upto &&
+                  (!group->by_region || region_contains(&group->region, &space, sphere->x, 0));
         bool listed = group->id_count == 0;
         for (int k = 0; k < group->id_count && !listed; k++)
             listed = group->id[k] == sphere->id;
@@ -163,7 +146,8 @@ static int select_group(const struct scene *scene, const struct source_sphere *s
 }
 
 /* Completes a sphere: material, density, velocity, group. */
-static bool complete(const struct walk *walk, int source, const struct source_batch *batch, struct source_sphere *sphere) {
+static bool complete(const struct walk *walk, int source, const struct source_batch *batch,
+                     struct source_sphere *sphere) {
     const struct scene *scene = walk->scene;
     const struct source_options *options = &scene->source[source];
     bool typed = batch->rows.material && !batch->materials_named;
@@ -171,16 +155,20 @@ static bool complete(const struct walk *walk, int source, const struct source_ba
     if (options->material >= 0)
         sphere->material = options->material;
     else if (typed && options->type_count > 0) {
-        snprintf(text, sizeof(text), "type %d, but `types` names %d materials", sphere->material + 1, options->type_count);
+        snprintf(text, sizeof(text), "type %d, but `types` names %d materials", sphere->material + 1,
+                 options->type_count);
         if (sphere->material < 0 || sphere->material >= options->type_count)
             return sphere_fail(walk, source, sphere, text);
         sphere->material = options->type_material[sphere->material];
     } else if (!batch->rows.material && scene->materials > 1) {
-        return sphere_fail(walk, source, sphere, "has no material: the file names none, so the source needs `material`");
+        return sphere_fail(walk, source, sphere,
+                           "has no material: the file names none, so the source needs `material`");
     } else if (!batch->rows.material) {
         sphere->material = 0;
     }
-    snprintf(text, sizeof(text), "type %d, but the scene has %d materials (`types` or `material` of the source maps them)", sphere->material + 1, scene->materials);
+    snprintf(text, sizeof(text),
+             "type %d, but the scene has %d materials (`types` or `material` of the source maps them)",
+             sphere->material + 1, scene->materials);
     if (sphere->material < 0 || sphere->material >= scene->materials)
         return sphere_fail(walk, source, sphere, text);
     if (options->density > 0)
@@ -190,7 +178,9 @@ static bool complete(const struct walk *walk, int source, const struct source_ba
     struct random_sequence random = random_sequence(scene->seed, RANDOM_VELOCITY, (uint64_t)sphere->id);
     for (int d = 0; d < 3; d++) {
         bool flat = scene->box.dimension == 2 && d == 2;
-        sphere->v[d] += options->velocity[d] + (options->velocity_sigma > 0 && !flat ? options->velocity_sigma * random_normal(&random) : 0);
+        sphere->v[d] +=
+            options->velocity[d] +
+            (options->velocity_sigma > 0 && !flat ? options->velocity_sigma * random_normal(&random) : 0);
         sphere->omega[d] += options->omega[d];
     }
     if (scene->box.dimension == 2 && (sphere->v[2] != 0 || sphere->omega[0] != 0 || sphere->omega[1] != 0))
@@ -202,7 +192,8 @@ static bool complete(const struct walk *walk, int source, const struct source_ba
 static void count_sphere(struct walk *walk, const struct source_sphere *sphere) {
     struct scene_census *census = &walk->census;
     double r = sphere->radius;
-    double speed = sqrt(sphere->v[0] * sphere->v[0] + sphere->v[1] * sphere->v[1] + sphere->v[2] * sphere->v[2]);
+    double speed =
+        sqrt(sphere->v[0] * sphere->v[0] + sphere->v[1] * sphere->v[1] + sphere->v[2] * sphere->v[2]);
     census->radius_min = census->particles == 0 || r < census->radius_min ? r : census->radius_min;
     census->radius_max = fmax(census->radius_max, r);
     census->particles++;
@@ -247,7 +238,8 @@ static bool check_sphere(const struct walk *walk, int source, const struct sourc
     return true;
 }
 
-static bool take_sphere(struct walk *walk, int source, const struct source_batch *batch, struct source_sphere *sphere) {
+static bool take_sphere(struct walk *walk, int source, const struct source_batch *batch,
+                        struct source_sphere *sphere) {
     double x[3];
     char why[200];
     if (!check_sphere(walk, source, sphere) || !complete(walk, source, batch, sphere))
@@ -260,7 +252,8 @@ static bool take_sphere(struct walk *walk, int source, const struct source_batch
     if (walk->grid && walk->scene->source[source].kind != SOURCE_RANDOM)
         placegrid_add(walk->grid, x, sphere->radius);
     const struct scene_share *share = walk->share;
-    bool mine = share->mine ? share->mine(share->context, x) : (walk->stream / SHARE_BLOCK) % (uint64_t)share->size == (uint64_t)share->rank;
+    bool mine = share->mine ? share->mine(share->context, x)
+                            : (walk->stream / SHARE_BLOCK) % (uint64_t)share->size == (uint64_t)share->rank;
     walk->stream++;
     if (mine)
         append_sphere(walk, sphere, x);
@@ -268,14 +261,18 @@ static bool take_sphere(struct walk *walk, int source, const struct source_batch
 }
 
 /* Row `k` of a batch as a sphere in the user's coordinates. */
-static struct source_sphere sphere_of(const struct source_options *options, const struct source_batch *batch, size_t k) {
+static struct source_sphere sphere_of(const struct source_options *options, const struct source_batch *batch,
+                                      size_t k) {
     const struct rows *rows = &batch->rows;
-    struct source_sphere sphere = {.radius = rows->radius[k], .material = rows->material ? rows->material[k] : 0, .line = batch->line ? batch->line[k] : 0};
+    struct source_sphere sphere = {.radius = rows->radius[k],
+                                   .material = rows->material ? rows->material[k] : 0,
+                                   .line = batch->line ? batch->line[k] : 0};
     bool file = options->kind == SOURCE_FILE;
     if (rows->mass && rows->mass[k] > 0)
         sphere.density = rows->mass[k] / particles_sphere_mass(sphere.radius, 1);
     for (int d = 0; d < 3; d++) {
-        sphere.x[d] = file ? rows->position[k][d] * options->scale + options->offset[d] : rows->position[k][d];
+        sphere.x[d] =
+            file ? rows->position[k][d] * options->scale + options->offset[d] : rows->position[k][d];
         sphere.v[d] = rows->velocity ? rows->velocity[k][d] : 0;
         sphere.omega[d] = rows->angular_velocity ? rows->angular_velocity[k][d] : 0;
         sphere.image[d] = rows->image ? rows->image[k][d] : 0;
@@ -290,7 +287,9 @@ static bool take_batch(struct walk *walk, int source, const struct source_batch 
     int64_t base = walk->census.id_max, taken = 0;
     for (size_t k = 0; k < batch->rows.count; k++) {
         struct source_sphere sphere = sphere_of(options, batch, k);
-        if (options->kind == SOURCE_FILE && !(sphere.radius > options->radius_above && sphere.radius <= options->radius_upto) && sphere.radius > 0)
+        if (options->kind == SOURCE_FILE &&
+            !(sphere.radius > options->radius_above && sphere.radius <= options->radius_upto) &&
+            sphere.radius > 0)
             continue;
         taken++;
         sphere.id = base + (batch->rows.id ? batch->rows.id[k] : taken);
@@ -302,8 +301,10 @@ static bool take_batch(struct walk *walk, int source, const struct source_batch 
             return false;
     }
     char key[96];
-    return taken > 0 || finish_fail(walk->scene, walk->error, source_key(source, "radius_upto", key, sizeof(key)), "no particle of %s has a radius above %g and up to %g",
-                                    options->file, options->radius_above, options->radius_upto);
+    return taken > 0 ||
+           finish_fail(walk->scene, walk->error, source_key(source, "radius_upto", key, sizeof(key)),
+                       "no particle of %s has a radius above %g and up to %g", options->file,
+                       options->radius_above, options->radius_upto);
 }
 
 static bool make_batch(struct walk *walk, int source, struct source_batch *batch) {
@@ -327,7 +328,8 @@ static bool make_batch(struct walk *walk, int source, struct source_batch *batch
     if (options->format == SOURCE_LAMMPS_DATA)
         return lammps_data_read(options->file, &batch->rows, walk->error);
     return h5md_read(options->file, &read, NULL, &batch->rows, walk->error) &&
-           (batch->rows.radius || error_set(walk->error, ERROR_USER, "%.700s: /particles has no radius", options->file));
+           (batch->rows.radius ||
+            error_set(walk->error, ERROR_USER, "%.700s: /particles has no radius", options->file));
 }
 
 static bool take_source(struct walk *walk, int source) {
@@ -359,23 +361,24 @@ static bool check_groups(const struct walk *walk) {
             fed = fed || walk->scene->insertion[k].group == g;
         snprintf(key, sizeof(key), "groups[%d].select", g - 1);
         if (!fed)
-            return finish_fail(walk->scene, walk->error, key, "no particle belongs to the group '%s'", walk->scene->group[g].name);
+            return finish_fail(walk->scene, walk->error, key, "no particle belongs to the group '%s'",
+                               walk->scene->group[g].name);
     }
     return true;
 }
 
-bool scene_particles(const struct scene *scene, const struct scene_share *share, struct particles *particles, struct scene_census *census,
-                     struct error *error) {
+bool scene_particles(const struct scene *scene, const struct scene_share *share, struct particles *particles,
+                     struct scene_census *census, struct error *error) {
     struct walk walk = {.scene = scene, .share = share, .particles = particles, .error = error};
     make_grid(&walk);
     bool good = true;
     for (int s = 0; s < scene->sources && good; s++)
         good = take_source(&walk, s);
-    good = good && check_groups(&walk) && check_unique(&walk, &walk.ids, "this id is taken already (particle %lld%s)") &&
-           check_unique(&walk, &walk.places, "its centre coincides with that of particle %lld%s");
+    good = good && check_groups(&walk) && check_unique(&walk, &walk.ids, "has the id of") &&
+           check_unique(&walk, &walk.places, "its centre coincides with that of");
     placegrid_destroy(&walk.grid);
-    memory_free(walk.ids.entry);
-    memory_free(walk.places.entry);
+    unique_free(&walk.ids);
+    unique_free(&walk.places);
     if (census)
         *census = walk.census;
     return good;

@@ -1,5 +1,6 @@
-/* Particle sources: files and generators. Every rank reads or generates the whole stream of spheres in the same order and keeps
- * its own, so that ids, radii and places depend on the scene alone, whatever the ranks and threads. */
+/* Particle sources: files and generators. Every rank reads or generates the whole stream of spheres in the
+ * same order and keeps its own, so that ids, radii and places depend on the scene alone, whatever the ranks
+ * and threads. */
 #ifndef SCREE_SCENE_SOURCE_H
 #define SCREE_SCENE_SOURCE_H
 
@@ -8,7 +9,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { SOURCES_MAX = 32, SOURCE_COLUMNS_MAX = 32, SOURCE_PATH_MAX = 1024, SOURCE_NAME_MAX = 64, SOURCE_TYPES_MAX = 32 };
+enum {
+    SOURCES_MAX = 32,
+    SOURCE_COLUMNS_MAX = 32,
+    SOURCE_PATH_MAX = 1024,
+    SOURCE_NAME_MAX = 64,
+    SOURCE_TYPES_MAX = 32
+};
 
 enum source_kind { SOURCE_FILE, SOURCE_LATTICE, SOURCE_RANDOM, SOURCE_SINGLE };
 enum source_format { SOURCE_LAMMPS_DATA, SOURCE_TABLE, SOURCE_H5MD };
@@ -21,43 +28,45 @@ struct source_options {
     char file[SOURCE_PATH_MAX];
     enum source_format format;
     int column_count;
-    char column[SOURCE_COLUMNS_MAX][SOURCE_NAME_MAX]; /* TABLE: what each column holds; none given: the file's header says so */
+    char column[SOURCE_COLUMNS_MAX]
+               [SOURCE_NAME_MAX]; /* TABLE: what each column holds; none given: the file's header says so */
     int64_t skip_rows, rows;      /* TABLE: data rows left out at the start; rows read (0: all) */
     int64_t frame;                /* H5MD: which stored step, negative from the end (-1: the last) */
     double scale;                 /* lengths in the file x this; then offset is added */
     int type_count;
-    int type_material[SOURCE_TYPES_MAX]; /* FILE: material of type 1, 2, ...; none given: `material`, or type t is material t */
-    double radius_above, radius_upto; /* FILE: keep only radii in (above, upto], after scaling */
+    int type_material[SOURCE_TYPES_MAX]; /* FILE: material of type 1, 2, ...; none given: `material`, or type
+                                            t is material t */
+    double radius_above, radius_upto;    /* FILE: keep only radii in (above, upto], after scaling */
     /* LATTICE */
     enum source_lattice lattice;
-    double spacing;               /* distance of neighbours, length unit */
-    double jitter;                /* every coordinate moved by up to +- jitter x (spacing/2 - largest radius) */
+    double spacing; /* distance of neighbours, length unit */
+    double jitter;  /* every coordinate moved by up to +- jitter x (spacing/2 - largest radius) */
     /* LATTICE, RANDOM */
     struct region region;
     struct sizes_options sizes;
-    int64_t count;                /* particles; 0: as many as the lattice has places, or by volume_fraction */
-    double volume_fraction;       /* RANDOM: solid volume / volume of the region; 0: by count */
-    int64_t attempts;             /* RANDOM: places tried for one sphere before giving up */
+    int64_t count;          /* particles; 0: as many as the lattice has places, or by volume_fraction */
+    double volume_fraction; /* RANDOM: solid volume / volume of the region; 0: by count */
+    int64_t attempts;       /* RANDOM: places tried for one sphere before giving up */
     /* SINGLE */
     double position[3], radius;
-    int64_t id;                   /* 0: the next free one */
+    int64_t id; /* 0: the next free one */
     /* all */
-    double offset[3];             /* FILE: added to positions after scaling */
+    double offset[3]; /* FILE: added to positions after scaling */
     int material, group;
-    double velocity[3];           /* added to what the file holds */
-    double velocity_sigma;        /* standard deviation of each component of a random velocity */
+    double velocity[3];    /* added to what the file holds */
+    double velocity_sigma; /* standard deviation of each component of a random velocity */
     double omega[3];
-    double density;               /* 0: the file's, else the material's */
+    double density; /* 0: the file's, else the material's */
 };
 
 /* One sphere of the stream, positions in the user's coordinates. */
 struct source_sphere {
-    int64_t id;                   /* 0: the next free one */
+    int64_t id; /* 0: the next free one */
     double x[3], v[3], omega[3];
-    double radius, density;       /* density 0: the material's */
-    int material, group;          /* material -1: as the source says */
+    double radius, density; /* density 0: the material's */
+    int material, group;    /* material -1: as the source says */
     int32_t image[3];
-    long line;                    /* in the file; for generators the number within the source */
+    long line; /* in the file; for generators the number within the source */
 };
 
 #endif

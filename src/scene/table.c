@@ -1,6 +1,7 @@
-/* Plain tables: a row of numbers a particle, columns apart by blanks, tabs, commas or semicolons; `#` begins a comment. The columns are named by
- * the scene or by a header line ("Radius[m] PosX[m] PosY[m] PosZ[m]"), whose units are obeyed. A row with more or fewer numbers than
- * there are columns is refused: it is not a row of this list. */
+/* Plain tables: a row of numbers a particle, columns apart by blanks, tabs, commas or semicolons; `#` begins
+ * a comment. The columns are named by the scene or by a header line ("Radius[m] PosX[m] PosY[m] PosZ[m]"),
+ * whose units are obeyed. A row with more or fewer numbers than there are columns is refused: it is not a row
+ * of this list. */
 #include "scene/source_parts.h"
 
 #include "core/memory.h"
@@ -13,8 +14,21 @@
 #include <strings.h>
 
 enum column {
-    COLUMN_SKIP, COLUMN_ID, COLUMN_RADIUS, COLUMN_DIAMETER, COLUMN_DENSITY, COLUMN_MATERIAL,
-    COLUMN_X, COLUMN_Y, COLUMN_Z, COLUMN_VX, COLUMN_VY, COLUMN_VZ, COLUMN_WX, COLUMN_WY, COLUMN_WZ,
+    COLUMN_SKIP,
+    COLUMN_ID,
+    COLUMN_RADIUS,
+    COLUMN_DIAMETER,
+    COLUMN_DENSITY,
+    COLUMN_MATERIAL,
+    COLUMN_X,
+    COLUMN_Y,
+    COLUMN_Z,
+    COLUMN_VX,
+    COLUMN_VY,
+    COLUMN_VZ,
+    COLUMN_WX,
+    COLUMN_WY,
+    COLUMN_WZ,
     COLUMNS
 };
 
@@ -45,9 +59,9 @@ struct table {
     int number; /* of the source */
     int width;
     enum column column[SOURCE_COLUMNS_MAX];
-    double factor[SOURCE_COLUMNS_MAX]; /* to SI */
-    const char *at;                    /* the rest of the text */
-    long line;                         /* of the line last taken */
+    struct units_scale scale[SOURCE_COLUMNS_MAX]; /* to SI */
+    const char *at;                               /* the rest of the text */
+    long line;                                    /* of the line last taken */
     struct error *error;
 };
 
@@ -68,7 +82,8 @@ static char *next_word(char **line) {
     return word;
 }
 
-/* The next line with something on it; comments are cut off and, where they stand alone, kept in `comment` as a possible header. */
+/* The next line with something on it; comments are cut off and, where they stand alone, kept in `comment` as
+ * a possible header. */
 static bool next_line(struct table *table, char *line, size_t room, char *comment) {
     while (*table->at) {
         size_t length = strcspn(table->at, "\n");
@@ -99,10 +114,10 @@ static bool name_matches(const char *names, const char *word, size_t length) {
     return false;
 }
 
-/* "PosX[mm]": the column and the factor of its unit. 0: no such column, -1: wrong unit. */
-static int parse_column(const char *word, enum column *column, double *factor) {
+/* "PosX[mm]": the column and its unit. 0: no such column, -1: wrong unit. */
+static int parse_column(const char *word, enum column *column, struct units_scale *scale) {
     size_t length = strcspn(word, "[(");
-    *factor = 1;
+    *scale = (struct units_scale){1, 0};
     for (int c = 0; c < COLUMNS; c++) {
         if (!name_matches(columns[c].names, word, length))
             continue;
@@ -111,22 +126,26 @@ static int parse_column(const char *word, enum column *column, double *factor) {
             return 1;
         char unit[64];
         struct units_dimension given, wanted;
-        double si;
+        struct units_scale si;
         snprintf(unit, sizeof(unit), "%.*s", (int)strcspn(word + length + 1, "])"), word + length + 1);
-        bool good = units_parse(unit, factor, &given) && units_parse(columns[c].unit, &si, &wanted) && units_same(&given, &wanted);
+        bool good = units_parse(unit, scale, &given) && units_parse(columns[c].unit, &si, &wanted) &&
+                    units_same(&given, &wanted);
         return good ? 1 : -1;
     }
     return 0;
 }
 
 static bool add_column(struct table *table, const char *word) {
-    static const char known[] = "id radius diameter density material x y z vx vy vz omega_x omega_y omega_z skip";
+    static const char known[] =
+        "id radius diameter density material x y z vx vy vz omega_x omega_y omega_z skip";
     enum column column;
-    double factor;
-    int found = parse_column(word, &column, &factor);
+    struct units_scale scale;
+    int found = parse_column(word, &column, &scale);
     char text[400];
     if (found <= 0) {
-        snprintf(text, sizeof(text), found ? "column '%.60s': not a unit of it" : "'%.60s' is not a column; known: %s", word, known);
+        snprintf(text, sizeof(text),
+                 found ? "column '%.60s': not a unit of it" : "'%.60s' is not a column; known: %s", word,
+                 known);
         return fail(table, "%s", text);
     }
     if (strpbrk(word, "[(") && table->scene->units == SCENE_UNITS_NONE && column != COLUMN_SKIP)
@@ -137,7 +156,7 @@ static bool add_column(struct table *table, const char *word) {
     if (table->width == SOURCE_COLUMNS_MAX)
         return fail(table, "%s", "too many columns");
     table->column[table->width] = column;
-    table->factor[table->width++] = factor;
+    table->scale[table->width++] = scale;
     return true;
 }
 
@@ -166,7 +185,8 @@ static bool columns_from(struct table *table, const char *line) {
     return true;
 }
 
-/* Finds the columns: from the scene, a header line, or a comment of column names just before the data. The text is left at the first row. */
+/* Finds the columns: from the scene, a header line, or a comment of column names just before the data. The
+ * text is left at the first row. */
 static bool find_columns(struct table *table) {
     char line[1024], comment[1024] = "";
     const char *start = table->at;
@@ -185,7 +205,9 @@ static bool find_columns(struct table *table) {
         if (!add_column(table, source->column[k]))
             return false;
     if (source->column_count == 0 && !header && !comment[0])
-        return error_set(table->error, ERROR_USER, "%.700s: %s: is missing, and %.700s has no header line; needed: what each column holds, as in [radius, x, y, z]",
+        return error_set(table->error, ERROR_USER,
+                         "%.700s: %s: is missing, and %.700s has no header line; needed: what each column "
+                         "holds, as in [radius, x, y, z]",
                          place, key, source->file);
     if (source->column_count == 0 && !columns_from(table, header ? line : comment))
         return false;
@@ -198,7 +220,8 @@ static bool find_columns(struct table *table) {
 }
 
 /* Stores one value; false if it cannot be. */
-static bool store(const struct table *table, struct source_batch *batch, size_t row, int k, const char *word) {
+static bool store(const struct table *table, struct source_batch *batch, size_t row, int k,
+                  const char *word) {
     char *end;
     double value = strtod(word, &end);
     enum column column = table->column[k];
@@ -206,20 +229,24 @@ static bool store(const struct table *table, struct source_batch *batch, size_t 
         return true;
     int material = *end && column == COLUMN_MATERIAL ? scene_material(table->scene, word) : -1;
     char what[200];
-    snprintf(what, sizeof(what), "column %d (%.*s): '%.60s'", k + 1, (int)strcspn(columns[column].names, " "), columns[column].names, word);
+    snprintf(what, sizeof(what), "column %d (%.*s): '%.60s'", k + 1, (int)strcspn(columns[column].names, " "),
+             columns[column].names, word);
     if (material >= 0) {
         batch->rows.material[row] = material;
         batch->materials_named = true;
         return true;
     }
     if (end == word || *end)
-        return fail(table, column == COLUMN_MATERIAL ? "%s is neither a material of the scene nor a number" : "%s is not a number", what);
+        return fail(table,
+                    column == COLUMN_MATERIAL ? "%s is neither a material of the scene nor a number"
+                                              : "%s is not a number",
+                    what);
     if (!isfinite(value))
         return fail(table, "%s is not finite", what);
     bool whole = value == nearbyint(value) && value >= 1 && value < 9e15;
     if ((column == COLUMN_ID || column == COLUMN_MATERIAL) && !whole)
         return fail(table, "%s is not a whole number from 1", what);
-    value *= table->factor[k];
+    value = units_convert(value, &table->scale[k]);
     if (column == COLUMN_ID)
         batch->rows.id[row] = (int64_t)value;
     else if (column == COLUMN_MATERIAL)
@@ -245,7 +272,10 @@ static bool read_row(const struct table *table, struct source_batch *batch, size
         width += *c != '\0';
         c += strcspn(c, " \t\r,;");
     }
-    snprintf(what, sizeof(what), "%d values where there are %d columns; this is not a row of the list (`rows` ends the list before it)", width, table->width);
+    snprintf(what, sizeof(what),
+             "%d values where there are %d columns; this is not a row of the list (`rows` ends the list "
+             "before it)",
+             width, table->width);
     if (width != table->width)
         return fail(table, "%s", what);
     for (int k = 0; (word = next_word(&rest)); k++)

@@ -110,7 +110,8 @@ struct parse {
 static bool fail(struct parse *parse, size_t yaml_line, const char *what) {
     if (parse->line == 0)
         return error_set(parse->error, ERROR_USER, "command line: %s", what);
-    return error_set(parse->error, ERROR_USER, "%s:%ld: %s", parse->file, (long)yaml_line + parse->line, what);
+    return error_set(parse->error, ERROR_USER, "%s:%ld: %s", parse->file, (long)yaml_line + parse->line,
+                     what);
 }
 
 static bool next(struct parse *parse, yaml_event_t *event) {
@@ -118,8 +119,9 @@ static bool next(struct parse *parse, yaml_event_t *event) {
         return true;
     const yaml_parser_t *parser = &parse->parser;
     char what[512];
-    snprintf(what, sizeof(what), "not valid YAML: %s%s%s", parser->problem ? parser->problem : "cannot be read",
-             parser->context ? " " : "", parser->context ? parser->context : "");
+    snprintf(what, sizeof(what), "not valid YAML: %s%s%s",
+             parser->problem ? parser->problem : "cannot be read", parser->context ? " " : "",
+             parser->context ? parser->context : "");
     return fail(parse, parser->problem_mark.line, what);
 }
 

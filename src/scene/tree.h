@@ -1,5 +1,5 @@
-/* A YAML text as a tree of nodes that know their lines. Anchors, aliases, tags and several documents are refused: a scene says what it means
- * in place. Duplicate keys are refused here. */
+/* A YAML text as a tree of nodes that know their lines. Anchors, aliases, tags and several documents are
+ * refused: a scene says what it means in place. Duplicate keys are refused here. */
 #ifndef SCREE_SCENE_TREE_H
 #define SCREE_SCENE_TREE_H
 
@@ -11,17 +11,17 @@ enum tree_kind { TREE_SCALAR, TREE_LIST, TREE_MAP };
 
 struct tree_node {
     enum tree_kind kind;
-    char *text;               /* SCALAR: owned */
-    bool quoted;              /* SCALAR: was in quotes */
-    bool implied;             /* LIST: stands for the keys of its section (see schema.h, short_form) */
-    long line;                /* from 1; 0: from the command line */
+    char *text;   /* SCALAR: owned */
+    bool quoted;  /* SCALAR: was in quotes */
+    bool implied; /* LIST: stands for the keys of its section (see schema.h, short_form) */
+    long line;    /* from 1; 0: from the command line */
     size_t children;
     struct tree_node **child; /* LIST, MAP: owned */
     char **key;               /* MAP: owned */
 };
 
-/* Parses `text`; `file` is for messages, `line` the line number of its start (0: the text comes from the command line, and so do all nodes). An empty text gives an
- * empty mapping. NULL with a user's error. */
+/* Parses `text`; `file` is for messages, `line` the line number of its start (0: the text comes from the
+ * command line, and so do all nodes). An empty text gives an empty mapping. NULL with a user's error. */
 struct tree_node *tree_parse(const char *file, const char *text, long line, struct error *error);
 void tree_free(struct tree_node **node);
 

@@ -6,41 +6,41 @@
 
 struct symbol {
     const char *name;
-    double factor;
+    struct units_scale scale;
     struct units_dimension dimension;
     bool prefixes;
 };
 
 static const struct symbol symbols[] = {
-    {"m", 1, {1, 0, 0, 0}, true},
-    {"g", 1e-3, {0, 1, 0, 0}, true},
-    {"s", 1, {0, 0, 1, 0}, true},
-    {"N", 1, {1, 1, -2, 0}, true},
-    {"Pa", 1, {-1, 1, -2, 0}, true},
-    {"J", 1, {2, 1, -2, 0}, true},
-    {"W", 1, {2, 1, -3, 0}, true},
-    {"Hz", 1, {0, 0, -1, 0}, true},
-    {"bar", 1e5, {-1, 1, -2, 0}, true},
-    {"L", 1e-3, {3, 0, 0, 0}, true},
-    {"t", 1e3, {0, 1, 0, 0}, false},
-    {"min", 60, {0, 0, 1, 0}, false},
-    {"h", 3600, {0, 0, 1, 0}, false},
-    {"rad", 1, {0, 0, 0, 1}, true},
-    {"deg", M_PI / 180, {0, 0, 0, 1}, false},
-    {"°", M_PI / 180, {0, 0, 0, 1}, false},
-    {"rpm", 2 * M_PI / 60, {0, 0, -1, 1}, false},
-    {"%", 0.01, {0, 0, 0, 0}, false},
-    {"1", 1, {0, 0, 0, 0}, false},
+    {"m", {1, 0}, {1, 0, 0, 0}, true},
+    {"g", {1, -3}, {0, 1, 0, 0}, true},
+    {"s", {1, 0}, {0, 0, 1, 0}, true},
+    {"N", {1, 0}, {1, 1, -2, 0}, true},
+    {"Pa", {1, 0}, {-1, 1, -2, 0}, true},
+    {"J", {1, 0}, {2, 1, -2, 0}, true},
+    {"W", {1, 0}, {2, 1, -3, 0}, true},
+    {"Hz", {1, 0}, {0, 0, -1, 0}, true},
+    {"bar", {1, 5}, {-1, 1, -2, 0}, true},
+    {"L", {1, -3}, {3, 0, 0, 0}, true},
+    {"t", {1, 3}, {0, 1, 0, 0}, false},
+    {"min", {60, 0}, {0, 0, 1, 0}, false},
+    {"h", {3600, 0}, {0, 0, 1, 0}, false},
+    {"rad", {1, 0}, {0, 0, 0, 1}, true},
+    {"deg", {M_PI / 180, 0}, {0, 0, 0, 1}, false},
+    {"°", {M_PI / 180, 0}, {0, 0, 0, 1}, false},
+    {"rpm", {2 * M_PI / 60, 0}, {0, 0, -1, 1}, false},
+    {"%", {1, -2}, {0, 0, 0, 0}, false},
+    {"1", {1, 0}, {0, 0, 0, 0}, false},
 };
 
 struct prefix {
     const char *name;
-    double factor;
+    int decimal;
 };
 
-static const struct prefix prefixes[] = {{"n", 1e-9}, {"u", 1e-6}, {"\xc2\xb5", 1e-6}, {"\xce\xbc", 1e-6}, {"m", 1e-3},
-                                         {"c", 1e-2}, {"d", 1e-1}, {"h", 1e2},         {"k", 1e3},         {"M", 1e6},
-                                         {"G", 1e9},  {"T", 1e12}};
+static const struct prefix prefixes[] = {{"n", -9}, {"u", -6}, {"\xc2\xb5", -6}, {"\xce\xbc", -6},
+                                         {"m", -3}, {"c", -2}, {"d", -1},        {"h", 2},
+                                         {"k", 3},  {"M", 6},  {"G", 9},         {"T", 12}};
 
 static const struct symbol *find_symbol(const char *name, size_t length) {
     for (size_t k = 0; k < sizeof(symbols) / sizeof(symbols[0]); k++)
@@ -50,16 +50,16 @@ static const struct symbol *find_symbol(const char *name, size_t length) {
 }
 
 /* A symbol, alone or behind a prefix. */
-static const struct symbol *find_prefixed(const char *name, size_t length, double *factor) {
+static const struct symbol *find_prefixed(const char *name, size_t length, int *decimal) {
     const struct symbol *symbol = find_symbol(name, length);
-    *factor = 1;
+    *decimal = 0;
     for (size_t k = 0; !symbol && k < sizeof(prefixes) / sizeof(prefixes[0]); k++) {
         size_t skip = strlen(prefixes[k].name);
         if (skip >= length || memcmp(prefixes[k].name, name, skip) != 0)
             continue;
         const struct symbol *base = find_symbol(name + skip, length - skip);
         if (base && base->prefixes) {
-            *factor = prefixes[k].factor;
+            *decimal = prefixes[k].decimal;
             return base;
         }
     }
@@ -87,12 +87,13 @@ static bool read_exponent(const char **text, int *exponent) {
     return value >= -9 && value <= 9;
 }
 
-/* One factor of a unit, raised to `power`, multiplied into factor and dimension. */
-static bool read_factor(const char **text, int power, double *factor, struct units_dimension *dimension) {
+/* One factor of a unit, raised to `power`, multiplied into scale and dimension. */
+static bool read_factor(const char **text, int power, struct units_scale *scale,
+                        struct units_dimension *dimension) {
     size_t length = strcspn(*text, " */^+-0123456789");
     if (length == 0 && **text == '1')
         length = 1;
-    double prefix;
+    int prefix;
     const struct symbol *symbol = find_prefixed(*text, length, &prefix);
     if (!symbol)
         return false;
@@ -101,7 +102,8 @@ static bool read_factor(const char **text, int power, double *factor, struct uni
     if (!read_exponent(text, &exponent))
         return false;
     exponent *= power;
-    *factor *= pow(prefix * symbol->factor, exponent);
+    scale->factor *= pow(symbol->scale.factor, exponent);
+    scale->decimal += exponent * (prefix + symbol->scale.decimal);
     dimension->length += exponent * symbol->dimension.length;
     dimension->mass += exponent * symbol->dimension.mass;
     dimension->time += exponent * symbol->dimension.time;
@@ -109,8 +111,8 @@ static bool read_factor(const char **text, int power, double *factor, struct uni
     return true;
 }
 
-bool units_parse(const char *text, double *factor, struct units_dimension *dimension) {
-    *factor = 1;
+bool units_parse(const char *text, struct units_scale *scale, struct units_dimension *dimension) {
+    *scale = (struct units_scale){1, 0};
     *dimension = (struct units_dimension){0};
     int power = 1;
     bool expected = false; /* a factor must follow */
@@ -126,11 +128,16 @@ bool units_parse(const char *text, double *factor, struct units_dimension *dimen
             text++;
             continue;
         }
-        if (!read_factor(&text, power, factor, dimension))
+        if (!read_factor(&text, power, scale, dimension))
             return false;
         power = 1;
         expected = false;
     }
+}
+
+double units_convert(double value, const struct units_scale *scale) {
+    value *= scale->factor;
+    return scale->decimal < 0 ? value / pow(10, -scale->decimal) : value * pow(10, scale->decimal);
 }
 
 bool units_same(const struct units_dimension *a, const struct units_dimension *b) {
@@ -139,9 +146,9 @@ bool units_same(const struct units_dimension *a, const struct units_dimension *b
 
 const char *units_name(const char *si) {
     static const char *const names[][2] = {
-        {"m", "length"},          {"s", "time"},         {"m/s", "velocity"}, {"m/s2", "acceleration"},
-        {"kg/m3", "density"},     {"Pa", "pressure"},    {"N/m", "stiffness"}, {"1/s", "rate"},
-        {"rad", "angle"},         {"N", "force"},        {"kg/s", "mass rate"}, {"rad/s", "angular velocity"}};
+        {"m", "length"},      {"s", "time"},      {"m/s", "velocity"},   {"m/s2", "acceleration"},
+        {"kg/m3", "density"}, {"Pa", "pressure"}, {"N/m", "stiffness"},  {"1/s", "rate"},
+        {"rad", "angle"},     {"N", "force"},     {"kg/s", "mass rate"}, {"rad/s", "angular velocity"}};
     for (size_t k = 0; k < sizeof(names) / sizeof(names[0]); k++)
         if (strcmp(names[k][0], si) == 0)
             return names[k][1];

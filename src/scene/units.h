@@ -9,15 +9,26 @@ struct units_dimension {
     int length, mass, time, angle;
 };
 
-/* Reads a unit: factors, each a symbol with an SI prefix and an exponent ("cm3", "s^2", "m-3"), apart by spaces, `*` or `/` (which divides by the one factor after it). Symbols:
- * m g s N Pa J W Hz rad deg rpm min h t L bar %. Gives the factor to SI base units (m, kg, s, rad) and the dimension; false if it is
- * none. "" and "1" are pure numbers. */
-bool units_parse(const char *text, double *factor, struct units_dimension *dimension);
+/* One unit in SI base units (m, kg, s, rad): factor x 10^decimal. Apart, so that decimal prefixes lose no
+ * digit. */
+struct units_scale {
+    double factor;
+    int decimal;
+};
+
+/* Reads a unit: factors, each a symbol with an SI prefix and an exponent ("cm3", "s^2", "m-3"), apart by
+ * spaces, `*` or `/` (which divides by the one factor after it). Symbols: m g s N Pa J W Hz rad deg rpm min h
+ * t L bar %. Gives scale and dimension; false if it is none. "" and "1" are pure numbers. */
+bool units_parse(const char *text, struct units_scale *scale, struct units_dimension *dimension);
+
+/* A value of a unit in base units. 3 mm gives the double nearest to 0.003. */
+double units_convert(double value, const struct units_scale *scale);
 
 /* True if both are of one dimension. */
 bool units_same(const struct units_dimension *a, const struct units_dimension *b);
 
-/* What the dimension of an SI unit is called ("length", "pressure"); the unit itself where there is no name. */
+/* What the dimension of an SI unit is called ("length", "pressure"); the unit itself where there is no name.
+ */
 const char *units_name(const char *si);
 
 #endif
