@@ -37,7 +37,8 @@ static void show_force(const struct output_view *view, size_t i, double value[3]
     const struct particles *p = view->particles;
     double weight = p->state[i].inverse_mass > 0 ? 1 / p->state[i].inverse_mass : 0;
     for (int d = 0; d < 3; d++)
-        value[d] = p->force[i * (size_t)p->force_stride + (size_t)d] + weight * view->motion->gravity[d];
+        value[d] = p->force[i * (size_t)p->force_stride + (size_t)d] +
+                   (d < view->box->dimension ? weight * view->motion->gravity[d] : 0);
 }
 
 static void show_mass(const struct output_view *view, size_t i, double value[3]) {

@@ -267,28 +267,38 @@ static hid_t open_attribute(const struct h5 *h5, const char *object, const char 
     return -1;
 }
 
-bool h5_read_text(const struct h5 *h5, const char *object, const char *name, char *text, size_t size) {
-    hid_t id = open_attribute(h5, object, name, H5T_STRING, 1);
+/* Reads strings, of fixed or varying length, into n fields of `size` bytes. */
+static bool read_strings(const struct h5 *h5, const char *object, const char *name, char *text, size_t size,
+                         int n) {
+    hid_t id = open_attribute(h5, object, name, H5T_STRING, n);
     if (id < 0)
         return false;
     hid_t type = H5Aget_type(id);
-    bool good;
-    if (H5Tis_variable_str(type) > 0) {
-        char *value = NULL;
-        good = H5Aread(id, type, &value) >= 0 && value;
-        if (good) {
-            snprintf(text, size, "%s", value);
-            H5free_memory(value);
-        }
-    } else {
-        char *value = memory_allocate_zero(H5Tget_size(type) + 1, 1, "text of an attribute");
-        good = H5Aread(id, type, value) >= 0;
-        snprintf(text, size, "%s", value);
-        memory_free(value);
+    bool varying = H5Tis_variable_str(type) > 0;
+    size_t length = H5Tget_size(type);
+    char *value = memory_allocate_zero((size_t)n, length, "text of an attribute");
+    bool good = H5Aread(id, type, value) >= 0;
+    for (int k = 0; good && k < n; k++) {
+        char *one = value + (size_t)k * length;
+        if (varying)
+            memcpy(&one, one, sizeof one);
+        snprintf(text + (size_t)k * size, size, "%.*s", varying ? (int)size : (int)length, one ? one : "");
+        if (varying)
+            H5free_memory(one);
     }
+    memory_free(value);
     H5Tclose(type);
     H5Aclose(id);
     return good;
+}
+
+bool h5_read_text(const struct h5 *h5, const char *object, const char *name, char *text, size_t size) {
+    return read_strings(h5, object, name, text, size, 1);
+}
+
+bool h5_read_texts(const struct h5 *h5, const char *object, const char *name, char (*text)[OUTPUT_NAME_MAX],
+                   int n) {
+    return read_strings(h5, object, name, text[0], OUTPUT_NAME_MAX, n);
 }
 
 bool h5_read_ints(const struct h5 *h5, const char *object, const char *name, int *value, int n) {

@@ -83,6 +83,8 @@ bool h5_write_reference(const struct h5 *h5, const char *object, const char *nam
 
 /* Reads attributes: false without an error where there is none, or not of this form. */
 bool h5_read_text(const struct h5 *h5, const char *object, const char *name, char *text, size_t size);
+bool h5_read_texts(const struct h5 *h5, const char *object, const char *name, char (*text)[OUTPUT_NAME_MAX],
+                   int n);
 bool h5_read_ints(const struct h5 *h5, const char *object, const char *name, int *value, int n);
 bool h5_read_doubles(const struct h5 *h5, const char *object, const char *name, double *value, int n);
 

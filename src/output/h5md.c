@@ -96,6 +96,25 @@ static bool make_observables(struct h5md *h5md, const struct h5 *h5, struct erro
     return true;
 }
 
+/* Forgets waiting rows that the file has already, as after a resume. */
+static bool drop_known(struct h5md *h5md, const struct h5 *h5, const char *dataset, struct error *error) {
+    if (h5md->observed == 0)
+        return true;
+    int64_t last;
+    hsize_t start = h5md->observed - 1, count = 1;
+    if (!h5_read_block(h5, dataset, FIELD_INT64, &start, &count, &last, error))
+        return false;
+    size_t known = 0, columns = (size_t)h5md->observables;
+    while (known < h5md->kept && (int64_t)h5md->kept_step[known] <= last)
+        known++;
+    h5md->kept -= known;
+    memmove(h5md->kept_step, h5md->kept_step + known, h5md->kept * sizeof *h5md->kept_step);
+    memmove(h5md->kept_time, h5md->kept_time + known, h5md->kept * sizeof *h5md->kept_time);
+    memmove(h5md->kept_value, h5md->kept_value + known * columns,
+            h5md->kept * columns * sizeof *h5md->kept_value);
+    return true;
+}
+
 bool h5md_write_observables(struct h5md *h5md, const struct h5 *h5, struct error *error) {
     if (h5md->kept == 0)
         return true;
@@ -109,6 +128,8 @@ bool h5md_write_observables(struct h5md *h5md, const struct h5 *h5, struct error
     if (!h5_get_shape(h5, dataset, &shape, error))
         return false;
     h5md->observed = shape.size[0];
+    if (!drop_known(h5md, h5, dataset, error))
+        return false;
     bool good = h5_write_series(h5, dataset, FIELD_INT64, h5md->observed, h5md->kept, h5md->kept_step, error);
     snprintf(dataset, sizeof dataset, "%s/time", group);
     good = good &&

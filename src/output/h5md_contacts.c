@@ -135,6 +135,13 @@ static bool write_all(const struct h5 *h5, const struct contact_list *list, cons
     if (!h5_get_shape(h5, "/connectivity/contacts/step", &shape, error))
         return false;
     uint64_t frame = shape.size[0];
+    hsize_t last = frame - 1, one = 1;
+    int64_t known = -1;
+    if (frame > 0 &&
+        !h5_read_block(h5, "/connectivity/contacts/step", FIELD_INT64, &last, &one, &known, error))
+        return false;
+    if (known >= (int64_t)list->step) /* as after a resume */
+        return true;
     for (size_t k = 0; k < PARTS; k++) {
         struct h5_table table = table_of(&parts[k], list, counts);
         if (!write_part(h5, &parts[k], list, &table, frame, error))

@@ -4,6 +4,7 @@
 #ifndef SCREE_OUTPUT_OBSERVABLES_H
 #define SCREE_OUTPUT_OBSERVABLES_H
 
+#include "output/h5md.h"
 #include "output/output.h"
 
 /* What the `target` of a request names. */
@@ -39,12 +40,16 @@ void observables_destroy(struct observables **observables);
 
 /* Opens DIR/observables.csv and writes the header; on a resume (`resume_time` >= 0) rows after that time are
  * cut off, and the header must be the same. Rank 0 does the file; the result is agreed. Collective. */
-bool observables_open(struct observables *observables, const char *directory, double resume_time,
-                      struct error *error);
+bool observables_open(struct observables *observables, const struct comm *comm, const char *directory,
+                      double resume_time, struct error *error);
 
 /* True if a column needs force_sums beyond contacts and overlap: the force evaluation before needs want_sums.
  */
 bool observables_need_sums(const struct observables *observables);
+
+/* True if a column shows dissipated energy: then every force evaluation needs want_sums, and the caller adds
+ * up force_sums.dissipated. */
+bool observables_need_work(const struct observables *observables);
 
 /* Computes one row and, where opened, writes and flushes it. Collective. */
 bool observables_write(struct observables *observables, const struct output_view *view, struct error *error);
@@ -55,5 +60,9 @@ int observables_columns(const struct observables *observables);
 const char *observables_column_name(const struct observables *observables, int column);
 const char *observables_column_unit(const struct observables *observables, int column);
 const double *observables_values(const struct observables *observables);
+
+/* The last row as h5md_add_observables wants it; borrows the arrays of observables. */
+void observables_row(const struct observables *observables, const struct output_view *view,
+                     struct h5md_observables *row);
 
 #endif

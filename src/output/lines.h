@@ -1,0 +1,44 @@
+/* Text files line by line, with the place for messages. */
+#ifndef SCREE_OUTPUT_LINES_H
+#define SCREE_OUTPUT_LINES_H
+
+#include "core/error.h"
+#include <stdint.h>
+#include <stdio.h>
+
+struct lines {
+    const char *path; /* borrowed */
+    FILE *file;
+    char *text; /* the line, without its end; owned by lines */
+    size_t room;
+    uint64_t number; /* of the line, from 1 */
+    bool whole;      /* it ended with a newline */
+};
+
+bool lines_open(struct lines *lines, const char *path, struct error *error);
+void lines_close(struct lines *lines);
+
+/* Reads the next line; false at the end of the file. */
+bool lines_next(struct lines *lines);
+
+/* The next line that holds more than blanks and a comment (# to the end, cut off). */
+bool lines_next_filled(struct lines *lines);
+
+/* Reads up to `most` numbers from the line; returns how many there are before its end or -1 if a word is no
+ * (finite) number. */
+int lines_numbers(const struct lines *lines, double *value, int most);
+
+/* Splits the line into words, in place; returns how many, at most `most`. */
+int lines_words(struct lines *lines, char **word, int most);
+
+/* Sets a user's error "PATH:LINE: ..."; returns false. */
+bool lines_refuse(const struct lines *lines, struct error *error, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+/* The whole number of a word; false if it is none. */
+bool lines_integer(const char *word, int64_t *value);
+
+/* The finite number of a word; false if it is none. */
+bool lines_real(const char *word, double *value);
+
+#endif
