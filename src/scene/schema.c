@@ -12,8 +12,7 @@ const struct schema_row *schema_row_find(const struct schema_table *table, const
     return NULL;
 }
 
-/* The list whose element a section may hold directly, or NULL. */
-static const struct schema_row *short_list(const struct schema_table *table) {
+const struct schema_row *schema_short_list(const struct schema_table *table) {
     for (int k = 0; k < table->count; k++)
         if (table->rows[k].short_form)
             return &table->rows[k];
@@ -25,7 +24,7 @@ const struct schema_row *schema_find(const char *key) {
     for (;;) {
         size_t length = strcspn(key, ".[");
         const struct schema_row *row = schema_row_find(table, key, length);
-        const struct schema_row *list = row ? NULL : short_list(table);
+        const struct schema_row *list = row ? NULL : schema_short_list(table);
         if (list)
             row = schema_row_find(list->sub, key, length);
         if (!row)
@@ -87,18 +86,23 @@ struct suggestion {
     char *nearest;
 };
 
-/* A sibling with a typing error is nearest, then the same name in another section, then the same with an
- * error. */
+/* Letters that may be wrong in a word. */
+static int tolerance(const char *a, const char *b) {
+    size_t shorter = strlen(a) < strlen(b) ? strlen(a) : strlen(b);
+    return shorter > 6 ? (int)shorter / 3 : shorter > 3 ? 2 : 1;
+}
+
+/* A sibling with a typing error is nearest, then one farther down in the section, then one elsewhere. */
 static void suggest_row(void *context, const struct schema_row *row, const char *key, int depth) {
     struct suggestion *s = context;
     (void)depth;
     int distance = word_distance(s->key, row->key);
-    size_t shorter = strlen(s->key) < strlen(row->key) ? strlen(s->key) : strlen(row->key);
-    if (distance > (shorter > 5 ? (int)shorter / 3 : 1))
+    if (distance > tolerance(s->key, row->key))
         return;
     size_t length = strlen(s->section);
-    bool sibling = strncmp(key, s->section, length) == 0 && !strpbrk(key + length, ".");
-    double score = distance + (sibling ? 0 : 1.5);
+    bool inside = strncmp(key, s->section, length) == 0;
+    bool sibling = inside && !strpbrk(key + length, ".");
+    double score = distance + (sibling ? 0 : inside ? 0.9 : 1.5);
     if (score < s->score) {
         s->score = score;
         snprintf(s->nearest, SCHEMA_KEY_MAX, "%s", key);

@@ -131,6 +131,9 @@ bool schema_applies(const struct schema_row *row, const struct schema_table *tab
 /* The row of a key in a table, or NULL; `length` bytes of `key` count. */
 const struct schema_row *schema_row_find(const struct schema_table *table, const char *key, size_t length);
 
+/* The list whose element a section may hold directly (`short_form`), or NULL. */
+const struct schema_row *schema_short_list(const struct schema_table *table);
+
 /* The row of a full key, list numbers ignored ("walls[3].radius", "walls[].radius" and "walls.radius" alike,
  * short forms understood), or NULL. */
 const struct schema_row *schema_find(const char *key);

@@ -15,13 +15,6 @@ static bool is_empty(const struct tree_node *node) {
            (!node->text[0] || strcmp(node->text, "~") == 0 || strcmp(node->text, "null") == 0);
 }
 
-static const struct schema_row *short_list(const struct schema_table *table) {
-    for (int k = 0; k < table->count; k++)
-        if (table->rows[k].short_form)
-            return &table->rows[k];
-    return NULL;
-}
-
 /* Wraps a scalar into a mapping with one key. */
 static void wrap_scalar(struct tree_node *node, const char *key) {
     struct tree_node *value = tree_new(TREE_SCALAR, node->line);
@@ -35,7 +28,7 @@ static void wrap_scalar(struct tree_node *node, const char *key) {
 /* Moves the keys of a section that belong to a single element into that element. */
 static bool fold_short_form(struct schema_reader *reader, const struct schema_table *table,
                             struct tree_node *node, const char *key) {
-    const struct schema_row *list_row = short_list(table);
+    const struct schema_row *list_row = schema_short_list(table);
     if (!list_row || node->kind != TREE_MAP)
         return true;
     struct tree_node *element = NULL;
@@ -106,14 +99,19 @@ bool schema_normalise(struct schema_reader *reader, struct tree_node *root) {
 
 /* Settings of the command line. */
 
-static bool unknown_key(struct schema_reader *reader, const struct tree_node *node, const char *section,
+static bool unknown_key(struct schema_reader *reader, const struct tree_node *node, const char *prefix,
                         const char *key) {
-    char nearest[SCHEMA_KEY_MAX];
+    char section[SCHEMA_KEY_MAX], nearest[SCHEMA_KEY_MAX];
+    snprintf(section, sizeof(section), "%s", prefix);
+    for (char *open = strchr(section, '['); open && strchr(open, ']'); open = strchr(open + 1, '[')) {
+        const char *close = strchr(open, ']');
+        memmove(open + 1, close, strlen(close) + 1);
+    }
     if (schema_suggest(section, key, nearest))
         return schema_fail(reader, node, "",
-                           "unknown key '%s%.80s'; did you mean '%s'? (`scree help` lists all keys)", section,
+                           "unknown key '%s%.80s'; did you mean '%s'? (`scree help` lists all keys)", prefix,
                            key, nearest);
-    return schema_fail(reader, node, "", "unknown key '%s%.80s' (`scree help` lists all keys)", section, key);
+    return schema_fail(reader, node, "", "unknown key '%s%.80s' (`scree help` lists all keys)", prefix, key);
 }
 
 /* Where a setting is on its way down. */
@@ -155,9 +153,13 @@ static struct tree_node *element_of(struct descent *descent, struct tree_node *l
     return NULL;
 }
 
-/* Replaces entry `number` of a list of plain values. */
-static bool replace_item(struct descent *descent, struct tree_node *list, size_t number,
-                         struct tree_node *value) {
+/* Replaces entry `number` of a list; of a list of sections one more may be appended. */
+static bool replace_item(struct descent *descent, const struct schema_row *row, struct tree_node *list,
+                         size_t number, struct tree_node *value) {
+    if (row->sub && list->kind == TREE_LIST && number == list->children) {
+        tree_append(list, value);
+        return true;
+    }
     if (list->kind != TREE_LIST || number >= list->children)
         return schema_fail(descent->reader, value, descent->whole,
                            "there is no number %zu in the scene's list", number);
@@ -168,7 +170,7 @@ static bool replace_item(struct descent *descent, struct tree_node *list, size_t
 
 /* Steps into the section's short-form list, where `name` is a key of its elements. */
 static bool step_into_short_form(struct descent *descent, const char *name, size_t length) {
-    const struct schema_row *list_row = short_list(descent->table);
+    const struct schema_row *list_row = schema_short_list(descent->table);
     if (!list_row || schema_row_find(descent->table, name, length) ||
         !schema_row_find(list_row->sub, name, length))
         return true;
@@ -208,8 +210,8 @@ static bool put_setting(struct descent *descent, const char *key, struct tree_no
         if (*key == '[') {
             if (!read_number(descent, &key, &number))
                 return false;
-            if (*key == '\0' && !row->sub)
-                return replace_item(descent, child, number, value);
+            if (*key == '\0')
+                return replace_item(descent, row, child, number, value);
             child = element_of(descent, child, number);
         }
         if (!child || *key != '.' || !row->sub)
@@ -247,21 +249,9 @@ static bool read_table(struct schema_reader *reader, const struct schema_table *
 /* Every key of the section must be in its table. */
 static bool check_keys(struct schema_reader *reader, const struct schema_table *table,
                        const struct tree_node *node, const char *prefix) {
-    for (size_t k = 0; k < node->children; k++) {
-        const char *key = node->key[k];
-        if (schema_row_find(table, key, strlen(key)))
-            continue;
-        char section[SCHEMA_KEY_MAX];
-        snprintf(section, sizeof(section), "%s", prefix);
-        for (char *open = strchr(section, '['); open; open = strchr(open + 1, '['))
-            memmove(open + 1, strchr(open, ']'), strlen(strchr(open, ']')) + 1);
-        char nearest[SCHEMA_KEY_MAX];
-        if (schema_suggest(section, key, nearest))
-            return schema_fail(reader, node->child[k], "",
-                               "unknown key '%s%.80s'; did you mean '%s'? (`scree help` lists all keys)",
-                               prefix, key, nearest);
-        return unknown_key(reader, node->child[k], prefix, key);
-    }
+    for (size_t k = 0; k < node->children; k++)
+        if (!schema_row_find(table, node->key[k], strlen(node->key[k])))
+            return unknown_key(reader, node->child[k], prefix, node->key[k]);
     return true;
 }
 

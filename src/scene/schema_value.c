@@ -66,7 +66,9 @@ static bool is_null(const struct tree_node *node) {
 static bool refuse(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node,
                    const char *key, const char *why) {
     char allowed[512];
-    schema_allowed(row, allowed, sizeof(allowed));
+    struct schema_row shown = *row;
+    shown.unit = reader->units ? row->unit : NULL;
+    schema_allowed(&shown, allowed, sizeof(allowed));
     return schema_fail(reader, node, key, "%s; allowed: %s", why, allowed);
 }
 

@@ -321,7 +321,8 @@ static bool read_rows(struct table *table, struct source_batch *batch) {
         if (!next_line(table, line, sizeof(line), NULL))
             return fail(table, "%s", "the file ends within the rows that are skipped");
     size_t count = count_rows(table);
-    snprintf(what, sizeof(what), "the file has only %zu rows", count);
+    snprintf(what, sizeof(what), "the file has %zu rows; `rows` asks for %lld", count,
+             (long long)table->source->rows);
     if (count == 0 || count < (size_t)table->source->rows)
         return fail(table, "%s", count ? what : "the file holds no particles");
     rows_create(&batch->rows, count, wanted_columns(table));
