@@ -193,6 +193,7 @@ static void touching_is_exact(void **state) {
     assert_int_equal(domain_touching(domain, (double[3]){4, 4, 2}, 0.999, touch, 8), 1);
     assert_int_equal(domain_touching(domain, (double[3]){4, 4, 2}, 1.41, touch, 8), 3);
     assert_int_equal(domain_touching(domain, (double[3]){4, 4, 2}, 1.42, touch, 8), 4);
+    assert_int_equal(domain_touching(domain, (double[3]){6, 6, 8}, 1, touch, 8), 3);
     assert_int_equal(domain_touching(domain, (double[3]){-50, 4, 2}, 0.5, touch, 8), 1);
     domain_destroy(&domain);
 }

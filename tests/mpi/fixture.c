@@ -1,0 +1,126 @@
+#include "fixture.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PERIODIC                                                                                             \
+    {                                                                                                        \
+        .dimension = 3, .edge = {10, 11, 12}, .periodic = { true, true, true }                               \
+    }
+#define OPEN                                                                                                 \
+    {                                                                                                        \
+        .dimension = 3, .edge = { 10, 11, 12 }                                                               \
+    }
+#define MIXED                                                                                                \
+    {                                                                                                        \
+        .dimension = 3, .edge = {10, 20, 12}, .periodic = { false, true, false }                             \
+    }
+#define FLAT                                                                                                 \
+    {                                                                                                        \
+        .dimension = 2, .edge = {10, 11, 1}, .periodic = { true, false, false }                              \
+    }
+
+const struct scene fixture_scenes[SCENES] = {
+    {PERIODIC, CLOUD_EQUAL, true, true, false},      {PERIODIC, CLOUD_BIDISPERSE, true, true, false},
+    {PERIODIC, CLOUD_BIDISPERSE, true, false, true}, {PERIODIC, CLOUD_BIDISPERSE, false, false, false},
+    {PERIODIC, CLOUD_CONTINUOUS, true, true, true},  {PERIODIC, CLOUD_CONTINUOUS, false, false, false},
+    {PERIODIC, CLOUD_BOULDERS, true, true, false},   {PERIODIC, CLOUD_BOULDERS, true, true, true},
+    {PERIODIC, CLOUD_BOULDERS, true, false, false},  {PERIODIC, CLOUD_BOULDERS, false, false, false},
+    {OPEN, CLOUD_BIDISPERSE, true, true, false},     {OPEN, CLOUD_BOULDERS, true, true, false},
+    {OPEN, CLOUD_BOULDERS, false, false, true},      {MIXED, CLOUD_BIDISPERSE, true, true, false},
+    {MIXED, CLOUD_BOULDERS, true, true, true},       {MIXED, CLOUD_CONTINUOUS, false, false, false},
+    {FLAT, CLOUD_BIDISPERSE, true, true, false},     {FLAT, CLOUD_BOULDERS, true, true, false},
+    {FLAT, CLOUD_BOULDERS, false, false, false},
+};
+
+void fixture_make(struct fixture *fixture, struct team *team, int number, size_t n) {
+    const struct scene *scene = &fixture_scenes[number];
+    fixture->team = team;
+    fixture->scene = scene;
+    cloud_make(&fixture->cloud, &scene->box, scene->radii, n, 5);
+    int size = team->comm.size;
+    struct domain_options options = {{scene->slabs ? size : 0, 0, 0}};
+    struct error error = {0};
+    fixture->domain = domain_create(&team->comm, &scene->box, &options, &error);
+    assert_non_null(fixture->domain);
+    struct ghosts_options ghosts = {.newton = scene->newton, .reduced = scene->reduced};
+    fixture->ghosts = ghosts_create(&team->comm, fixture->domain, &fixture->cloud.box, &ghosts);
+    fixture->particles = particles_create(PARTICLE_FEATURES_ALL, 0);
+    for (size_t k = 0; k < fixture->cloud.n; k++)
+        if (k % (size_t)size == (size_t)team->comm.rank)
+            cloud_append(&fixture->cloud, k, FIXTURE_STAMP, fixture->particles);
+}
+
+void fixture_free(struct fixture *fixture) {
+    ghosts_destroy(&fixture->ghosts);
+    particles_destroy(&fixture->particles);
+    domain_destroy(&fixture->domain);
+    cloud_free(&fixture->cloud);
+}
+
+void fixture_rebuild(struct fixture *fixture) {
+    struct particles *particles = fixture->particles;
+    ghosts_drop(fixture->ghosts, particles);
+    for (size_t i = 0; i < particles->owned; i++)
+        memcpy(particles->state[i].x, fixture->cloud.x[particles->id[i] - 1], 3 * sizeof(double));
+    ghosts_migrate(fixture->ghosts, particles, NULL);
+    particles_classify(particles, &fixture->cloud.classes);
+    ghosts_make(fixture->ghosts, particles, &fixture->cloud.classes);
+}
+
+bool fixture_wraps(const struct fixture *fixture, int d) {
+    bool wrap[3];
+    domain_wrap(fixture->domain, wrap);
+    return wrap[d];
+}
+
+/* Images along d that copies may have. */
+static int images(const struct fixture *fixture, int d) {
+    return fixture->scene->box.periodic[d] && !fixture_wraps(fixture, d) ? 1 : 0;
+}
+
+static double distance_to(const struct fixture *fixture, int rank, size_t k, const int image[3]) {
+    double lower[3], upper[3], squared = 0;
+    domain_bounds(fixture->domain, rank, lower, upper);
+    for (int d = 0; d < 3; d++) {
+        double y = fixture->cloud.x[k][d] + image[d] * fixture->scene->box.edge[d];
+        double gap = y < lower[d] ? lower[d] - y : y > upper[d] ? y - upper[d] : 0;
+        squared += fixture_wraps(fixture, d) ? 0 : gap * gap;
+    }
+    return sqrt(squared);
+}
+
+/* Does the rank that owns a particle of class c compute its pair with one of class a? */
+static bool computes(const struct scene *scene, int c, int a) {
+    return !scene->newton || !scene->reduced || c <= a;
+}
+
+bool fixture_needs(const struct fixture *fixture, int rank, size_t k, const int image[3]) {
+    const struct size_classes *classes = &fixture->cloud.classes;
+    int a = classes_of(classes, fixture->cloud.radius[k]);
+    double distance = distance_to(fixture, rank, k, image);
+    bool self = domain_owner(fixture->domain, fixture->cloud.x[k]) == rank && image[0] == 0 &&
+                image[1] == 0 && image[2] == 0;
+    for (int c = 0; c < classes->count; c++)
+        if (computes(fixture->scene, c, a) && !self &&
+            distance <= fixture->cloud.radius[k] + classes->radius_max[c] + classes->margin[a][c])
+            return true;
+    return false;
+}
+
+bool fixture_image(const struct fixture *fixture, int turn, int image[3]) {
+    int vector[3] = {turn % 3 - 1, turn / 3 % 3 - 1, turn / 9 - 1};
+    for (int d = 0; d < 3; d++) {
+        image[d] = vector[d];
+        if (abs(vector[d]) > images(fixture, d))
+            return false;
+    }
+    return true;
+}
