@@ -50,4 +50,7 @@ void h5md_add_observables(struct h5md *h5md, const struct h5md_observables *row)
 /* Writes what is kept, the final XDMF, and frees. Collective. */
 bool h5md_close(struct h5md **h5md, struct error *error);
 
+/* Writes an XDMF file for a trajectory that this program wrote. comm is that of one rank. */
+bool h5md_write_xdmf(const char *path, const char *xdmf_path, const struct comm *comm, struct error *error);
+
 #endif

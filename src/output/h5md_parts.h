@@ -54,6 +54,9 @@ bool h5md_write_unit(const struct h5md *h5md, const struct h5 *h5, const char *d
 /* Brings what is known of a present file back and cuts what came after a step. */
 bool h5md_resume(struct h5md *h5md, int64_t step, struct error *error);
 
+/* Only the first half of it. */
+bool h5md_recall(struct h5md *h5md, const struct h5 *h5, struct error *error);
+
 /* Writes the observables that wait. */
 bool h5md_write_observables(struct h5md *h5md, const struct h5 *h5, struct error *error);
 

@@ -115,6 +115,30 @@ static bool recall_frames(struct h5md *h5md, const struct h5 *h5, struct error *
     return good || error_set(error, ERROR_USER, "%s: %s: does not list its frames", h5->path, group);
 }
 
+bool h5md_recall(struct h5md *h5md, const struct h5 *h5, struct error *error) {
+    if (!h5_exists(h5, "/parameters/frames"))
+        return true;
+    return recall_elements(h5md, h5, error) && recall_frames(h5md, h5, error);
+}
+
+bool h5md_write_xdmf(const char *path, const char *xdmf_path, const struct comm *comm, struct error *error) {
+    struct h5md_head head = {.xdmf = true};
+    struct h5md *h5md = NULL;
+    struct h5 h5;
+    if (!h5md_open(&h5md, comm, path, &head, -1, error))
+        return false;
+    snprintf(h5md->xdmf_path, sizeof h5md->xdmf_path, "%s", xdmf_path);
+    bool good = h5_open(&h5, path, comm, false, error);
+    if (good) {
+        good = h5md_recall(h5md, &h5, error);
+        if (good && h5md->frames == 0)
+            good = error_set(error, ERROR_USER, "%s: holds no frames that scree wrote", path);
+        good = h5_close(&h5, error) && good;
+    }
+    struct error ignored = {0};
+    return h5md_close(&h5md, good ? error : &ignored) && good;
+}
+
 bool h5md_resume(struct h5md *h5md, int64_t step, struct error *error) {
     struct h5 h5;
     if (!h5_open(&h5, h5md->path, h5md->comm, true, error))
@@ -124,8 +148,7 @@ bool h5md_resume(struct h5md *h5md, int64_t step, struct error *error) {
     bool good = true;
     for (size_t k = 0; good && k < sizeof groups / sizeof groups[0]; k++)
         good = cut_group(&h5, groups[k], step, error);
-    if (good && h5_exists(&h5, "/parameters/frames"))
-        good = recall_elements(h5md, &h5, error) && recall_frames(h5md, &h5, error);
+    good = good && h5md_recall(h5md, &h5, error);
     if (!h5_close(&h5, error) || !good)
         return false;
     h5md->made = true;

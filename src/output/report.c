@@ -38,7 +38,10 @@ void report_gather(struct report *report, const struct comm *comm, const struct 
 }
 
 double report_speed(const struct report *report) {
-    return report->seconds > 0 ? (double)report->steps * (double)report->particles / report->seconds : 0;
+    double work = report->particle_steps;
+    if (work <= 0)
+        work = (double)report->steps * (double)report->particles;
+    return report->seconds > 0 ? work / report->seconds : 0;
 }
 
 /* "1,234,567" */

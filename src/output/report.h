@@ -24,9 +24,10 @@ struct report_stage {
 
 /* All counts are over all ranks and since the start of this program, unless said otherwise. */
 struct report {
-    uint64_t steps;     /* done by this program */
-    uint64_t step_last; /* number of the last step of the run */
-    double time;        /* simulated time at the end */
+    uint64_t steps;        /* done by this program */
+    uint64_t step_last;    /* number of the last step of the run */
+    double particle_steps; /* done by this program; 0: steps x particles */
+    double time;           /* simulated time at the end */
     double dt;
     uint64_t particles;
     int ranks, threads;
@@ -64,7 +65,7 @@ struct report_mine {
 };
 void report_gather(struct report *report, const struct comm *comm, const struct report_mine *mine);
 
-/* Steps x particles / seconds. */
+/* Particle-steps / seconds. */
 double report_speed(const struct report *report);
 
 /* Writes `path` (rank 0 alone calls) by a temporary name; version, revision, compiler, flags, host and CPU

@@ -1,0 +1,229 @@
+#include "output/convert.h"
+
+#include "core/memory.h"
+#include "output/dump.h"
+#include "output/file.h"
+#include "output/h5md.h"
+#include "output/h5md_read.h"
+#include "output/info.h"
+#include "output/lammps_data.h"
+
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct {
+    const char *name, *ending;
+    enum convert_format format;
+} formats[] = {
+    {"lammps-data", ".data", CONVERT_LAMMPS_DATA},
+    {"lammps-data", ".lammps", CONVERT_LAMMPS_DATA},
+    {"lammps-dump", ".lammpstrj", CONVERT_LAMMPS_DUMP},
+    {"lammps-dump", ".dump", CONVERT_LAMMPS_DUMP},
+    {"h5md", ".h5", CONVERT_H5MD},
+    {"xdmf", ".xdmf", CONVERT_XDMF},
+};
+enum { FORMATS = sizeof formats / sizeof formats[0] };
+
+/* One conversion. */
+struct converting {
+    const char *in, *out;
+    const struct convert_options *options;
+    const struct comm *comm;
+    enum info_kind kind;
+    enum convert_format to;
+    uint64_t frames; /* in the input */
+};
+
+enum convert_format convert_format_find(const char *name) {
+    for (int k = 0; k < FORMATS; k++)
+        if (strcmp(formats[k].name, name) == 0)
+            return formats[k].format;
+    return CONVERT_BY_NAME;
+}
+
+static enum convert_format format_of_name(const char *path) {
+    size_t length = strlen(path);
+    for (int k = 0; k < FORMATS; k++) {
+        size_t end = strlen(formats[k].ending);
+        if (length > end && strcmp(path + length - end, formats[k].ending) == 0)
+            return formats[k].format;
+    }
+    return CONVERT_BY_NAME;
+}
+
+static bool count_frames(struct converting *c, struct error *error) {
+    c->frames = 1;
+    if (c->kind == INFO_H5MD)
+        return h5md_read_frames(c->in, NULL, &c->frames, error);
+    if (c->kind == INFO_LAMMPS_DUMP)
+        return dump_frames(c->in, &c->frames, error);
+    return c->kind == INFO_LAMMPS_DATA ||
+           error_set(error, ERROR_USER,
+                     "%s: is no LAMMPS data file, LAMMPS dump or H5MD file, and so cannot be converted",
+                     c->in);
+}
+
+static int compare_ids(const void *a, const void *b) {
+    const int64_t *x = a, *y = b;
+    return (*x > *y) - (*x < *y);
+}
+
+/* Rows in the order of their ids, as frames are; each array is reordered by one pass. */
+static void sort_array(void *array, size_t bytes, const int64_t (*order)[2], size_t n) {
+    if (!array)
+        return;
+    char *sorted = memory_allocate(n, bytes, "rows by id");
+    for (size_t k = 0; k < n; k++)
+        memcpy(sorted + k * bytes, (char *)array + (size_t)order[k][1] * bytes, bytes);
+    memcpy(array, sorted, n * bytes);
+    memory_free(sorted);
+}
+
+static void sort_rows(struct rows *rows) {
+    size_t n = rows->count;
+    if (!rows->id) {
+        rows->id = memory_allocate(n, sizeof *rows->id, "ids");
+        for (size_t k = 0; k < n; k++)
+            rows->id[k] = (int64_t)k + 1;
+        return;
+    }
+    int64_t(*order)[2] = memory_allocate(n, sizeof *order, "rows by id");
+    for (size_t k = 0; k < n; k++) {
+        order[k][0] = rows->id[k];
+        order[k][1] = (int64_t)k;
+    }
+    qsort(order, n, sizeof *order, compare_ids);
+    const int64_t(*by)[2] = (const int64_t(*)[2])order;
+    sort_array(rows->position, sizeof *rows->position, by, n);
+    sort_array(rows->velocity, sizeof *rows->velocity, by, n);
+    sort_array(rows->angular_velocity, sizeof *rows->angular_velocity, by, n);
+    sort_array(rows->radius, sizeof *rows->radius, by, n);
+    sort_array(rows->mass, sizeof *rows->mass, by, n);
+    sort_array(rows->material, sizeof *rows->material, by, n);
+    sort_array(rows->image, sizeof *rows->image, by, n);
+    sort_array(rows->id, sizeof *rows->id, by, n);
+    memory_free(order);
+}
+
+static bool read_frame(const struct converting *c, int64_t frame, struct rows *rows, struct error *error) {
+    struct h5md_read_options options = {.frame = frame};
+    bool good = false;
+    if (c->kind == INFO_LAMMPS_DATA)
+        good = lammps_data_read(c->in, rows, error);
+    else if (c->kind == INFO_LAMMPS_DUMP)
+        good = dump_read(c->in, frame, rows, error);
+    else
+        good = h5md_read(c->in, &options, NULL, rows, error);
+    if (good)
+        sort_rows(rows);
+    return good;
+}
+
+/* The frames asked for: [first, last). */
+static bool choose_frames(const struct converting *c, uint64_t *first, uint64_t *last, struct error *error) {
+    *first = 0;
+    *last = c->frames;
+    bool one = c->options->one_frame || c->to == CONVERT_LAMMPS_DATA;
+    if (!one)
+        return true;
+    int64_t wanted = c->options->one_frame ? c->options->frame : -1;
+    int64_t frame = wanted < 0 ? wanted + (int64_t)c->frames : wanted;
+    if (frame < 0 || frame >= (int64_t)c->frames)
+        return error_set(error, ERROR_USER, "%s: has %" PRIu64 " frames, frame %" PRId64 " is wanted", c->in,
+                         c->frames, wanted);
+    *first = (uint64_t)frame;
+    *last = (uint64_t)frame + 1;
+    return true;
+}
+
+/* Hands all chosen frames to one of the writers. */
+static bool write_frames(const struct converting *c, struct h5md *h5md, struct dump *dump,
+                         struct error *error) {
+    uint64_t first, last;
+    bool good = choose_frames(c, &first, &last, error);
+    for (uint64_t k = first; good && k < last; k++) {
+        struct rows rows;
+        struct frame frame;
+        if (!read_frame(c, (int64_t)k, &rows, error))
+            return false;
+        frame_from_rows(&frame, &rows);
+        good = h5md ? h5md_write_frame(h5md, &frame, error) : dump_write(dump, &frame, error);
+        rows_free(&rows);
+    }
+    return good;
+}
+
+/* True if the number of particles differs between chosen frames. */
+static bool find_varying(const struct converting *c, bool *varying, struct error *error) {
+    uint64_t first, last, count = 0;
+    *varying = false;
+    if (!choose_frames(c, &first, &last, error))
+        return false;
+    for (uint64_t k = first; k < last && last - first > 1; k++) {
+        struct rows rows;
+        if (!read_frame(c, (int64_t)k, &rows, error))
+            return false;
+        *varying = *varying || (k > first && rows.count != count);
+        count = rows.count;
+        rows_free(&rows);
+    }
+    return true;
+}
+
+static bool write_h5md(const struct converting *c, struct error *error) {
+    struct h5md_head head = {.dimensionless = true, .xdmf = true};
+    struct h5md *h5md = NULL;
+    if (!find_varying(c, &head.varying, error) || !h5md_open(&h5md, c->comm, c->out, &head, -1, error))
+        return false;
+    bool good = write_frames(c, h5md, NULL, error);
+    return h5md_close(&h5md, error) && good;
+}
+
+static bool write_dump(const struct converting *c, struct error *error) {
+    struct dump *dump = NULL;
+    if (!dump_open(&dump, c->comm, c->out, -1, error))
+        return false;
+    bool good = write_frames(c, NULL, dump, error);
+    return dump_close(&dump, error) && good;
+}
+
+static bool write_data(const struct converting *c, struct error *error) {
+    uint64_t first, last;
+    struct rows rows;
+    if (!choose_frames(c, &first, &last, error) || !read_frame(c, (int64_t)first, &rows, error))
+        return false;
+    bool good = lammps_data_write(c->out, &rows, error);
+    rows_free(&rows);
+    return good;
+}
+
+static bool write_xdmf(const struct converting *c, struct error *error) {
+    if (c->kind != INFO_H5MD)
+        return error_set(error, ERROR_USER,
+                         "%s: XDMF points into an H5MD file; convert to .h5, which makes both", c->in);
+    return h5md_write_xdmf(c->in, c->out, c->comm, error);
+}
+
+bool convert_file(const char *in, const char *out, const struct convert_options *options,
+                  const struct comm *comm, struct error *error) {
+    struct converting c = {.in = in, .out = out, .options = options, .comm = comm};
+    c.to = options->to == CONVERT_BY_NAME ? format_of_name(out) : options->to;
+    if (c.to == CONVERT_BY_NAME)
+        return error_set(error, ERROR_USER,
+                         "%s: the format is not clear from this name (.data, .lammpstrj, .h5, .xdmf)", out);
+    if (!info_kind(in, &c.kind, error) || !count_frames(&c, error))
+        return false;
+    if (!options->overwrite && file_size(out) >= 0)
+        return error_set(error, ERROR_USER, "%s: is there already", out);
+    switch (c.to) {
+    case CONVERT_LAMMPS_DATA:
+        return write_data(&c, error);
+    case CONVERT_LAMMPS_DUMP:
+        return write_dump(&c, error);
+    case CONVERT_H5MD:
+        return write_h5md(&c, error);
+    default:
+        return write_xdmf(&c, error);
+    }
+}
