@@ -1,0 +1,173 @@
+/* Walls: planes, cylinders and triangle meshes, each with a material and a motion. They use the particles'
+ * contact laws, as a partner of infinite mass and infinite radius (m* = m, R* = r).
+ *
+ *   plane      infinite and one-sided: beyond it is solid, however deep
+ *   cylinder   infinite: one-sided, solid beyond it. Finite: the shell alone, without end caps; it is felt
+ *              within a radius of the sphere to both sides, pushes to the side named by `inside`, and its
+ * rims are edges. A sphere larger than the opening of a tube touches it at one point of the rim mesh       a
+ * two-sided surface of triangles. A sphere that touches several triangles of one flat patch feels one plane;
+ * edges and vertices count once, and only where no face covers them (wall_touch.h)
+ *
+ * A contact with a wall belongs to a *feature* of it: the plane; the shell of a cylinder (0) or a rim (1, 2);
+ * of a mesh a flat patch, an edge between patches or a vertex of one (numbered in this order). The history of
+ * a contact is keyed by particle, wall and feature. Where a contact appears and another one of the same
+ * particle and wall vanishes in the same step, and they point the same way within 60 degrees, the sphere has
+ * crossed an edge: the history is carried over, turned with the normal.
+ *
+ * Every rank holds all walls (meshes are small beside particles) and moves them alike, so wall poses are
+ * never sent; only the forces on walls are summed over ranks, where an observable or a servo wants them.
+ * Lengths are box-relative inside; walls_create shifts what the user gave. In periodic directions meshes and
+ * finite or solid cylinders are felt through the nearest images too. */
+#ifndef SCREE_CONTACT_WALL_H
+#define SCREE_CONTACT_WALL_H
+
+#include "contact/force.h"
+#include "contact/law.h"
+#include "particles/particles.h"
+#include <stdio.h>
+
+enum { WALLS_MAX = 64, WALL_NAME_MAX = 64, WALL_PATH_MAX = 1024, WALL_MOTIONS_MAX = 8 };
+
+enum wall_shape { WALL_PLANE, WALL_CYLINDER, WALL_MESH };
+enum wall_motion_kind {
+    WALL_TRANSLATE,          /* velocity */
+    WALL_ROTATE,             /* angular velocity about a point and axis */
+    WALL_OSCILLATE,          /* amplitude x sin(2 pi f t + phase) along a direction */
+    WALL_OSCILLATE_ROTATION, /* angle amplitude about a point and axis */
+    WALL_TABLE, /* pose against time from a file: t x y z angle_x angle_y angle_z (rotation vector), linear
+                   between rows */
+    WALL_SERVO  /* along a direction, so that the force on the wall along it becomes `force` */
+};
+
+/* One motion. Outside of start ... stop it rests where it was last: displacement and angle are functions of
+ * the time, cut to that span. Several motions of a wall are applied one after another, the first one first:
+ * rotate, then translate turns the wall about an axis that travels; translate, then rotate about a fixed one.
+ */
+struct wall_motion {
+    enum wall_motion_kind kind;
+    double start, stop;      /* active while start <= t < stop; time */
+    double direction[3];     /* axis or direction, any length but 0 */
+    double point[3];         /* a point of the axis (TABLE: of all axes), user's coordinates */
+    double velocity[3];      /* TRANSLATE, length/time */
+    double rate;             /* ROTATE: rad/time */
+    double amplitude;        /* OSCILLATE: length; OSCILLATE_ROTATION: rad */
+    double frequency, phase; /* 1/time, rad */
+    double force;     /* SERVO: target force of the particles on the wall along direction, not 0; below it the
+                         wall     moves against direction, towards the particles that push */
+    double speed_max; /* SERVO: bound on the speed */
+    double gain;      /* SERVO: speed per relative force error, length/time; 0: speed_max */
+    char table[WALL_PATH_MAX]; /* TABLE */
+};
+
+struct wall_options {
+    char name[WALL_NAME_MAX];
+    enum wall_shape shape;
+    int material;
+    double point[3];  /* PLANE: a point; CYLINDER: a point of the axis; user's coordinates */
+    double normal[3]; /* PLANE: towards the particles */
+    double axis[3];   /* CYLINDER */
+    double radius;    /* CYLINDER */
+    double length;    /* CYLINDER: extent along the axis to both sides of point in total; 0: infinite */
+    bool inside;      /* CYLINDER: particles inside (true) or outside */
+    char file[WALL_PATH_MAX]; /* MESH: STL (ASCII or binary) or a table of nine numbers a row */
+    char format[16];          /* MESH: "stl", "table", or "" = by content */
+    double scale;             /* MESH: lengths in the file x this */
+    double offset[3];         /* MESH: added after scaling */
+    int motions;
+    struct wall_motion motion[WALL_MOTIONS_MAX];
+};
+
+/* Pose of a wall: x = R x0 + t, and its velocity. What a checkpoint stores of a wall; doubles alone.
+ * The centre is the body's point that lay on the axis of the first rotation at the start; without one the
+ * wall's point, or the middle of the mesh. */
+struct wall_pose {
+    double rotation[9]; /* row by row */
+    double translation[3];
+    double velocity[3], omega[3]; /* half-step, of the body: v(x) = velocity + omega x (x - centre) */
+    double centre[3];
+    double servo_speed;  /* along the servo's direction */
+    double servo_offset; /* its displacement so far */
+    double
+        base_rotation[9]; /* what the motions act upon: the identity, unless a run was resumed with other */
+    double base_translation[3]; /* motions, which start from the pose that they find */
+};
+
+struct walls; /* all walls of a scene, their meshes, candidate lists and contact histories */
+
+/* Reads meshes and tables, finds flat patches, checks everything (file and line in errors; slivers and
+ * duplicate vertices are repaired or refused by name). Places the walls as they are at time 0. `notes` (may
+ * be NULL) receives what was repaired. `law` and `box` are copied or borrowed as follows: box is copied, law
+ * must live as long as the walls. One thread; every rank does the same. Destroy frees and nulls. */
+bool walls_create(struct walls **walls, const struct wall_options *options, int count, const struct law *law,
+                  const struct box *box, int threads, struct error *error, FILE *notes);
+void walls_destroy(struct walls **walls);
+
+int walls_count(const struct walls *walls);
+const struct wall_options *walls_options(const struct walls *walls, int wall);
+
+/* Moves all walls from time t to t + dt (positions at t + dt, velocities of the half step). servo_force[wall]
+ * is the force on each wall, already summed over ranks (NULL where there is no servo). */
+void walls_advance(struct walls *walls, double t, double dt, const double (*servo_force)[3]);
+bool walls_have_servo(const struct walls *walls);
+bool walls_move(const struct walls *walls);
+
+/* Largest distance that a wall surface point within the box may have moved since the last walls_build (a
+ * bound; a plane moving within itself and an infinite cylinder turning about its axis have not moved). */
+double walls_displacement(const struct walls *walls);
+
+/* At a rebuild: for every owned particle the wall pieces nearer than r + margin(class, walls). Opens its own
+ * team. */
+void walls_build(struct walls *walls, const struct particles *particles, const struct size_classes *classes);
+
+/* Forces of walls on the owned particles [first, last), by thread `thread`; adds to particles.force. Costs a
+ * binary search where no particle is near a wall. Each particle once an evaluation, in any order; many
+ * threads at once, disjoint ranges. */
+void walls_force_block(struct walls *walls, const struct force_context *context, int thread, size_t first,
+                       size_t last);
+
+/* Ends the evaluation: history buffers change places, sums of threads are added to `sums` (a contact with a
+ * wall counts as one contact, two sides) and make the wall forces. One thread. */
+void walls_finish(struct walls *walls, const struct force_context *context, struct force_sums *sums);
+
+/* Force and torque (about the wall's centre) of the particles on each wall in the last evaluation, this
+ * rank's part: 6 doubles a wall. */
+void walls_forces(const struct walls *walls, double (*force_torque)[6]);
+
+/* Work that walls did on particles since the start, this rank's part; energy. Mean of the forces at both ends
+ * of a step times the motion in it. */
+double walls_work(const struct walls *walls);
+
+/* Contacts with walls now, for the contact list: id_j = -(wall + 1). Allocated (memory_free). */
+size_t walls_contacts(const struct walls *walls, const struct force_context *context,
+                      struct force_contact **contacts);
+
+/* History of wall contacts on the move, by particle: like history_rows, keyed by wall and feature. */
+struct wall_row {
+    int64_t id;
+    int32_t wall, patch; /* patch: number of the feature, see above */
+    double value[HISTORY_COMPONENTS_MAX];
+};
+struct wall_rows {
+    size_t *start;
+    struct wall_row *row;
+    size_t count;
+};
+/* Before and after a rebuild: detach allocates `rows` (also when there is no history: then no row), attach
+ * hands them to the new candidates; rows of walls or features that no longer exist are dropped. */
+void walls_detach(const struct walls *walls, const struct particles *particles, struct wall_rows *rows);
+void walls_attach(struct walls *walls, const struct wall_rows *rows, const struct particles *particles);
+void wall_rows_reorder(struct wall_rows *rows, const uint32_t *order, size_t owned);
+void wall_rows_remove(struct wall_rows *rows, const uint8_t *remove, size_t owned);
+void wall_rows_free(struct wall_rows *rows);
+
+/* Poses, for checkpoints and output. A pose that was set is where the wall's motions go on from: where they
+ * are those that led to it, as if there had been no break (bitwise), else from there. */
+void walls_pose(const struct walls *walls, int wall, struct wall_pose *pose);
+void walls_set_pose(struct walls *walls, int wall, const struct wall_pose *pose);
+
+/* Triangles of a mesh wall at its present pose, user's coordinates, 9 doubles each, for output; 0 for other
+ * shapes. */
+size_t walls_triangles(const struct walls *walls, int wall, double (**triangles)[9]);
+size_t walls_memory(const struct walls *walls);
+
+#endif
