@@ -30,3 +30,20 @@ tests_test_timer_SOURCES = tests/test_timer.c
 tests_test_timer_LDADD = $(CORE_LIBS) $(TEST_LIBS)
 tests_test_version_SOURCES = tests/test_version.c
 tests_test_version_LDADD = $(CORE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_force tests/test_integrator tests/test_law tests/test_timestep
+EXTRA_DIST += tests/near.h tests/pairs_by_hand.h
+tests_test_force_SOURCES = tests/test_force.c
+tests_test_force_LDADD = $(CONTACT_LIBS) $(TEST_LIBS)
+tests_test_integrator_SOURCES = tests/test_integrator.c
+tests_test_integrator_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
+tests_test_law_SOURCES = tests/test_law.c
+tests_test_law_LDADD = $(CONTACT_LIBS) $(TEST_LIBS)
+tests_test_timestep_SOURCES = tests/test_timestep.c
+tests_test_timestep_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_pairlist tests/test_particles
+tests_test_pairlist_SOURCES = tests/test_pairlist.c
+tests_test_pairlist_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
+tests_test_particles_SOURCES = tests/test_particles.c
+tests_test_particles_LDADD = $(PARTICLES_LIBS) $(TEST_LIBS)

@@ -113,7 +113,7 @@ void force_loop_block(struct force_loop *loop, const struct force_context *conte
     struct force_task task = {.context = context,
                               .block = work,
                               .thread = loop->thread[thread],
-                              .pair_base = list->blocks[list->thread_block[thread]].first_pair,
+                              .pair_base = pairlist_thread_first(list, thread),
                               .step = law_step_of(&context->law->options, context->dt),
                               .energies = context->want_sums};
     if (history) {

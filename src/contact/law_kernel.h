@@ -50,7 +50,7 @@ struct law_step {
     double force_least;  /* the normal force is never less: 0, or -DBL_MAX where it may attract */
     double spring_least; /* an over-limit spring of this square length or less gives no force; -1: never, 0:
                             empty ones (LAMMPS's gran/hooke) */
-    double rescale; /* 1: a turned spring keeps its length; 0: it is projected only */
+    double rescale;      /* 1: a turned spring keeps its length; 0: it is projected only */
 };
 
 /* One contact. The third block matters with friction only, `spin` and `roll` with rolling only. */
@@ -112,6 +112,13 @@ LAW_INLINE struct law_vector law_turn(struct law_vector a, struct law_vector n, 
     return law_scale(rescale > 0.0 ? factor : 1.0, p);
 }
 
+/* Turns `a`, which lies in the plane with unit normal m, into that with n: the smallest rotation that takes m
+ * to n. */
+LAW_INLINE struct law_vector law_transport(struct law_vector a, struct law_vector m, struct law_vector n) {
+    double share = law_dot(a, n) / law_max(1.0 + law_dot(m, n), DBL_EPSILON);
+    return law_add(a, -share, law_add(m, 1.0, n));
+}
+
 /* The numbers of one evaluation of a law with time step dt. */
 LAW_INLINE struct law_step law_step_of(const struct law_options *options, double dt) {
     return (struct law_step){.dt = dt,
@@ -146,8 +153,8 @@ LAW_INLINE struct law_vector law_slide(struct law_case law, struct law_step step
     struct law_vector plane = law.synchronised ? in->half_normal : in->normal;
     struct law_vector trial = law_add(law_turn(*spring, plane, step.rescale), step.dt, rate);
     if (law.synchronised) {
-        trial = law_turn(trial, in->normal, 1.0);
-        rate = law_project(rate, in->normal);
+        trial = law_transport(trial, plane, in->normal);
+        rate = law_transport(rate, plane, in->normal);
     }
     struct law_vector force = law_add(law_scale(-stiffness, trial), -damping, rate);
     double ratio = limit / sqrt(law_max(law_dot(force, force), DBL_MIN));

@@ -75,7 +75,7 @@ double integrator_advance(struct particles *particles, const struct integrator_c
     const struct integrator_pass pass = integrator_pass_of(context, context->dt);
     const size_t stride = (size_t)particles->force_stride;
     const integrator_four zero = {0.0, 0.0, 0.0, 0.0};
-    double fastest = 0.0;
+    double fastest = 0.0, poison = 0.0; /* the second: 0, or NaN once a square is not finite */
     for (size_t i = first; i < last; i++) {
         struct particle_state *state = &particles->state[i];
         integrator_four *force = (integrator_four *)(particles->force + i * stride);
@@ -90,8 +90,9 @@ double integrator_advance(struct particles *particles, const struct integrator_c
             state->x[c] += pass.dt[c] * state->v[c];
         double square = state->v[0] * state->v[0] + state->v[1] * state->v[1] + state->v[2] * state->v[2];
         fastest = square > fastest ? square : fastest;
+        poison += 0.0 * square;
     }
-    return fastest;
+    return fastest + poison;
 }
 
 void integrator_stagger(struct particles *particles, const struct integrator_context *context, size_t first,

@@ -39,7 +39,7 @@ struct integrator_context {
 
 /* Kicks and drifts the owned particles [first, last): v += dt (f/m + g), omega += dt torque/I, x += dt v;
  * sets their force record to zero; sets prescribed motion. In 2D z stays. Returns the largest |v|^2 of the
- * range (speed for the skin). Any thread, disjoint ranges. */
+ * range (speed for the skin), NaN if one is not finite. Any thread, disjoint ranges. */
 double integrator_advance(struct particles *particles, const struct integrator_context *context, size_t first,
                           size_t last);
 
@@ -49,7 +49,7 @@ void integrator_stagger(struct particles *particles, const struct integrator_con
                         size_t last);
 
 /* Full-step velocity and angular velocity of particle i, from the half-step state and the present force.
- * omega may be NULL. */
+ * omega may be NULL, and must be without spin. */
 void integrator_full_step(const struct particles *particles, const struct integrator_context *context,
                           size_t i, double velocity[3], double omega[3]);
 
