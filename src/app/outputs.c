@@ -90,7 +90,7 @@ bool outputs_sum_each_step(const struct outputs *o) {
     return false;
 }
 
-static bool observables_row(struct outputs *o, const struct output_view *view, struct error *error) {
+static bool row_write(struct outputs *o, const struct output_view *view, struct error *error) {
     if (!observables_write(o->observables, view, error))
         return false;
     if (o->h5md) {
@@ -123,7 +123,7 @@ bool outputs_write(struct outputs *o, const struct simulation *s, struct error *
     struct output_view view = simulation_view(s);
     bool good = true;
     if (o->observables && output_interval_due(&options->observables.every, s->step, s->time, s->dt))
-        good = observables_row(o, &view, error);
+        good = row_write(o, &view, error);
     if (good && o->h5md && output_interval_due(&options->trajectory.every, s->step, s->time, s->dt))
         good = frame_write(o, &view, true, error);
     if (good && o->h5md && output_interval_due(&options->trajectory.contacts, s->step, s->time, s->dt))

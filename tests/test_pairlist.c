@@ -1,0 +1,286 @@
+/* The pair list on any number of threads, with ghosts and busy particles, and the history over rebuilds. */
+#include "core/memory.h"
+#include "core/random.h"
+#include "pairs/history.h"
+#include "pairs/pairlist.h"
+#include "pairs/skin.h"
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+
+/* A cloud of small particles with a few large ones, of which the last `ghosts` are ghosts. */
+struct cloud {
+    struct particles *particles;
+    struct size_classes classes;
+    struct box box;
+    struct index *index;
+    struct index_view view;
+    struct pairlist *list;
+};
+
+static void cloud_fill(struct cloud *c, size_t n, size_t ghosts) {
+    c->box = (struct box){.dimension = 3, .edge = {10, 10, 10}, .periodic = {true, true, true}};
+    c->particles = particles_create(0, n);
+    for (size_t k = 0; k < n; k++) {
+        struct random_sequence random = random_sequence(9, RANDOM_TEST, k);
+        size_t i = particles_append(c->particles);
+        bool large = k >= n - ghosts - 4 && k < n - ghosts;
+        for (int d = 0; d < 3; d++)
+            c->particles->state[i].x[d] = 10 * random_uniform(&random);
+        c->particles->state[i].radius = large ? 2.5 : 0.2 + 0.1 * random_uniform(&random);
+        c->particles->state[i].inverse_mass = 1;
+        c->particles->id[i] = (int64_t)(k * 7919 % 100003) + 1;
+    }
+    double *radii = memory_allocate(n, sizeof *radii, "test");
+    for (size_t k = 0; k < n; k++)
+        radii[k] = c->particles->state[k].radius;
+    struct classes_options options = {
+        .method = CLASSES_CUTS, .cut_count = 1, .cut = {1}, .skin_given = true, .skin = 0.1};
+    struct error error = {0};
+    assert_true(classes_choose(&c->classes, &options, 0, radii, n, &error));
+    memory_free(radii);
+    particles_classify(c->particles, &c->classes);
+    c->particles->owned = n - ghosts;
+    c->particles->ghosts = ghosts;
+}
+
+static void cloud_search(struct cloud *c, int threads, bool newton) {
+    const bool wrap[3] = {true, true, true};
+    const struct index_params params = {0};
+    struct error error = {0};
+    pairlist_view(&c->view, c->particles, &c->classes, &c->box, wrap);
+    c->view.newton = newton;
+    c->view.threads = threads;
+    c->index = index_create("brute", &params, &error);
+    index_build(c->index, &c->view);
+    struct pairlist_options options = {.threads = threads, .block_rows = 100, .busy_bound = 20};
+    c->list = pairlist_create(&options);
+    pairlist_build(c->list, c->index, &c->view, c->particles, &c->box);
+}
+
+static void cloud_free(struct cloud *c) {
+    pairlist_destroy(&c->list);
+    index_destroy(&c->index);
+}
+
+/* How often each particle would get a share of the force of its pairs, as sums of partner ids: the same for
+ * any layout. */
+static int64_t *shares(const struct cloud *c) {
+    const struct pairlist *list = c->list;
+    const int64_t *id = c->particles->id;
+    int64_t *share = memory_allocate_zero(c->view.total, sizeof *share, "test");
+    for (int b = 0; b < list->block_count; b++) {
+        const struct pair_block *block = &list->blocks[b];
+        for (size_t k = block->first_pair; k < block->end_pair; k++) {
+            uint32_t i = list->i[k], j = pair_partner(list->j[k]);
+            share[i] += id[j] * (1 + pair_image(list->j[k]));
+            if (k < block->one_sided || k >= block->slotted)
+                share[j] += id[i] * (1 + box_image_opposite(pair_image(list->j[k])));
+        }
+    }
+    return share;
+}
+
+static void check_layouts(size_t ghosts, bool newton) {
+    struct cloud c = {0};
+    cloud_fill(&c, 1500, ghosts);
+    cloud_search(&c, 1, newton);
+    int64_t *reference = shares(&c);
+    size_t primary = c.list->primary_count;
+    cloud_free(&c);
+    for (int threads = 2; threads <= 5; threads++) {
+        char why[200] = "";
+        cloud_search(&c, threads, newton);
+        assert_int_equal(c.list->primary_count, primary);
+        assert_true(c.list->slot_count >= 4);
+        if (!pairlist_valid(c.list, &c.view, why, sizeof why))
+            fail_msg("%s", why);
+        int64_t *share = shares(&c);
+        size_t counted = newton ? c.view.total : c.view.owned;
+        assert_memory_equal(share, reference, counted * sizeof *share);
+        memory_free(share);
+        /* A second build goes into the regions of the first */
+        pairlist_build(c.list, c.index, &c.view, c.particles, &c.box);
+        share = shares(&c);
+        assert_memory_equal(share, reference, counted * sizeof *share);
+        memory_free(share);
+        cloud_free(&c);
+    }
+    memory_free(reference);
+    particles_destroy(&c.particles);
+}
+
+static void test_any_thread_count_gives_each_particle_the_same(void **state) {
+    (void)state;
+    check_layouts(0, true);
+    check_layouts(300, true);
+    check_layouts(300, false);
+}
+
+/* No two threads write to the same particle or slot. */
+static void test_threads_own_what_they_write(void **state) {
+    (void)state;
+    struct cloud c = {0};
+    cloud_fill(&c, 1500, 300);
+    cloud_search(&c, 3, true);
+    int *writer = memory_allocate(c.view.total, sizeof *writer, "test");
+    for (size_t k = 0; k < c.view.total; k++)
+        writer[k] = -1;
+    for (int t = 0; t < 3; t++) {
+        for (int b = c.list->thread_block[t]; b < c.list->thread_block[t + 1]; b++) {
+            const struct pair_block *block = &c.list->blocks[b];
+            for (size_t k = block->first_pair; k < block->end_pair; k++) {
+                uint32_t end[2] = {c.list->i[k], pair_partner(c.list->j[k])};
+                for (int e = 0; e < (k < block->one_sided ? 2 : 1); e++) {
+                    assert_true(writer[end[e]] == -1 || writer[end[e]] == t);
+                    writer[end[e]] = t;
+                }
+                if (k >= block->slotted)
+                    assert_true(c.list->slot_of[end[1]] >= 0);
+            }
+        }
+    }
+    memory_free(writer);
+    cloud_free(&c);
+    particles_destroy(&c.particles);
+}
+
+/* Fills the history with values that follow from the ids of a pair and its image. */
+static double expected(const struct cloud *c, size_t k, int component) {
+    uint32_t i = c->list->i[k], j = pair_partner(c->list->j[k]);
+    int64_t a = c->particles->id[i], b = c->particles->id[j];
+    const double *shift = c->list->shift[pair_image(c->list->j[k])];
+    double along = 0, sign = a < b ? 1 : -1;
+    for (int d = 0; d < 3; d++)
+        along += (d + 1) * sign * (c->particles->state[j].x[d] + shift[d] - c->particles->state[i].x[d]);
+    return sign * ((double)(a + b) + 1e-3 * component + round(1e6 * along));
+}
+
+static bool holds_record(const struct cloud *c, size_t k) {
+    uint32_t i = c->list->i[k], j = pair_partner(c->list->j[k]);
+    return (c->particles->id[i] + c->particles->id[j]) % 3 != 0;
+}
+
+static void history_fill(const struct cloud *c, struct history *history) {
+    for (int t = 0; t < c->list->threads; t++) {
+        size_t first = pairlist_thread_first(c->list, t);
+        history_reserve(history, t, c->list->pair_count);
+        struct history_part *part = &history->part[1 - history->now][t];
+        part->count = 0;
+        for (int b = c->list->thread_block[t]; b < c->list->thread_block[t + 1]; b++)
+            for (size_t k = c->list->blocks[b].first_pair; k < c->list->blocks[b].end_pair; k++) {
+                if (!holds_record(c, k))
+                    continue;
+                part->pair[part->count] = (uint32_t)(k - first);
+                for (int d = 0; d < 3; d++)
+                    part->value[3 * part->count + (size_t)d] = expected(c, k, d);
+                part->count++;
+            }
+    }
+    history_flip(history);
+}
+
+static void history_compare(const struct cloud *c, const struct history *history) {
+    for (int t = 0; t < c->list->threads; t++) {
+        const struct history_part *part = &history->part[history->now][t];
+        size_t first = pairlist_thread_first(c->list, t), at = 0;
+        for (int b = c->list->thread_block[t]; b < c->list->thread_block[t + 1]; b++)
+            for (size_t k = c->list->blocks[b].first_pair; k < c->list->blocks[b].end_pair; k++) {
+                if (!holds_record(c, k))
+                    continue;
+                assert_true(at < part->count);
+                assert_int_equal(part->pair[at], k - first);
+                for (int d = 0; d < 3; d++)
+                    assert_true(part->value[3 * at + (size_t)d] == expected(c, k, d));
+                at++;
+            }
+        assert_int_equal(at, part->count);
+    }
+}
+
+static void check_history(int before, int after, bool both_ends) {
+    struct cloud c = {0};
+    struct history_rows rows = {0};
+    cloud_fill(&c, 1200, 0);
+    cloud_search(&c, before, true);
+    struct history *old = history_create(3, before), *new = history_create(3, after);
+    history_fill(&c, old);
+    history_detach(old, c.list, c.particles, both_ends, &rows);
+    cloud_free(&c);
+    uint32_t *order = memory_allocate(1200, sizeof *order, "test");
+    for (uint32_t k = 0; k < 1200; k++)
+        order[k] = k * 7 % 1200;
+    particles_reorder(c.particles, order);
+    history_rows_reorder(&rows, order, 1200);
+    cloud_search(&c, after, true);
+    history_attach(new, &rows, c.list, c.particles);
+    history_compare(&c, new);
+    history_rows_free(&rows);
+    memory_free(order);
+    cloud_free(&c);
+    history_destroy(&old);
+    history_destroy(&new);
+    particles_destroy(&c.particles);
+}
+
+static void test_history_survives_reorder_and_another_thread_count(void **state) {
+    (void)state;
+    check_history(1, 1, false);
+    check_history(3, 2, false);
+    check_history(2, 4, true);
+}
+
+static void test_rows_follow_removed_particles(void **state) {
+    (void)state;
+    struct history_row row[4] = {{.id = 1}, {.id = 1}, {.id = 3}, {.id = 4}};
+    size_t start[] = {0, 2, 2, 3, 4};
+    struct history_rows rows = {memory_allocate(5, sizeof(size_t), "test"),
+                                memory_allocate(4, sizeof *row, "test"), 4};
+    memcpy(rows.start, start, sizeof start);
+    memcpy(rows.row, row, sizeof row);
+    history_rows_remove(&rows, (const uint8_t[]){0, 1, 1, 0}, 4);
+    assert_int_equal(rows.count, 3);
+    assert_int_equal(rows.start[1], 2);
+    assert_int_equal(rows.start[2], 3);
+    assert_int_equal(rows.row[2].id, 4);
+    history_rows_free(&rows);
+}
+
+static void test_skin_is_due_by_class_pairs(void **state) {
+    (void)state;
+    struct cloud c = {0};
+    cloud_fill(&c, 200, 0);
+    struct skin *skin = skin_create();
+    skin_reset(skin, c.particles);
+    assert_false(skin_due(skin, &c.classes));
+    skin_moved(skin, (const double[]){0.4, 0}, 2, 0.1, 0);
+    assert_false(skin_due(skin, &c.classes)); /* two small ones may have used 0.08 of 0.1 */
+    skin_moved(skin, (const double[]){0.4, 0}, 2, 0.1, 0);
+    assert_true(skin_due(skin, &c.classes));
+    c.particles->state[3].x[1] += 0.09; /* one particle alone went far: pairs have not used up the skin */
+    skin_measure(skin, c.particles, 2);
+    assert_false(skin_due(skin, &c.classes));
+    assert_true(fabs(skin->bound[0] - 0.09) < 1e-12);
+    c.particles->state[4].x[0] -= 0.02;
+    skin_measure(skin, c.particles, 2);
+    assert_true(skin_due(skin, &c.classes));
+    skin_reset(skin, c.particles);
+    skin_moved(skin, (const double[]){0, 0}, 2, 0.1, 0.11); /* a wall moved */
+    assert_true(skin_due(skin, &c.classes));
+    skin_destroy(&skin);
+    particles_destroy(&c.particles);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_any_thread_count_gives_each_particle_the_same),
+        cmocka_unit_test(test_threads_own_what_they_write),
+        cmocka_unit_test(test_history_survives_reorder_and_another_thread_count),
+        cmocka_unit_test(test_rows_follow_removed_particles),
+        cmocka_unit_test(test_skin_is_due_by_class_pairs),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

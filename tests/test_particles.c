@@ -1,0 +1,184 @@
+/* The particle set, its field table, size classes and images. */
+#include "core/random.h"
+#include "particles/fields.h"
+#include "particles/particles.h"
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <cmocka.h>
+
+static struct particles *sample(unsigned features, size_t n) {
+    struct particles *p = particles_create(features, 0);
+    for (size_t k = 0; k < n; k++) {
+        struct random_sequence random = random_sequence(5, RANDOM_TEST, k);
+        size_t i = particles_append(p);
+        for (int d = 0; d < 3; d++) {
+            p->state[i].x[d] = 10 * random_uniform(&random) - 2;
+            p->state[i].v[d] = random_normal(&random);
+        }
+        p->state[i].radius = 0.1 + random_uniform(&random);
+        p->state[i].inverse_mass = 1 + random_uniform(&random);
+        p->id[i] = (int64_t)(1000 - k);
+        p->force[i * (size_t)p->force_stride] = (double)k;
+        if (p->omega)
+            p->omega[i][2] = (double)k;
+        if (p->material)
+            p->material[i] = (uint8_t)(k % 3);
+    }
+    return p;
+}
+
+static void test_append_and_remove_keep_order(void **state) {
+    (void)state;
+    struct particles *p = sample(PARTICLE_FEATURES_ALL, 100);
+    uint8_t remove[100] = {0};
+    for (int k = 0; k < 100; k += 3)
+        remove[k] = 1;
+    assert_int_equal(particles_remove(p, remove), 34);
+    assert_int_equal(p->owned, 66);
+    for (size_t k = 0, from = 0; from < 100; from++) {
+        if (remove[from])
+            continue;
+        assert_int_equal(p->id[k], 1000 - (int64_t)from);
+        assert_int_equal(p->material[k], from % 3);
+        assert_true(p->omega[k][2] == (double)from);
+        k++;
+    }
+    particles_destroy(&p);
+    assert_null(p);
+}
+
+static void test_reorder_moves_every_field(void **state) {
+    (void)state;
+    for (unsigned features = 0; features <= PARTICLE_FEATURES_ALL; features++) {
+        struct particles *p = sample(features, 257), *q = sample(features, 257);
+        uint32_t order[257];
+        for (uint32_t k = 0; k < 257; k++)
+            order[k] = (k * 100 + 7) % 257;
+        particles_reorder(p, order);
+        particles_reorder(p, order); /* the second time with spare arrays in place */
+        for (int f = 0; f < fields_count(); f++) {
+            if (!fields_present(p, f))
+                continue;
+            size_t stride, bytes = fields_bytes(f);
+            const char *new = fields_base(p, f, &stride), *old = fields_base(q, f, &stride);
+            for (size_t k = 0; k < 257; k++)
+                assert_memory_equal(new + k *stride, old + order[order[k]] * stride, bytes);
+        }
+        particles_destroy(&p);
+        particles_destroy(&q);
+    }
+}
+
+static void test_pack_and_unpack_are_inverse(void **state) {
+    (void)state;
+    struct particles *p = sample(PARTICLE_FEATURES_ALL, 20), *q = sample(PARTICLE_FEATURES_ALL, 20);
+    uint32_t list[3] = {4, 19, 0};
+    char buffer[4096];
+    unsigned use = FIELD_MIGRATE;
+    char *end = fields_pack(p, use, list, 3, buffer);
+    assert_int_equal(end - buffer, 3 * (long)fields_packed_bytes(p, use));
+    fields_unpack(q, use, 5, 3, buffer);
+    for (int k = 0; k < 3; k++) {
+        assert_int_equal(q->id[5 + k], p->id[list[k]]);
+        assert_memory_equal(&q->state[5 + k], &p->state[list[k]], sizeof *p->state);
+        assert_int_equal(q->material[5 + k], p->material[list[k]]);
+    }
+    particles_destroy(&p);
+    particles_destroy(&q);
+}
+
+static void test_scene_without_friction_carries_nothing_of_it(void **state) {
+    (void)state;
+    struct particles *p = sample(0, 3), *q = sample(PARTICLE_SPIN, 3);
+    assert_null(p->omega);
+    assert_int_equal(p->force_stride, 4);
+    assert_int_equal(fields_packed_bytes(q, FIELD_FORWARD) - fields_packed_bytes(p, FIELD_FORWARD), 24);
+    assert_int_equal(fields_packed_bytes(q, FIELD_REVERSE) - fields_packed_bytes(p, FIELD_REVERSE), 24);
+    assert_int_equal(particles_bytes_each(q) - particles_bytes_each(p), 64);
+    assert_false(fields_present(p, fields_find("torque")));
+    particles_destroy(&p);
+    particles_destroy(&q);
+}
+
+static void test_wrap_counts_images(void **state) {
+    (void)state;
+    struct box box = {.dimension = 3, .edge = {4, 5, 6}, .periodic = {true, false, true}};
+    struct particles *p = sample(PARTICLE_IMAGE, 50), *q = sample(PARTICLE_IMAGE, 50);
+    q->state[0].x[0] = p->state[0].x[0] = -1e-17; /* rounds to the upper face, which is the lower one */
+    particles_wrap(p, &box);
+    for (size_t k = 0; k < 50; k++) {
+        assert_true(p->state[k].x[0] >= 0 && p->state[k].x[0] < 4);
+        assert_true(p->state[k].x[2] >= 0 && p->state[k].x[2] < 6);
+        for (int d = 0; d < 3; d++)
+            assert_true(fabs(p->state[k].x[d] + p->image[k][d] * box.edge[d] - q->state[k].x[d]) < 1e-12);
+    }
+    assert_true(p->state[0].x[0] == 0);
+    particles_destroy(&p);
+    particles_destroy(&q);
+}
+
+static void test_image_codes_and_shifts(void **state) {
+    (void)state;
+    struct box box = {.dimension = 3, .edge = {4, 5, 6}};
+    double shift[BOX_IMAGE_CODES][4];
+    box_image_shifts(&box, shift);
+    assert_int_equal(box_image_code(0, 0, 0), 0);
+    for (unsigned code = 0; code < BOX_IMAGE_CODES; code++)
+        for (int d = 0; d < 3; d++)
+            assert_true(shift[code][d] == -shift[box_image_opposite(code)][d]);
+    assert_true(shift[box_image_code(1, -1, 0)][0] == 4 && shift[box_image_code(1, -1, 0)][1] == -5);
+}
+
+static void test_classes_by_ratio_and_by_cuts(void **state) {
+    (void)state;
+    struct size_classes classes;
+    struct classes_options options = classes_options_default();
+    struct error error = {0};
+    double two[] = {10, 1, 1, 1, 10};
+    assert_true(classes_choose(&classes, &options, 0, two, 5, &error));
+    assert_int_equal(classes.count, 2);
+    assert_int_equal(classes_of(&classes, 1), 0);
+    assert_int_equal(classes_of(&classes, 10), 1);
+    assert_int_equal(classes_of(&classes, 1e9), 1);
+    assert_true(classes.skin[0][1] == 0.3 && classes.skin[1][1] == 3 && classes.skin[0][2] == 0.3);
+    double many[] = {1, 1.5, 2.5, 3, 5, 9};
+    options = (struct classes_options){
+        .method = CLASSES_CUTS, .cut_count = 2, .cut = {2, 4}, .skin_given = true, .skin = 0.25};
+    assert_true(classes_choose(&classes, &options, 0.5, many, 6, &error));
+    assert_int_equal(classes.count, 3);
+    assert_int_equal(classes.population[1], 2);
+    assert_true(classes.radius_max[0] == 1.5 && classes.radius_min[2] == 5);
+    assert_true(classes.margin[0][2] == 0.75);
+    options.cut[1] = 2;
+    assert_false(classes_choose(&classes, &options, 0, many, 6, &error));
+    assert_int_equal(error.kind, ERROR_USER);
+    assert_non_null(strstr(error.text, "classes.cuts"));
+}
+
+static void test_validity_finds_nonsense(void **state) {
+    (void)state;
+    char why[200];
+    struct particles *p = sample(0, 4);
+    assert_true(particles_valid(p, why, sizeof why));
+    p->state[2].x[1] = NAN;
+    assert_false(particles_valid(p, why, sizeof why));
+    assert_non_null(strstr(why, "998"));
+    particles_destroy(&p);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_append_and_remove_keep_order),
+        cmocka_unit_test(test_reorder_moves_every_field),
+        cmocka_unit_test(test_pack_and_unpack_are_inverse),
+        cmocka_unit_test(test_scene_without_friction_carries_nothing_of_it),
+        cmocka_unit_test(test_wrap_counts_images),
+        cmocka_unit_test(test_image_codes_and_shifts),
+        cmocka_unit_test(test_classes_by_ratio_and_by_cuts),
+        cmocka_unit_test(test_validity_finds_nonsense),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
