@@ -19,16 +19,27 @@ const struct schema_row *schema_short_list(const struct schema_table *table) {
     return NULL;
 }
 
-const struct schema_row *schema_find(const char *key) {
+/* Appends one key to a full key. */
+static void lengthen(char full[SCHEMA_KEY_MAX], const struct schema_row *row) {
+    size_t length = strlen(full);
+    snprintf(full + length, SCHEMA_KEY_MAX - length, "%s%s%s", length ? "." : "", row->key,
+             row->type == SCHEMA_LIST ? "[]" : "");
+}
+
+const struct schema_row *schema_find(const char *key, char full[SCHEMA_KEY_MAX]) {
     const struct schema_table *table = &schema_root;
+    full[0] = '\0';
     for (;;) {
         size_t length = strcspn(key, ".[");
         const struct schema_row *row = schema_row_find(table, key, length);
         const struct schema_row *list = row ? NULL : schema_short_list(table);
-        if (list)
+        if (list) {
             row = schema_row_find(list->sub, key, length);
+            lengthen(full, list);
+        }
         if (!row)
             return NULL;
+        lengthen(full, row);
         key += length;
         if (*key == '[')
             key += strcspn(key, "]") + (strchr(key, ']') != NULL);

@@ -135,8 +135,8 @@ const struct schema_row *schema_row_find(const struct schema_table *table, const
 const struct schema_row *schema_short_list(const struct schema_table *table);
 
 /* The row of a full key, list numbers ignored ("walls[3].radius", "walls[].radius" and "walls.radius" alike,
- * short forms understood), or NULL. */
-const struct schema_row *schema_find(const char *key);
+ * short forms understood), and its key in the form "walls[].radius"; or NULL. */
+const struct schema_row *schema_find(const char *key, char full[SCHEMA_KEY_MAX]);
 
 /* Writes the nearest known full key to `nearest`; false if none is near. `section` is the prefix in which the
  * key stood ("walls[]."), or "". */

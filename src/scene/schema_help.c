@@ -33,17 +33,17 @@ static void print_line(void *context, const struct schema_row *row, const char *
     fprintf(out, "%-44s %s\n", key, row->help);
 }
 
-/* Rows of one section, by their full keys. */
+/* The keys of one section. */
 struct listing {
     FILE *out;
     const char *prefix;
-    int depth;
 };
 
 static void print_below(void *context, const struct schema_row *row, const char *key, int depth) {
     const struct listing *listing = context;
     size_t length = strlen(listing->prefix);
-    if (depth == listing->depth + 1 && strncmp(key, listing->prefix, length) == 0 && key[length] == '.')
+    (void)depth;
+    if (strncmp(key, listing->prefix, length) == 0 && key[length] == '.' && !strchr(key + length + 1, '.'))
         fprintf(listing->out, "  %-40s %s\n", key, row->help);
 }
 
@@ -56,25 +56,8 @@ static void print_names(FILE *out, const struct schema_row *row) {
         fprintf(out, "    %-24s %s\n", name, help);
 }
 
-/* The full key of a row, in the form with []. */
-struct search {
-    const struct schema_row *row;
-    char key[SCHEMA_KEY_MAX];
-    int depth;
-};
-
-static void match_row(void *context, const struct schema_row *row, const char *key, int depth) {
-    struct search *search = context;
-    if (row != search->row || search->key[0])
-        return;
-    snprintf(search->key, sizeof(search->key), "%s", key);
-    search->depth = depth;
-}
-
-static void print_row(FILE *out, const struct schema_row *row) {
-    struct search search = {.row = row};
-    schema_walk(match_row, &search);
-    fprintf(out, "%s: %s\n  ", search.key, row->help);
+static void print_row(FILE *out, const struct schema_row *row, const char *key) {
+    fprintf(out, "%s: %s\n  ", key, row->help);
     print_brief(out, row);
     fprintf(out, "\n");
     print_names(out, row);
@@ -84,10 +67,10 @@ static void print_row(FILE *out, const struct schema_row *row) {
         fprintf(out, "\n");
     }
     if (row->main)
-        fprintf(out, "  a bare value stands for %s.%s\n", search.key, row->main);
+        fprintf(out, "  a bare value stands for %s.%s\n", key, row->main);
     if (row->example)
         fprintf(out, "  example: %s: %s\n", row->key, row->example);
-    struct listing listing = {.out = out, .prefix = search.key, .depth = search.depth};
+    struct listing listing = {.out = out, .prefix = key};
     if (row->sub)
         schema_walk(print_below, &listing);
 }
@@ -99,9 +82,10 @@ bool scene_help(FILE *out, const char *key) {
         schema_walk(print_line, out);
         return true;
     }
-    const struct schema_row *row = schema_find(key);
+    char full[SCHEMA_KEY_MAX];
+    const struct schema_row *row = schema_find(key, full);
     if (row) {
-        print_row(out, row);
+        print_row(out, row, full);
         return true;
     }
     const char *last = strrchr(key, '.');

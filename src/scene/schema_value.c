@@ -25,13 +25,25 @@ static bool read_decimal(const char *text, const char **end, double *value) {
     return after != text && isfinite(*value);
 }
 
+/* The number in [text, end) x 10^decimal, by its exponent, so that 2.3 mm is the double nearest to 0.0023. */
+static double shift_decimal(const char *text, const char *end, int decimal) {
+    char copy[128];
+    size_t mantissa = strcspn(text, "eE ");
+    mantissa = text + mantissa < end ? mantissa : (size_t)(end - text);
+    long exponent = text + mantissa < end ? strtol(text + mantissa + 1, NULL, 10) : 0;
+    snprintf(copy, sizeof(copy), "%.*se%ld", (int)(mantissa < 100 ? mantissa : 100), text,
+             exponent + decimal);
+    return strtod(copy, NULL);
+}
+
 bool schema_number(const char *text, const char *unit, bool units_allowed, double *value, char *why,
                    size_t room) {
-    const char *end;
+    const char *end, *behind;
     if (!read_decimal(text, &end, value)) {
         snprintf(why, room, "'%.80s' is not a number", text);
         return false;
     }
+    behind = end;
     end += strspn(end, " ");
     if (*end == '\0')
         return true;
@@ -53,7 +65,7 @@ bool schema_number(const char *text, const char *unit, bool units_allowed, doubl
             snprintf(why, room, "'%.80s': a pure number has no unit", text);
         return false;
     }
-    *value = units_convert(*value, &scale);
+    *value = isfinite(*value) ? shift_decimal(text, behind, scale.decimal) * scale.factor : *value;
     return true;
 }
 

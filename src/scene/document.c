@@ -1,0 +1,7 @@
+/* Writes docs/scene.md: make src/scene/document && src/scene/document > docs/scene.md */
+#include "scene/scene.h"
+
+int main(void) {
+    scene_document(stdout);
+    return fflush(stdout) != 0;
+}

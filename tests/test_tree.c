@@ -1,0 +1,92 @@
+#include "scene/tree.h"
+
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <setjmp.h>
+#include <cmocka.h>
+#include <string.h>
+
+static void keeps_lines(void **state) {
+    (void)state;
+    struct error error = {0};
+    struct tree_node *root = tree_parse("s.yaml", "a: 1\nb:\n  - c: x\n  - {c: 'y z'}\n", 1, &error);
+    assert_non_null(root);
+    assert_int_equal(tree_get(root, "a")->line, 1);
+    assert_int_equal(tree_get(root, "b")->line, 2);
+    assert_null(tree_get(root, "c"));
+    const struct tree_node *node = tree_nearest(root, "b[1].c");
+    assert_string_equal(node->text, "y z");
+    assert_true(node->quoted);
+    assert_int_equal(node->line, 4);
+    char place[64];
+    assert_string_equal(tree_place(tree_nearest(root, "b[0].d"), "s.yaml", place, sizeof(place)), "s.yaml:3");
+    assert_string_equal(tree_place(tree_nearest(root, "b[7].d"), "s.yaml", place, sizeof(place)), "s.yaml:2");
+    tree_free(&root);
+    assert_null(root);
+}
+
+static void changes(void **state) {
+    (void)state;
+    struct error error = {0};
+    struct tree_node *root = tree_parse("s.yaml", "a: 1\nb: 2\nc: 3", 1, &error);
+    tree_put(root, "b", tree_new(TREE_LIST, 0));
+    tree_append(tree_get(root, "b"), tree_new(TREE_MAP, 0));
+    assert_int_equal(tree_nearest(root, "b[0]")->kind, TREE_MAP);
+    struct tree_node *taken = tree_take(root, 0);
+    assert_string_equal(taken->text, "1");
+    assert_int_equal(root->children, 2);
+    assert_string_equal(root->key[0], "b");
+    tree_free(&taken);
+    char place[64];
+    assert_string_equal(tree_place(tree_get(root, "b"), "s.yaml", place, sizeof(place)), "command line");
+    tree_free(&root);
+}
+
+static void refuses(void **state) {
+    (void)state;
+    static const char *const cases[][2] = {
+        {"a: 1\nb: 2\na: 3\n", "s.yaml:3: key 'a' is given twice, first at s.yaml:1"},
+        {"a: &x 1\nb: *x\n", "s.yaml:1: anchors"},
+        {"a: !!str 1\n", "s.yaml:1: anchors, aliases and tags"},
+        {"a: 1\n---\nb: 2\n", "s.yaml:2: a second document"},
+        {"a: [1, 2\nb: 3\n", "s.yaml:2: not valid YAML"},
+        {"a: 1\n\tb: 2\n", "s.yaml:2: not valid YAML"},
+        {"a: \"open\n", "not valid YAML"},
+        {"? [1, 2]\n: 3\n", "s.yaml:1: a key must be a name"},
+        {"a: \xff\n", "not valid YAML"},
+    };
+    for (size_t k = 0; k < sizeof(cases) / sizeof(cases[0]); k++) {
+        struct error error = {0};
+        struct tree_node *root = tree_parse("s.yaml", cases[k][0], 1, &error);
+        assert_null(root);
+        assert_int_equal(error.kind, ERROR_USER);
+        if (!strstr(error.text, cases[k][1]))
+            fail_msg("case %zu: %s", k, error.text);
+    }
+}
+
+static void refuses_depth(void **state) {
+    (void)state;
+    char text[400] = "a: ";
+    memset(text + 3, '[', 200);
+    struct error error = {0};
+    assert_null(tree_parse("s.yaml", text, 1, &error));
+    assert_non_null(strstr(error.text, "nested too deep"));
+}
+
+static void empty_is_a_mapping(void **state) {
+    (void)state;
+    struct error error = {0};
+    struct tree_node *root = tree_parse("s.yaml", "# nothing\n", 1, &error);
+    assert_non_null(root);
+    assert_int_equal(root->kind, TREE_MAP);
+    tree_free(&root);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(keeps_lines), cmocka_unit_test(changes),
+                                       cmocka_unit_test(refuses), cmocka_unit_test(refuses_depth),
+                                       cmocka_unit_test(empty_is_a_mapping)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

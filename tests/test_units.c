@@ -1,0 +1,102 @@
+#include "scene/schema.h"
+#include "scene/units.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <setjmp.h>
+#include <cmocka.h>
+#include <stdio.h>
+#include <string.h>
+
+static void converts(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *unit;
+        double value;
+    } cases[] = {
+        {"5 mm", "m", 0.005},       {"3mm", "m", 0.003},           {"7 um", "m", 7e-6},
+        {"0.5 µs", "s", 5e-7},      {"2 GPa", "Pa", 2e9},          {"2.5 g/cm3", "kg/m3", 2500},
+        {"1 t/m^3", "kg/m3", 1000}, {"2.3 kN/m", "N/m", 2300},     {"1 kg m-3", "kg/m3", 1},
+        {"36 km/h", "m/s", 10},     {"-9.81 m/s2", "m/s2", -9.81}, {"60 rpm", "rad/s", 2 * M_PI},
+        {"180 deg", "rad", M_PI},   {"50 Hz", "1/s", 50},          {"30 %", "", 0.3},
+        {"2 min", "s", 120},        {"1e3", "Pa", 1000},           {"1 N*m/m2", "N/m", 1},
+        {"4 g/s", "kg/s", 0.004},   {".inf", "s", INFINITY},
+    };
+    for (size_t k = 0; k < sizeof(cases) / sizeof(cases[0]); k++) {
+        double value;
+        char why[200] = "";
+        if (!schema_number(cases[k].text, cases[k].unit, true, &value, why, sizeof(why)))
+            fail_msg("%s: %s", cases[k].text, why);
+        if (isinf(cases[k].value))
+            assert_true(isinf(value));
+        else
+            assert_true(fabs(value - cases[k].value) <= 1e-15 * fabs(cases[k].value));
+    }
+}
+
+/* Powers of ten lose nothing: the same double as the decimal number in base units. */
+static void decimals_are_exact(void **state) {
+    (void)state;
+    char text[64];
+    for (int k = 1; k < 1000; k++) {
+        double value, base;
+        char why[200];
+        snprintf(text, sizeof(text), "%d.%d mm", k, k % 10);
+        assert_true(schema_number(text, "m", true, &value, why, sizeof(why)));
+        snprintf(text, sizeof(text), "%d.%de-3", k, k % 10);
+        assert_true(schema_number(text, "m", true, &base, why, sizeof(why)));
+        assert_true(value == base);
+    }
+}
+
+static void refuses(void **state) {
+    (void)state;
+    static const char *const cases[][3] = {
+        {"5 kg", "m", "not a unit of length"},
+        {"5 mmm", "m", "is not a unit"},
+        {"5 m/", "m", "is not a unit"},
+        {"5 m", "", "a pure number has no unit"},
+        {"5 rad/s", "1/s", "not a unit of rate"},
+        {"5 Hz", "rad/s", "angular velocity"},
+        {"x", "m", "is not a number"},
+        {"", "m", "is not a number"},
+        {"nan", "m", "is not a number"},
+        {"0x10", "m", "is not a number"},
+        {"1,5", "m", "is not a unit"},
+        {"1e999", "m", "is not a number"},
+        {"5 m^", "m", "is not a unit"},
+        {"5 mdeg", "rad", "is not a unit"},
+    };
+    for (size_t k = 0; k < sizeof(cases) / sizeof(cases[0]); k++) {
+        double value;
+        char why[200] = "";
+        assert_false(schema_number(cases[k][0], cases[k][1], true, &value, why, sizeof(why)));
+        if (!strstr(why, cases[k][2]))
+            fail_msg("'%s' of %s: %s", cases[k][0], cases[k][1], why);
+    }
+    double value;
+    char why[200];
+    assert_false(schema_number("5 mm", "m", false, &value, why, sizeof(why)));
+    assert_non_null(strstr(why, "dimensionless"));
+}
+
+static void parses_dimensions(void **state) {
+    (void)state;
+    struct units_scale scale;
+    struct units_dimension pascal, by_hand, newton;
+    assert_true(units_parse("Pa", &scale, &pascal));
+    assert_true(units_parse("kg m-1 s-2", &scale, &by_hand));
+    assert_true(units_parse("N", &scale, &newton));
+    assert_true(units_same(&pascal, &by_hand));
+    assert_false(units_same(&pascal, &newton));
+    assert_string_equal(units_name("Pa"), "pressure");
+    assert_string_equal(units_name("K"), "K");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(converts), cmocka_unit_test(decimals_are_exact),
+                                       cmocka_unit_test(refuses), cmocka_unit_test(parses_dimensions)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
