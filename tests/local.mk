@@ -47,3 +47,51 @@ tests_test_pairlist_SOURCES = tests/test_pairlist.c
 tests_test_pairlist_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
 tests_test_particles_SOURCES = tests/test_particles.c
 tests_test_particles_LDADD = $(PARTICLES_LIBS) $(TEST_LIBS)
+
+# The scene: what its headers include needs MPI's
+check_PROGRAMS += \
+	tests/test_generate \
+	tests/test_insertion \
+	tests/test_placegrid \
+	tests/test_region \
+	tests/test_scene \
+	tests/test_scene_check \
+	tests/test_schema \
+	tests/test_sizes \
+	tests/test_source \
+	tests/test_tree \
+	tests/test_units
+EXTRA_DIST += tests/scene_by_hand.h
+tests_test_generate_SOURCES = tests/test_generate.c
+tests_test_generate_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_generate_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
+tests_test_insertion_SOURCES = tests/test_insertion.c
+tests_test_insertion_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_insertion_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
+tests_test_placegrid_SOURCES = tests/test_placegrid.c
+tests_test_placegrid_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_placegrid_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
+tests_test_region_SOURCES = tests/test_region.c
+tests_test_region_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_region_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
+tests_test_scene_SOURCES = tests/test_scene.c
+tests_test_scene_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_scene_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
+tests_test_scene_check_SOURCES = tests/test_scene_check.c
+tests_test_scene_check_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_scene_check_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
+tests_test_schema_SOURCES = tests/test_schema.c
+tests_test_schema_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_schema_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
+tests_test_sizes_SOURCES = tests/test_sizes.c
+tests_test_sizes_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_sizes_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
+tests_test_source_SOURCES = tests/test_source.c
+tests_test_source_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_source_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
+tests_test_tree_SOURCES = tests/test_tree.c
+tests_test_tree_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_tree_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
+tests_test_units_SOURCES = tests/test_units.c
+tests_test_units_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_units_LDADD = $(SCENE_LIBS) $(TEST_LIBS)

@@ -49,7 +49,7 @@ static void prepare_walk(struct walk *walk, const struct scene *scene, const str
     for (int d = 0; d < 3; d++) {
         walk->cell[d] = walk->lattice->cell[d] * source->spacing;
         walk->start[d] =
-            walk->space.wrap[d] ? lower[d] + walk->cell[d] / 4 : lower[d] + largest + walk->jitter;
+            walk->space.wrap[d] ? lower[d] + walk->cell[d] / 12 : lower[d] + largest + walk->jitter;
         double room = upper[d] - lower[d];
         if (walk->cell[d] == 0)
             walk->cells[d] = 1;

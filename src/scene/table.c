@@ -292,13 +292,14 @@ static bool read_row(const struct table *table, struct source_batch *batch, size
     return true;
 }
 
-/* Rows of data from here on, at most as many as the scene wants. */
-static size_t count_rows(const struct table *table) {
+/* Rows of data from here on, at most as many as the scene wants, and the line of the last. */
+static size_t count_rows(const struct table *table, long *last_line) {
     struct table copy = *table;
     char line[1024];
     size_t count = 0, wanted = (size_t)table->source->rows;
     while ((wanted == 0 || count < wanted) && next_line(&copy, line, sizeof(line), NULL))
         count++;
+    *last_line = copy.line;
     return count;
 }
 
@@ -320,11 +321,14 @@ static bool read_rows(struct table *table, struct source_batch *batch) {
     for (int64_t k = 0; k < table->source->skip_rows; k++)
         if (!next_line(table, line, sizeof(line), NULL))
             return fail(table, "%s", "the file ends within the rows that are skipped");
-    size_t count = count_rows(table);
+    long last_line;
+    size_t count = count_rows(table, &last_line);
     snprintf(what, sizeof(what), "the file has %zu rows; `rows` asks for %lld", count,
              (long long)table->source->rows);
-    if (count == 0 || count < (size_t)table->source->rows)
+    if (count == 0 || count < (size_t)table->source->rows) {
+        table->line = last_line;
         return fail(table, "%s", count ? what : "the file holds no particles");
+    }
     rows_create(&batch->rows, count, wanted_columns(table));
     batch->line = memory_allocate(count, sizeof(*batch->line), "lines");
     for (size_t row = 0; row < count; row++)
