@@ -90,6 +90,8 @@ struct wall_pose {
     double
         base_rotation[9]; /* what the motions act upon: the identity, unless a run was resumed with other */
     double base_translation[3]; /* motions, which start from the pose that they find */
+    double force[6]; /* force and torque in the last evaluation, this rank's part; in a checkpoint the
+                        sum over ranks, of which rank 0 takes all when it is read */
 };
 
 struct walls; /* all walls of a scene, their meshes, candidate lists and contact histories */

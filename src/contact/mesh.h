@@ -1,0 +1,33 @@
+/* Triangle meshes as files hold them: STL (ASCII or binary) or a table of nine numbers a row. Only read here;
+ * what a wall makes of the triangles is wall_mesh.h. */
+#ifndef SCREE_CONTACT_MESH_H
+#define SCREE_CONTACT_MESH_H
+
+#include "core/error.h"
+#include <stddef.h>
+#include <stdint.h>
+
+/* Triangles in the order of the file. */
+struct mesh {
+    size_t count;
+    double (*corner)[9]; /* x y z of the three corners, in the units of the file; finite */
+    uint32_t *line; /* line of each triangle in the file, from 1 (ASCII STL: of its `facet`); NULL: binary */
+};
+
+/* Reads a mesh. `format` is "stl", "table", or "" or "auto" to decide by the content. Normals in an STL file
+ * are ignored. Fails (user, with file and line or triangle number) on an unknown format, a file that cannot
+ * be read, is truncated or longer than it says, breaks the grammar, has numbers that are not finite, or no
+ * triangle. mesh_free releases. One thread. */
+bool mesh_read(struct mesh *mesh, const char *path, const char *format, struct error *error);
+void mesh_free(struct mesh *mesh);
+
+/* True if the content is a binary or an ASCII STL file. */
+bool mesh_stl_is_binary(const char *content, size_t size);
+bool mesh_stl_is_ascii(const char *content);
+
+/* Read the content of an STL file (ASCII: changed); `path` is for messages. Used by mesh_read. */
+bool mesh_stl_binary(struct mesh *mesh, const char *content, size_t size, const char *path,
+                     struct error *error);
+bool mesh_stl_ascii(struct mesh *mesh, char *text, const char *path, struct error *error);
+
+#endif
