@@ -126,6 +126,7 @@ static bool put_walls(struct writing *w, struct error *error) {
     for (uint64_t k = 0; k < count; k++) {
         struct wall_pose now;
         walls_pose(walls, (int)k, &now);
+        comm_sum(w->comm, now.force, 6);
         memcpy(pose[k], &now, sizeof now);
         snprintf(name[k], sizeof name[k], "%s", walls_options(walls, (int)k)->name);
     }

@@ -8,7 +8,7 @@
 
 enum {
     CHECKPOINT_INTEGERS = 8,                        /* /run/integers: see enum checkpoint_integer */
-    CHECKPOINT_POSE = 35,                           /* doubles of a wall's pose */
+    CHECKPOINT_POSE = 41,                           /* doubles of a wall's pose */
     CHECKPOINT_HISTORY = HISTORY_COMPONENTS_MAX + 3 /* doubles of a history row: value, separation */
 };
 

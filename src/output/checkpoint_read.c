@@ -105,6 +105,8 @@ static bool get_walls(struct reading *r, struct error *error) {
                 get_common(r, "/walls/name", FIELD_UINT8, count, WALL_NAME_MAX, name, error);
     for (uint64_t k = 0; good && k < count; k++) {
         memcpy(&l->wall[k].pose, pose[k], sizeof l->wall[k].pose);
+        if (r->comm->rank > 0) /* sums over ranks are the first one's part */
+            memset(l->wall[k].pose.force, 0, sizeof l->wall[k].pose.force);
         memcpy(l->wall[k].name, name[k], WALL_NAME_MAX - 1);
     }
     memory_free(pose);
