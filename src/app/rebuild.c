@@ -93,14 +93,14 @@ void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
     reorder(s, rows);
     timer_stop(&s->timers, TIMER_REORDER);
     search(s);
-    timer_start(&s->timers, TIMER_HISTORY);
-    attach(s, rows);
-    skin_reset(s->skin, s->particles);
-    timer_stop(&s->timers, TIMER_HISTORY);
     timer_start(&s->timers, TIMER_WALL);
     if (s->walls)
         walls_build(s->walls, s->particles, &s->classes);
     timer_stop(&s->timers, TIMER_WALL);
+    timer_start(&s->timers, TIMER_HISTORY);
+    attach(s, rows);
+    skin_reset(s->skin, s->particles);
+    timer_stop(&s->timers, TIMER_HISTORY);
     force_loop_prepare(s->loop, &s->contact);
 }
 
