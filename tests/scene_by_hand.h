@@ -27,7 +27,7 @@
 
 /* Parses with settings (ended by NULL); NULL with an error. */
 static inline struct scene *scene_from(struct error *error, const char *text, const char *const *settings) {
-    struct scene_setting set[16];
+    struct scene_setting set[16] = {{NULL}};
     int sets = 0;
     for (; settings && settings[sets]; sets++)
         set[sets].text = settings[sets];

@@ -228,6 +228,24 @@ static void features_are_what_is_needed(void **state) {
     scene_free(&scene);
 }
 
+/* Walls never meet: a pair of materials that only walls have need not be given. */
+static void pairs_of_walls(void **state) {
+    (void)state;
+    static const char *const set[] = {
+        "materials[1]={name: steel, density: 1, young: 1, poisson: 0}",
+        "walls=[{shape: plane, point: [0, 0, 0], normal: [0, 0, 1], material: steel}]",
+        "material_pairs=[{between: [glass, glass], restitution: 0.5},"
+        " {between: [glass, steel], restitution: 0.6}]",
+        "particles.material=glass", NULL};
+    struct scene *scene = good_scene(GOOD_SCENE, set);
+    assert_true(scene->law_pair[0][1].restitution == 0.6);
+    struct law law;
+    struct error error = {0};
+    if (!law_prepare(&law, &scene->law, scene->materials, scene->material, scene->law_pair, &error))
+        fail_msg("%s", error.text);
+    scene_free(&scene);
+}
+
 static void two_dimensions(void **state) {
     (void)state;
     struct scene *scene =
@@ -298,10 +316,10 @@ static void reads_texts(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(fills_options),     cmocka_unit_test(agrees_with_modules),
-        cmocka_unit_test(settings_override), cmocka_unit_test(echo_reads_back),
-        cmocka_unit_test(rich_values),       cmocka_unit_test(features_are_what_is_needed),
-        cmocka_unit_test(two_dimensions),    cmocka_unit_test(box_from_data_file),
-        cmocka_unit_test(reads_texts)};
+        cmocka_unit_test(fills_options),      cmocka_unit_test(agrees_with_modules),
+        cmocka_unit_test(settings_override),  cmocka_unit_test(echo_reads_back),
+        cmocka_unit_test(rich_values),        cmocka_unit_test(features_are_what_is_needed),
+        cmocka_unit_test(pairs_of_walls),     cmocka_unit_test(two_dimensions),
+        cmocka_unit_test(box_from_data_file), cmocka_unit_test(reads_texts)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

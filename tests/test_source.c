@@ -17,7 +17,7 @@ static const char *const file_name = "test_source.txt";
 /* Parses SOURCE_SCENE with settings in this folder, and reads its particles; NULL with an error. */
 static struct particles *read_source(struct error *error, const char *data, const char *const *settings,
                                      struct scene_census *census) {
-    struct scene_setting set[16];
+    struct scene_setting set[16] = {{NULL}};
     int sets = 0;
     for (; settings && settings[sets]; sets++)
         set[sets].text = settings[sets];

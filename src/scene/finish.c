@@ -125,9 +125,27 @@ static struct law_pair law_pair_of(const struct scene_pair *pair) {
     return law;
 }
 
+/* Materials that a particle may be of; the others belong to walls alone, which never meet each other. */
+static void particle_materials(const struct scene *scene, bool may[LAW_MATERIALS_MAX]) {
+    for (int s = 0; s < scene->sources; s++) {
+        const struct source_options *source = &scene->source[s];
+        bool any = source->material < 0 && source->type_count == 0;
+        for (int m = 0; any && m < scene->materials; m++)
+            may[m] = true;
+        if (source->material >= 0)
+            may[source->material] = true;
+        for (int t = 0; t < source->type_count; t++)
+            may[source->type_material[t]] = true;
+    }
+    for (int k = 0; k < scene->insertions; k++)
+        if (scene->insertion[k].material >= 0)
+            may[scene->insertion[k].material] = true;
+}
+
 /* Fills the matrix of pairs: the default entry first, named ones over it. */
 static bool finish_pairs(struct scene *scene, struct error *error) {
     bool named[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX] = {{false}};
+    bool may[LAW_MATERIALS_MAX] = {false};
     int fallback = -1;
     for (int k = 0; k < scene->pairs; k++) {
         struct scene_pair *pair = &scene->pair[k];
@@ -150,16 +168,19 @@ static bool finish_pairs(struct scene *scene, struct error *error) {
         named[a][b] = named[b][a] = true;
         scene->law_pair[a][b] = scene->law_pair[b][a] = law_pair_of(pair);
     }
+    particle_materials(scene, may);
     for (int a = 0; a < scene->materials; a++)
         for (int b = 0; b <= a; b++) {
             if (named[a][b])
                 continue;
-            if (fallback < 0)
+            if (fallback < 0 && (may[a] || may[b]))
                 return finish_fail(
                     scene, error, "material_pairs",
                     "the pair %s, %s is missing (an entry without `between` serves all that are not named)",
                     scene->material[b].name, scene->material[a].name);
-            scene->law_pair[a][b] = scene->law_pair[b][a] = law_pair_of(&scene->pair[fallback]);
+            /* what never meets takes any values */
+            scene->law_pair[a][b] = scene->law_pair[b][a] =
+                law_pair_of(&scene->pair[fallback < 0 ? 0 : fallback]);
         }
     return true;
 }

@@ -56,14 +56,12 @@ static void walk_table(const struct schema_table *table, const char *prefix, int
                        void (*visit)(void *context, const struct schema_row *row, const char *key, int depth),
                        void *context) {
     for (int k = 0; k < table->count; k++) {
-        const struct schema_row *row = &table->rows[k];
-        char key[SCHEMA_KEY_MAX], below[SCHEMA_KEY_MAX];
-        snprintf(key, sizeof(key), "%s%s%s", prefix, row->key, row->type == SCHEMA_LIST ? "[]" : "");
-        visit(context, row, key, depth);
-        if (!row->sub)
-            continue;
-        snprintf(below, sizeof(below), "%.*s.", (int)sizeof(below) - 2, key);
-        walk_table(row->sub, below, depth + 1, visit, context);
+        char key[SCHEMA_KEY_MAX];
+        snprintf(key, sizeof(key), "%.200s", prefix);
+        lengthen(key, &table->rows[k]);
+        visit(context, &table->rows[k], key, depth);
+        if (table->rows[k].sub)
+            walk_table(table->rows[k].sub, key, depth + 1, visit, context);
     }
 }
 
