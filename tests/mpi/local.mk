@@ -33,3 +33,8 @@ tests_mpi_test_groups_LDADD = $(MPI_TEST_LIBS)
 tests_mpi_test_migrate_SOURCES = tests/mpi/test_migrate.c tests/mpi/team.c tests/mpi/team.h tests/mpi/cloud.c tests/mpi/cloud.h
 tests_mpi_test_migrate_CPPFLAGS = $(MPI_TEST_FLAGS)
 tests_mpi_test_migrate_LDADD = $(MPI_TEST_LIBS)
+
+check_PROGRAMS += tests/mpi/test_scene_ranks
+tests_mpi_test_scene_ranks_SOURCES = tests/mpi/test_scene_ranks.c tests/mpi/folder.c tests/mpi/folder.h
+tests_mpi_test_scene_ranks_CPPFLAGS = $(MPI_TEST_FLAGS)
+tests_mpi_test_scene_ranks_LDADD = $(SCENE_LIBS) $(TEST_LIBS) $(MPI_LIBS)
