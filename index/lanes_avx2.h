@@ -21,7 +21,7 @@ LANES_INLINE struct lanes_row lanes_row(const float x[3], float r, float certain
 }
 
 LANES_INLINE unsigned lanes_test(const struct lanes_row *row, const float *x, const float *y, const float *z,
-                                 const float *r, unsigned *certain) {
+                                 const float *r, unsigned *doubtful) {
     __m256 dx = _mm256_sub_ps(_mm256_loadu_ps(x), row->x);
     __m256 dy = _mm256_sub_ps(_mm256_loadu_ps(y), row->y);
     __m256 dz = _mm256_sub_ps(_mm256_loadu_ps(z), row->z);
@@ -29,8 +29,9 @@ LANES_INLINE unsigned lanes_test(const struct lanes_row *row, const float *x, co
     __m256 square = _mm256_fmadd_ps(dx, dx, _mm256_fmadd_ps(dy, dy, _mm256_mul_ps(dz, dz)));
     __m256 cutoff = _mm256_mul_ps(c, c);
     __m256 sure = _mm256_cmp_ps(square, _mm256_mul_ps(cutoff, row->certain), _CMP_LE_OQ);
-    *certain = (unsigned)_mm256_movemask_ps(sure);
-    return (unsigned)_mm256_movemask_ps(_mm256_cmp_ps(square, cutoff, _CMP_LE_OQ));
+    __m256 possible = _mm256_cmp_ps(square, cutoff, _CMP_LE_OQ);
+    *doubtful = (unsigned)_mm256_movemask_ps(_mm256_andnot_ps(sure, possible));
+    return (unsigned)_mm256_movemask_ps(possible);
 }
 
 /* Moves the chosen of four words to the front, by a table of byte shuffles. */

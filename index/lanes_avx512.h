@@ -22,15 +22,16 @@ LANES_INLINE struct lanes_row lanes_row(const float x[3], float r, float certain
 }
 
 LANES_INLINE unsigned lanes_test(const struct lanes_row *row, const float *x, const float *y, const float *z,
-                                 const float *r, unsigned *certain) {
+                                 const float *r, unsigned *doubtful) {
     __m256 dx = _mm256_sub_ps(_mm256_loadu_ps(x), row->x);
     __m256 dy = _mm256_sub_ps(_mm256_loadu_ps(y), row->y);
     __m256 dz = _mm256_sub_ps(_mm256_loadu_ps(z), row->z);
     __m256 c = _mm256_add_ps(_mm256_loadu_ps(r), row->r);
     __m256 square = _mm256_fmadd_ps(dx, dx, _mm256_fmadd_ps(dy, dy, _mm256_mul_ps(dz, dz)));
     __m256 cutoff = _mm256_mul_ps(c, c);
-    *certain = _mm256_cmp_ps_mask(square, _mm256_mul_ps(cutoff, row->certain), _CMP_LE_OQ);
-    return _mm256_cmp_ps_mask(square, cutoff, _CMP_LE_OQ);
+    __mmask8 possible = _mm256_cmp_ps_mask(square, cutoff, _CMP_LE_OQ);
+    *doubtful = _mm256_mask_cmp_ps_mask(possible, square, _mm256_mul_ps(cutoff, row->certain), _CMP_NLE_UQ);
+    return possible;
 }
 
 /* Compressed in the register: compression straight into memory is slow on some CPUs. */

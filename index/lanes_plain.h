@@ -19,9 +19,9 @@ LANES_INLINE struct lanes_row lanes_row(const float x[3], float r, float certain
     return (struct lanes_row){x[0], x[1], x[2], r, certain};
 }
 
-/* Tests LANES candidates. Bit k of the result: candidate k may be a partner; of *certain: it is one. */
+/* Tests LANES candidates. Bit k of the result: candidate k may be a partner; of *doubtful: it may be none. */
 LANES_INLINE unsigned lanes_test(const struct lanes_row *row, const float *x, const float *y, const float *z,
-                                 const float *r, unsigned *certain) {
+                                 const float *r, unsigned *doubtful) {
     float square[LANES], cutoff[LANES];
 #pragma omp simd
     for (int k = 0; k < LANES; k++) {
@@ -34,7 +34,7 @@ LANES_INLINE unsigned lanes_test(const struct lanes_row *row, const float *x, co
         possible |= (unsigned)(square[k] <= cutoff[k]) << k;
         sure |= (unsigned)(square[k] <= cutoff[k] * row->certain) << k;
     }
-    *certain = sure;
+    *doubtful = possible & ~sure;
     return possible;
 }
 

@@ -2,19 +2,20 @@
  * included a lanes_*.h before.
  *
  * Rows are taken in blocks: up to ROWS consecutive particles of one class in consecutive slots (or nearly) of
- * one pencil, as they lie in memory after a reorder. For each search of their class the candidates of the
- * whole block are copied to a small buffer, shifted by their image, and every row is tested against it, eight
- * candidates at a time. So cells are looked up once a block, no image appears in the inner loop, and that
- * loop has no short runs. Where rows lie in any other order, blocks are single rows: as right, only slower.
+ * one pencil, as they lie in memory after a reorder. A search takes a span of them at once, the whole block,
+ * or OWN_ROWS where the rows' own table is searched, which is dense. The candidates of the whole span are
+ * copied to a small buffer, shifted by their image, and every row is tested against it, eight candidates at a
+ * time. So cells are looked up once a span, no image appears in the inner loop, and that loop has no short
+ * runs. Where rows lie in any other order, blocks are single rows: as right, only slower.
  *
  * The filter is in single precision and loses nothing (frame.h): distances that are possible but not certain
  * are decided by the exact test.
  *
  * Within one table of owned particles a pair is kept by the row in the *earlier slot*, whatever the image: of
  * (i, j, image) and (j, i, opposite image) exactly one is. In the buffer the candidates of the row's own
- * pencil come first, beginning behind the block's first slot, so that row k skips slot[k] - slot[0] of them.
- * Slices of an image that hold slots of the block itself would break that; then the box is thin, and rows go
- * one by one. */
+ * pencil come first, beginning behind the span's first slot, so that a row skips as many as its slot is
+ * later. Slices of an image that hold slots of the span itself would break that; then the box is thin, and
+ * rows go one by one. */
 #ifndef SCREE_INDEX_SEARCH_ROWS_H
 #define SCREE_INDEX_SEARCH_ROWS_H
 
@@ -23,15 +24,21 @@
 
 #include <math.h>
 
-enum { ROWS = 8, SLOTS_APART = 32, CANDIDATES = 512 };
+enum { ROWS = 32, OWN_ROWS = 12, SLOTS_APART = 128, CANDIDATES = 512 };
 
 struct block {
     int rows;
     int size_class;
     uint32_t particle[ROWS], slot[ROWS];
     float x[ROWS][3], r[ROWS];
+};
+
+/* The rows from ... to - 1 of the block, which are searched together. */
+struct span {
+    int from, to;
+    uint32_t first_slot;
     float low[3], high[3], r_max;
-    int own_low[3], own_high[3]; /* cells of the rows in their own grid */
+    int own_low[3], own_high[3]; /* their cells in their own grid */
 };
 
 struct candidates {
@@ -47,6 +54,7 @@ struct quest {
     const struct index_view *view;
     const struct search *search;
     struct block block;
+    struct span span;
     struct candidates buffer;
     struct index_sink sink;
 };
@@ -74,21 +82,20 @@ LANES_INLINE unsigned decide(const struct quest *quest, uint32_t i, size_t at, u
     return kept;
 }
 
-/* Tests row k of the block against the buffer. */
-LANES_INLINE void test_row(struct quest *quest, int k) {
+/* Emits the possible partners among the candidates from `at` on. True if some are not certain: then, if
+ * `exact`, they were decided, else they were all emitted. */
+LANES_INLINE bool emit_row(struct quest *quest, const struct lanes_row *row, uint32_t i, size_t at,
+                           bool exact) {
     const struct candidates *buffer = &quest->buffer;
-    const struct block *block = &quest->block;
-    const struct search *search = quest->search;
-    uint32_t i = block->particle[k];
-    struct lanes_row row = lanes_row(block->x[k], block->r[k] + search->margin, search->certain);
     struct index_sink sink = quest->sink;
-    size_t at = search->half && !buffer->continued ? block->slot[k] - block->slot[0] : 0;
+    unsigned doubtful = 0;
     for (; at < buffer->count; at += LANES) {
-        unsigned certain;
+        unsigned doubt;
         unsigned chosen =
-            lanes_test(&row, buffer->x + at, buffer->y + at, buffer->z + at, buffer->r + at, &certain);
-        if (chosen != certain) {
-            chosen = certain | decide(quest, i, at, chosen & ~certain);
+            lanes_test(row, buffer->x + at, buffer->y + at, buffer->z + at, buffer->r + at, &doubt);
+        doubtful |= doubt;
+        if (exact && doubt != 0) {
+            chosen ^= doubt ^ decide(quest, i, at, doubt);
         }
         if (sink.count < sink.capacity) {
             sink.count += lanes_put(sink.i + sink.count, sink.j + sink.count, i, buffer->j + at, chosen);
@@ -97,6 +104,27 @@ LANES_INLINE void test_row(struct quest *quest, int k) {
         }
     }
     quest->sink.count = sink.count;
+    return doubtful != 0;
+}
+
+/* The rare second attempt for a row with doubtful candidates, out of the way of the fast one. */
+static LANES_TARGET __attribute__((noinline)) void
+emit_row_exactly(struct quest *quest, const struct lanes_row *row, uint32_t i, size_t at) {
+    emit_row(quest, row, i, at, true);
+}
+
+/* Tests row k of the block against the buffer. */
+LANES_INLINE void test_row(struct quest *quest, int k) {
+    const struct block *block = &quest->block;
+    const struct search *search = quest->search;
+    uint32_t i = block->particle[k];
+    struct lanes_row row = lanes_row(block->x[k], block->r[k] + search->margin, search->certain);
+    size_t at = search->half && !quest->buffer.continued ? block->slot[k] - quest->span.first_slot : 0;
+    size_t count = quest->sink.count;
+    if (emit_row(quest, &row, i, at, false)) {
+        quest->sink.count = count;
+        emit_row_exactly(quest, &row, i, at);
+    }
 }
 
 /* Tests all rows against the buffer and empties it. */
@@ -107,7 +135,7 @@ LANES_INLINE void flush(struct quest *quest) {
             buffer->x[k] = buffer->y[k] = buffer->z[k] = 1e30f; /* too far for everybody */
             buffer->r[k] = 0;
         }
-        for (int k = 0; k < quest->block.rows; k++) {
+        for (int k = quest->span.from; k < quest->span.to; k++) {
             test_row(quest, k);
         }
     }
@@ -120,8 +148,8 @@ LANES_INLINE void append(struct quest *quest, struct cells_slice slice, const fl
     const struct cells *cells = quest->search->cells;
     struct candidates *buffer = &quest->buffer;
     uint32_t from = slice.begin;
-    if (quest->search->half && from <= quest->block.slot[0]) {
-        from = quest->block.slot[0] + 1;
+    if (quest->search->half && from <= quest->span.first_slot) {
+        from = quest->span.first_slot + 1;
     }
     while (from < slice.end) {
         if (buffer->count == CANDIDATES) {
@@ -171,7 +199,7 @@ LANES_INLINE struct window window_of(const struct frame *frame, const struct gri
     return window;
 }
 
-/* True if an image of the box meets the block's own cells: see the head of this file. */
+/* True if an image of the box meets the span's own cells: see the head of this file. */
 LANES_INLINE bool window_returns(const struct window *window, int own_low, int own_high) {
     for (int p = 1; p < window->parts; p++) {
         if (window->first[p] <= own_high && window->last[p] >= own_low) {
@@ -243,7 +271,7 @@ LANES_INLINE bool empty_rows(const struct cells *cells, const struct grid *grid,
 LANES_INLINE void append_part(struct quest *quest, const struct part *part, bool own) {
     const struct cells *cells = quest->search->cells;
     const struct grid *grid = &quest->search->level->grid;
-    int own_y = quest->block.own_low[1], own_z = quest->block.own_low[2];
+    int own_y = quest->span.own_low[1], own_z = quest->span.own_low[2];
     size_t pencils =
         (size_t)(part->last[1] - part->first[1] + 1) * (size_t)(part->last[2] - part->first[2] + 1);
     if (cells->sparse && pencils > cells->pencils) {
@@ -261,20 +289,20 @@ LANES_INLINE void append_part(struct quest *quest, const struct part *part, bool
     }
 }
 
-/* Candidates within the reach of the block, by windows. False if rows must go one by one. */
+/* Candidates within the reach of the span, by windows. False if rows must go one by one. */
 LANES_INLINE bool gather_windows(struct quest *quest) {
     const struct frame *frame = &quest->levels->frame;
     const struct search *search = quest->search;
-    const struct block *block = &quest->block;
+    const struct span *span = &quest->span;
     const struct grid *grid = &search->level->grid;
-    struct part part = {.reach = block->r_max + search->reach};
+    struct part part = {.reach = span->r_max + search->reach};
     struct window window[3];
     bool returns = false;
     for (int d = 0; d < 3; d++) {
-        window[d] = window_of(frame, grid, d, block->low[d] - part.reach, block->high[d] + part.reach);
-        returns = returns || window_returns(&window[d], block->own_low[d], block->own_high[d]);
+        window[d] = window_of(frame, grid, d, span->low[d] - part.reach, span->high[d] + part.reach);
+        returns = returns || window_returns(&window[d], span->own_low[d], span->own_high[d]);
     }
-    if (search->half && returns && block->rows > 1) {
+    if (search->half && returns && span->to - span->from > 1) {
         return false;
     }
     for (int pz = 0; pz < window[2].parts; pz++) {
@@ -285,8 +313,8 @@ LANES_INLINE bool gather_windows(struct quest *quest) {
                     part.first[d] = window[d].first[p[d]];
                     part.last[d] = window[d].last[p[d]];
                     part.shift[d] = window[d].shift[p[d]];
-                    part.low[d] = block->low[d] - part.shift[d];
-                    part.high[d] = block->high[d] - part.shift[d];
+                    part.low[d] = span->low[d] - part.shift[d];
+                    part.high[d] = span->high[d] - part.shift[d];
                 }
                 part.bits = image_bits(window[0].image[px], window[1].image[py], window[2].image[pz]);
                 part.round = part.last[1] - part.first[1] + part.last[2] - part.first[2] > 5;
@@ -332,9 +360,10 @@ LANES_INLINE bool gather_stencil(struct quest *quest) {
     const struct search *search = quest->search;
     const struct stencil *stencil = search->stencil;
     const struct grid *grid = &search->level->grid;
-    const int *own = quest->block.own_low;
+    const int *own = quest->span.own_low;
     for (int d = 0; d < 3; d++) {
-        if (search->half && quest->block.rows > 1 && frame->periodic[d] && stencil->extent[d] >= grid->n[d]) {
+        if (search->half && quest->span.to - quest->span.from > 1 && frame->periodic[d] &&
+            stencil->extent[d] >= grid->n[d]) {
             return false;
         }
     }
@@ -360,76 +389,88 @@ LANES_INLINE bool gather(struct quest *quest) {
     return quest->search->stencil != NULL ? gather_stencil(quest) : gather_windows(quest);
 }
 
+/* Selects the rows from ... to - 1 of the block. */
+LANES_INLINE void span_set(struct quest *quest, int from, int to) {
+    const struct block *block = &quest->block;
+    const struct grid *grid = &quest->levels->level[quest->levels->plan.grid_of[block->size_class]].grid;
+    struct span *span = &quest->span;
+    span->from = from;
+    span->to = to;
+    span->first_slot = block->slot[from];
+    span->r_max = block->r[from];
+    for (int d = 0; d < 3; d++) {
+        span->low[d] = span->high[d] = block->x[from][d];
+    }
+    for (int k = from + 1; k < to; k++) {
+        for (int d = 0; d < 3; d++) {
+            float x = block->x[k][d];
+            span->low[d] = x < span->low[d] ? x : span->low[d];
+            span->high[d] = x > span->high[d] ? x : span->high[d];
+        }
+        span->r_max = block->r[k] > span->r_max ? block->r[k] : span->r_max;
+    }
+    for (int d = 0; d < 3; d++) {
+        span->own_low[d] = grid_cell(grid, d, span->low[d]);
+        span->own_high[d] = grid_cell(grid, d, span->high[d]);
+    }
+}
+
 /* Puts owned particle i, which has this slot, into row k of the block. */
 LANES_INLINE void block_row(struct block *block, const struct cells *cells, int k, uint32_t i,
                             uint32_t slot) {
     block->particle[k] = i;
     block->slot[k] = slot;
     block->r[k] = cells->r[slot];
-    const float x[3] = {cells->x[slot], cells->y[slot], cells->z[slot]};
-    for (int d = 0; d < 3; d++) {
-        block->x[k][d] = x[d];
-        block->low[d] = k == 0 || x[d] < block->low[d] ? x[d] : block->low[d];
-        block->high[d] = k == 0 || x[d] > block->high[d] ? x[d] : block->high[d];
-    }
-    block->r_max = k == 0 || block->r[k] > block->r_max ? block->r[k] : block->r_max;
+    block->x[k][0] = cells->x[slot];
+    block->x[k][1] = cells->y[slot];
+    block->x[k][2] = cells->z[slot];
 }
 
-/* The end of the slots that may share a block with the row in the given cell. */
-LANES_INLINE uint32_t block_end(const struct levels *levels, const struct level *level, const int cell[3]) {
-    int last = levels->plan.stencils ? cell[0] : level->grid.n[0] - 1;
-    return cells_run(&level->owned, &level->grid, cell[0], last, cell[1], cell[2]).end;
-}
-
-LANES_INLINE void block_cells(struct block *block, const struct grid *grid) {
+/* The end of the slots that may share a block with the first row. */
+LANES_INLINE uint32_t block_end(const struct quest *quest, const struct level *level) {
+    int cell[3];
     for (int d = 0; d < 3; d++) {
-        block->own_low[d] = grid_cell(grid, d, block->low[d]);
-        block->own_high[d] = grid_cell(grid, d, block->high[d]);
+        cell[d] = grid_cell(&level->grid, d, quest->block.x[0][d]);
     }
+    int last = quest->levels->plan.stencils ? cell[0] : level->grid.n[0] - 1;
+    uint32_t end = cells_run(&level->owned, &level->grid, cell[0], last, cell[1], cell[2]).end;
+    uint32_t limit = quest->block.slot[0] + SLOTS_APART;
+    return end < limit ? end : limit;
 }
 
 /* Makes the block that begins with particle i and does not reach `last`; returns the particle after it. */
 LANES_INLINE size_t next_block(struct quest *quest, size_t i, size_t last) {
-    const struct levels *levels = quest->levels;
-    const struct index_view *view = quest->view;
+    const uint32_t *slot_of = quest->levels->slot_of;
+    const uint8_t *size_class = quest->view->size_class;
     struct block *block = &quest->block;
-    block->size_class = view->size_class[i];
-    const struct level *level = &levels->level[levels->plan.grid_of[block->size_class]];
-    block_row(block, &level->owned, 0, (uint32_t)i, levels->slot_of[i]);
-    block_cells(block, &level->grid);
-    uint32_t end = block_end(levels, level, block->own_low);
-    uint32_t limit = block->slot[0] + SLOTS_APART;
-    end = end < limit ? end : limit;
+    block->size_class = size_class[i];
+    const struct level *level = &quest->levels->level[quest->levels->plan.grid_of[block->size_class]];
+    block_row(block, &level->owned, 0, (uint32_t)i, slot_of[i]);
+    uint32_t end = block_end(quest, level);
     block->rows = 1;
-    for (i++; i < last && block->rows < ROWS && view->size_class[i] == block->size_class; i++) {
-        uint32_t slot = levels->slot_of[i];
+    for (i++; i < last && block->rows < ROWS && size_class[i] == block->size_class; i++) {
+        uint32_t slot = slot_of[i];
         if (slot <= block->slot[block->rows - 1] || slot >= end) {
             break;
         }
         block_row(block, &level->owned, block->rows, (uint32_t)i, slot);
         block->rows++;
     }
-    block_cells(block, &level->grid);
     return i;
 }
 
-/* The present search, row by row. */
-LANES_INLINE void search_singly(struct quest *quest, const struct grid *grid) {
-    struct block whole = quest->block;
-    for (int k = 0; k < whole.rows; k++) {
-        struct block *one = &quest->block;
-        one->rows = 1;
-        one->particle[0] = whole.particle[k];
-        one->slot[0] = whole.slot[k];
-        one->r[0] = one->r_max = whole.r[k];
-        for (int d = 0; d < 3; d++) {
-            one->x[0][d] = one->low[d] = one->high[d] = whole.x[k][d];
-        }
-        block_cells(one, grid);
+/* The present search for the rows from ... to - 1. */
+LANES_INLINE void search_span(struct quest *quest, int from, int to) {
+    span_set(quest, from, to);
+    if (gather(quest)) {
+        flush(quest);
+        return;
+    }
+    for (int k = from; k < to; k++) {
+        span_set(quest, k, k + 1);
         gather(quest);
         flush(quest);
     }
-    quest->block = whole;
 }
 
 LANES_INLINE void search_rows(const struct levels *levels, const struct index_view *view, size_t first,
@@ -443,10 +484,9 @@ LANES_INLINE void search_rows(const struct levels *levels, const struct index_vi
         int c = quest.block.size_class;
         for (int s = 0; s < levels->searches[c]; s++) {
             quest.search = &levels->search[c][s];
-            if (gather(&quest)) {
-                flush(&quest);
-            } else {
-                search_singly(&quest, &levels->level[levels->plan.grid_of[c]].grid);
+            int step = quest.search->half ? OWN_ROWS : ROWS;
+            for (int from = 0; from < quest.block.rows; from += step) {
+                search_span(&quest, from, from + step < quest.block.rows ? from + step : quest.block.rows);
             }
         }
     }
