@@ -6,7 +6,7 @@ nobase_dist_pkgdata_DATA = \
 	examples/bench/bidisperse_pack.c \
 	examples/bench/in.bidisperse \
 	examples/bidisperse/README.md \
-	examples/bidisperse/bidisperse_R10.data.gz \
+	examples/bidisperse/bidisperse_R10.data \
 	examples/bidisperse/compare.awk \
 	examples/bidisperse/energies.awk \
 	examples/bidisperse/energies.csv \
