@@ -12,7 +12,6 @@ enum {
     CELLS_A_PARTICLE = 4, /* denser grids than this ... */
     CELLS_FREE = 4096,    /* ... and beyond this number of cells are kept sparse */
     X_CELLS = 2,          /* cells in x for one in y or z: they cost only a table entry */
-    STENCIL_MOST = 1 << 22
 };
 
 /* An edge that the user did not fix may grow so far to keep the grid dense. */
@@ -156,15 +155,18 @@ static void add_search(struct levels *levels, const struct index_view *view, int
     levels->search[c][levels->searches[c]++] = search;
 }
 
-/* A stencil for each class of a plan with stencils, for the largest row that there may be. */
-static void make_stencils(struct levels *levels, int c) {
+/* A stencil for each class of a plan with stencils, for the largest row that there may be. One that would be
+ * longer than there are particles to find is not worth its memory and time: then windows do, which go through
+ * the occupied pencils instead. */
+static void make_stencils(struct levels *levels, const struct index_view *view, int c) {
     struct level *level = &levels->level[levels->plan.grid_of[c]];
     double reach = 0;
     for (int s = 0; s < levels->searches[c]; s++) {
         reach = fmax(reach, levels->search[c][s].reach);
     }
     reach += levels->radius_max[c] * levels->frame.scale * (1 + 4 * CELLS_RADIUS_EXCESS);
-    bool made = stencil_make(&levels->stencil[c], &level->grid, &levels->frame, (float)reach, STENCIL_MOST);
+    bool made = stencil_make(&levels->stencil[c], &level->grid, &levels->frame, (float)reach,
+                             CELLS_A_PARTICLE * view->total + CELLS_FREE);
     for (int s = 0; s < levels->searches[c]; s++) {
         struct search *search = &levels->search[c][s];
         bool worth =
@@ -185,7 +187,7 @@ static void plan_searches(struct levels *levels, const struct index_view *view) 
             add_search(levels, view, c, g, true);
         }
         if (plan->stencils) {
-            make_stencils(levels, c);
+            make_stencils(levels, view, c);
         }
     }
 }

@@ -1,6 +1,16 @@
-# Tests of the indexes, each against brute force: check_PROGRAMS += tests/index/test_X
+# Tests of the indexes, each against brute force, and a benchmark (built on demand: make tests/index/bench_index)
 check_PROGRAMS += \
-	tests/index/test_levels
+	tests/index/test_index \
+	tests/index/test_levels \
+	tests/index/test_stencil
 
+EXTRA_PROGRAMS += tests/index/bench_index
+
+tests_index_test_index_SOURCES = tests/index/test_index.c tests/index/cloud.c tests/index/cloud.h
+tests_index_test_index_LDADD = $(INDEX_LIBS) $(TEST_LIBS)
 tests_index_test_levels_SOURCES = tests/index/test_levels.c tests/index/cloud.c tests/index/cloud.h
 tests_index_test_levels_LDADD = $(INDEX_LIBS) $(TEST_LIBS)
+tests_index_test_stencil_SOURCES = tests/index/test_stencil.c
+tests_index_test_stencil_LDADD = $(INDEX_LIBS) $(TEST_LIBS)
+tests_index_bench_index_SOURCES = tests/index/bench_index.c
+tests_index_bench_index_LDADD = $(INDEX_LIBS)
