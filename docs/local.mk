@@ -1,1 +1,1 @@
-EXTRA_DIST += docs/building.md
+EXTRA_DIST += docs/architecture.md docs/building.md docs/scene.md
