@@ -236,15 +236,14 @@ static bool put_all(struct writing *w, struct error *error) {
     return good;
 }
 
-static bool check_room(const struct writing *w, const char *path, struct error *error) {
+/* Bytes that the file will have, and some more. */
+static uint64_t estimate_bytes(const struct writing *w) {
     const struct checkpoint *c = w->checkpoint;
     uint64_t rows = (c->history ? c->history->count : 0) + (c->wall_history ? c->wall_history->count : 0);
     int64_t bytes = (int64_t)(c->particles->owned * (fields_packed_bytes(c->particles, FIELD_RESTART) + 8) +
                               rows * 8 * (CHECKPOINT_HISTORY + 1));
     comm_sum_int(w->comm, &bytes, 1);
-    if (w->comm->rank == 0)
-        file_check_room(path, 0, (uint64_t)bytes + strlen(c->scene) + (1 << 16), error);
-    return comm_agree(w->comm, error);
+    return (uint64_t)bytes + strlen(c->scene) + (1 << 16);
 }
 
 /* STEP of "checkpoint-STEP.h5"; -1 for other names. */
@@ -309,10 +308,12 @@ bool checkpoint_find_newest(const char *directory, char *path) {
 }
 
 /* Writes everything into the temporary file and compares what lies there with what was meant. */
-static bool write_file(struct writing *w, const char *temporary, struct error *error) {
+static bool write_file(struct writing *w, const char *temporary, uint64_t bytes, struct error *error) {
     if (!h5_create(&w->h5, temporary, w->comm, CHECKPOINT_BLOCK, error))
         return false;
-    bool good = put_all(w, error);
+    if (w->comm->rank == 0)
+        file_reserve(temporary, bytes, error);
+    bool good = comm_agree(w->comm, error) && put_all(w, error);
     good = h5_close(&w->h5, error) && good;
     return good && checkpoint_table_write(&w->table, w->comm, temporary, error) &&
            checkpoint_verify(w->comm, temporary, error);
@@ -327,10 +328,13 @@ bool checkpoint_write(const struct comm *comm, const char *directory, const char
     w.total = (uint64_t)total;
     char name[OUTPUT_NAME_MAX], path[OUTPUT_PATH_MAX], temporary[OUTPUT_PATH_MAX + 8];
     snprintf(name, sizeof name, "checkpoint-%" PRIu64 "%.20s.h5", checkpoint->numbers.step, suffix);
-    if (!file_join(path, directory, name, error) || !check_room(&w, path, error))
+    uint64_t bytes = estimate_bytes(&w);
+    if (file_join(path, directory, name, error) && comm->rank == 0)
+        file_check_room(path, 0, bytes, error);
+    if (!comm_agree(comm, error))
         return false;
     snprintf(temporary, sizeof temporary, "%s.part", path);
-    bool good = write_file(&w, temporary, error);
+    bool good = write_file(&w, temporary, bytes, error);
     if (good && comm->rank == 0 && file_settle(temporary, path, error) && keep > 0 && suffix[0] == '\0')
         delete_old(directory, checkpoint->numbers.step, keep);
     good = comm_agree(comm, error);

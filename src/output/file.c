@@ -1,3 +1,6 @@
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE /* fallocate */
+#endif
 #include "output/file.h"
 
 #include <errno.h>
@@ -90,6 +93,21 @@ bool file_check_room(const char *path, uint64_t present, uint64_t bytes, struct 
                          "%s: disk full: needs %" PRIu64 " bytes, %" PRIu64 " are left: %s", path, bytes,
                          room, strerror(ENOSPC));
     return true;
+}
+
+bool file_reserve(const char *path, uint64_t bytes, struct error *error) {
+    int64_t present = file_size(path);
+    if (!file_check_room(path, present > 0 ? (uint64_t)present : 0, bytes, error))
+        return false;
+    int handle = open(path, O_WRONLY);
+    if (handle < 0)
+        return error_set_errno(error, "%s: cannot be opened", path);
+    bool refused = fallocate(handle, FALLOC_FL_KEEP_SIZE, present, (off_t)bytes) != 0 &&
+                   (errno == ENOSPC || errno == EDQUOT || errno == EFBIG);
+    if (refused)
+        error_set_errno(error, "%s: disk full: needs %" PRIu64 " bytes more", path, bytes);
+    close(handle);
+    return !refused;
 }
 
 bool file_join(char *path, const char *directory, const char *name, struct error *error) {

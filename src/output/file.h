@@ -27,6 +27,11 @@ bool file_settle(const char *temporary, const char *path, struct error *error);
  * `present` bytes long grows. */
 bool file_check_room(const char *path, uint64_t present, uint64_t bytes, struct error *error);
 
+/* The same for a file that exists, and takes the room: `bytes` bytes behind its end stay free for it until it
+ * is next cut to its size (HDF5 does so when it closes a file). Where the file system cannot, the room is
+ * only looked at. */
+bool file_reserve(const char *path, uint64_t bytes, struct error *error);
+
 /* Writes "DIRECTORY/NAME" to path (OUTPUT_PATH_MAX bytes). Fails (user) if it does not fit. */
 bool file_join(char *path, const char *directory, const char *name, struct error *error);
 

@@ -1,6 +1,7 @@
 #include "output/h5.h"
 
 #include "core/memory.h"
+#include "output/file.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -27,9 +28,11 @@ bool h5_fail(const struct h5 *h5, enum error_kind kind, const char *object, cons
     for (char *c = said.text; *c; c++)
         if (*c == '\n')
             *c = ' ';
-    const char *separator = object && object[0] ? ": " : "";
-    return error_set(error, kind, "%s%s%s: %s (HDF5: %s)", h5->path, separator, object ? object : "", what,
-                     said.text);
+    /* errno does not come through MPI: ask whether it was for want of room */
+    struct error room = {0};
+    bool full = kind == ERROR_SYSTEM && !file_check_room(h5->path, 0, 1 << 16, &room);
+    return error_set(error, kind, "%s%s%s: %s%s (HDF5: %s)", h5->path, object[0] ? ": " : "", object, what,
+                     full ? ": disk full" : "", said.text);
 }
 
 static bool begin(struct h5 *h5, const char *path, const struct comm *comm, struct error *error) {
@@ -168,11 +171,12 @@ bool h5_make_group(const struct h5 *h5, const char *group, struct error *error) 
     hid_t id = -1;
     if (list >= 0 && H5Pset_create_intermediate_group(list, 1) >= 0)
         id = H5Gcreate2(h5->file, group, list, H5P_DEFAULT, H5P_DEFAULT);
-    H5Pclose(list);
     if (id < 0)
-        return h5_fail(h5, ERROR_SYSTEM, group, "the group cannot be made", error);
-    H5Gclose(id);
-    return true;
+        h5_fail(h5, ERROR_SYSTEM, group, "the group cannot be made", error);
+    else
+        H5Gclose(id);
+    H5Pclose(list);
+    return id >= 0;
 }
 
 bool h5_link(const struct h5 *h5, const char *present, const char *added, struct error *error) {
@@ -281,8 +285,11 @@ static bool read_strings(const struct h5 *h5, const char *object, const char *na
     for (int k = 0; good && k < n; k++) {
         char *one = value + (size_t)k * length;
         if (varying)
-            memcpy(&one, one, sizeof one);
-        snprintf(text + (size_t)k * size, size, "%.*s", varying ? (int)size : (int)length, one ? one : "");
+            memcpy(&one, value + (size_t)k * length, sizeof one);
+        size_t used = one ? strnlen(one, varying ? size - 1 : length) : 0;
+        used = used < size - 1 ? used : size - 1;
+        memcpy(text + (size_t)k * size, one ? one : "", used);
+        text[(size_t)k * size + used] = '\0';
         if (varying)
             H5free_memory(one);
     }

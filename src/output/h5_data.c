@@ -26,8 +26,8 @@ static bool agree(const struct h5 *h5, struct error *error) {
 }
 
 /* Writes a block (start, count; count 0 rows: nothing, but all ranks call) of an open dataset. */
-static bool write_block(const struct h5 *h5, hid_t dataset, hid_t type, const hsize_t *start,
-                        const hsize_t *count, const void *data) {
+static bool write_block(const struct h5 *h5, const char *name, hid_t dataset, enum field_type type,
+                        const hsize_t *start, const hsize_t *count, const void *data, struct error *error) {
     hid_t file_space = H5Dget_space(dataset);
     int rank = H5Sget_simple_extent_ndims(file_space);
     hid_t memory_space = H5Screate_simple(rank, count, NULL);
@@ -38,7 +38,9 @@ static bool write_block(const struct h5 *h5, hid_t dataset, hid_t type, const hs
         good = H5Sselect_none(file_space) >= 0 && H5Sselect_none(memory_space) >= 0;
     else if (good)
         good = H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, NULL, count, NULL) >= 0;
-    good = good && H5Dwrite(dataset, type, memory_space, file_space, h5->transfer, data) >= 0;
+    good = good && H5Dwrite(dataset, h5_type(type), memory_space, file_space, h5->transfer, data) >= 0;
+    if (!good)
+        h5_fail(h5, ERROR_SYSTEM, name, "the data cannot be written", error);
     H5Sclose(memory_space);
     H5Sclose(file_space);
     return good;
@@ -107,8 +109,8 @@ bool h5_write_table(const struct h5 *h5, const char *dataset, const struct h5_ta
             H5Dclose(id);
         return false;
     }
-    if (table->rows > 0 && !write_block(h5, id, h5_type(table->type), start, count, data))
-        h5_fail(h5, ERROR_SYSTEM, dataset, "the data cannot be written", error);
+    if (table->rows > 0)
+        write_block(h5, dataset, id, table->type, start, count, data, error);
     H5Dclose(id);
     return agree(h5, error);
 }
@@ -163,8 +165,8 @@ bool h5_write_frame(const struct h5 *h5, const char *dataset, const struct h5_ta
     else if (!grow(id, wanted, rank))
         h5_fail(h5, ERROR_SYSTEM, dataset, "the dataset cannot be enlarged", error);
     bool ready = agree(h5, error);
-    if (ready && table->rows > 0 && !write_block(h5, id, h5_type(table->type), start, count, data))
-        h5_fail(h5, ERROR_SYSTEM, dataset, "the data cannot be written", error);
+    if (ready && table->rows > 0)
+        write_block(h5, dataset, id, table->type, start, count, data, error);
     if (id >= 0)
         H5Dclose(id);
     return agree(h5, error);
@@ -174,6 +176,7 @@ bool h5_make_series(const struct h5 *h5, const char *dataset, enum field_type ty
     hsize_t none = 0, unlimited = H5S_UNLIMITED, chunk = SERIES_CHUNK;
     hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
     H5Pset_chunk(creation, 1, &chunk);
+    H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER);
     hid_t id =
         make_dataset(h5, dataset, h5_type(type), H5Screate_simple(1, &none, &unlimited), creation, error);
     if (id >= 0)
@@ -189,8 +192,8 @@ bool h5_write_series(const struct h5 *h5, const char *dataset, enum field_type t
         h5_fail(h5, ERROR_SYSTEM, dataset, "the dataset cannot be opened", error);
     else if (!grow(id, &wanted, 1))
         h5_fail(h5, ERROR_SYSTEM, dataset, "the dataset cannot be enlarged", error);
-    if (agree(h5, error) && !write_block(h5, id, h5_type(type), &start, &mine, values))
-        h5_fail(h5, ERROR_SYSTEM, dataset, "the data cannot be written", error);
+    if (agree(h5, error))
+        write_block(h5, dataset, id, type, &start, &mine, values, error);
     if (id >= 0)
         H5Dclose(id);
     return agree(h5, error);

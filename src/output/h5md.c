@@ -155,7 +155,7 @@ static bool write_rest(struct h5md *h5md, struct error *error) {
     if (h5md->kept == 0 || !h5md->made)
         return true;
     struct h5 h5;
-    if (!h5_open(&h5, h5md->path, h5md->comm, true, error))
+    if (!h5md_reserve(h5md, 1 << 16, error) || !h5_open(&h5, h5md->path, h5md->comm, true, error))
         return false;
     h5md_write_observables(h5md, &h5, error);
     return h5_close(&h5, error);

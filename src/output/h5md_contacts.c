@@ -5,7 +5,6 @@
 #include "output/h5md_parts.h"
 
 #include "core/memory.h"
-#include "output/file.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -163,10 +162,7 @@ bool h5md_write_contacts(struct h5md *h5md, const struct contact_list *list, con
         counts.first[k] = comm_scan(h5md->comm, counts.total[k]);
     comm_sum_int(h5md->comm, counts.total, 2);
     uint64_t bytes = ((uint64_t)counts.total[0] + (uint64_t)counts.total[1] + 2 * CHUNK_CONTACTS) * 80;
-    int64_t present = file_size(h5md->path);
-    if (h5md->comm->rank == 0)
-        file_check_room(h5md->path, present > 0 ? (uint64_t)present : 0, bytes, error);
-    if (!comm_agree(h5md->comm, error) || (!h5md->made && !h5md_make_file(h5md, box, error)))
+    if ((!h5md->made && !h5md_make_file(h5md, box, error)) || !h5md_reserve(h5md, bytes, error))
         return false;
     struct h5 h5;
     if (!h5_open(&h5, h5md->path, h5md->comm, true, error))

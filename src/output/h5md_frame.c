@@ -2,13 +2,12 @@
 #include "output/h5md_parts.h"
 
 #include "core/memory.h"
-#include "output/file.h"
 
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { CHUNK_ROWS_MAX = 65536, CHUNK_ROWS_VARYING = 4096, ROOM_SPARE = 1 << 20 };
+enum { CHUNK_ROWS_MAX = 65536, CHUNK_ROWS_VARYING = 4096, ROOM_SPARE = 1 << 17 };
 
 static const char frames_group[] = "/parameters/frames", frames_rows[] = "/parameters/frames/rows";
 
@@ -152,21 +151,18 @@ void h5md_remember(struct h5md *h5md, const struct xdmf_frame *frame) {
     h5md->frame[h5md->frames++] = *frame;
 }
 
-/* Refuses before anything is touched if the frame does not fit on the disk. */
-static bool check_room(const struct h5md *h5md, const struct frame *frame, struct error *error) {
+/* Takes the room for a frame, or refuses before anything is touched. */
+static bool reserve_room(const struct h5md *h5md, const struct frame *frame, struct error *error) {
     uint64_t bytes = ROOM_SPARE;
     for (int c = 0; c < frame->columns; c++)
         bytes += frame->total * frame_column_bytes(&frame->column[c]);
-    int64_t present = file_size(h5md->path);
-    if (h5md->comm->rank == 0)
-        file_check_room(h5md->path, present > 0 ? (uint64_t)present : 0, bytes, error);
-    return comm_agree(h5md->comm, error);
+    return h5md_reserve(h5md, bytes, error);
 }
 
 bool h5md_write_frame(struct h5md *h5md, const struct frame *frame, struct error *error) {
     if (h5md->frames > 0 && frame->step <= h5md->frame[h5md->frames - 1].step)
         return true;
-    if (!check_room(h5md, frame, error) || (!h5md->made && !h5md_make_file(h5md, &frame->box, error)))
+    if ((!h5md->made && !h5md_make_file(h5md, &frame->box, error)) || !reserve_room(h5md, frame, error))
         return false;
     if (h5md->elements > 0 && !check_columns(h5md, frame, error))
         return false;

@@ -1,6 +1,7 @@
 #include "output/h5md_parts.h"
 
 #include "core/version.h"
+#include "output/file.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -92,9 +93,21 @@ static bool write_parameters(const struct h5md *h5md, const struct h5 *h5, struc
            h5_write_table(h5, "/parameters/seed", &table, &seed, error);
 }
 
+bool h5md_reserve(const struct h5md *h5md, uint64_t bytes, struct error *error) {
+    /* observables that wait: values, and the groups and first pieces of their series */
+    uint64_t columns = (uint64_t)h5md->observables + 2;
+    bytes += h5md->kept > 0 ? columns * (8192 + h5md->kept * sizeof(double)) : 0;
+    if (h5md->comm->rank == 0)
+        file_reserve(h5md->path, bytes, error);
+    return comm_agree(h5md->comm, error);
+}
+
 bool h5md_make_file(struct h5md *h5md, const struct box *box, struct error *error) {
+    enum { ROOM_HEAD = 1 << 16 };
     struct h5 h5;
-    if (!h5_create(&h5, h5md->path, h5md->comm, 0, error))
+    if (h5md->comm->rank == 0)
+        file_check_room(h5md->path, 0, ROOM_HEAD, error);
+    if (!comm_agree(h5md->comm, error) || !h5_create(&h5, h5md->path, h5md->comm, 0, error))
         return false;
     if (write_meta(h5md, &h5, error) && write_box(h5md, &h5, box, error))
         write_parameters(h5md, &h5, error);

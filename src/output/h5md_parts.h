@@ -42,6 +42,9 @@ struct h5md {
 /* Makes the file with all but particles. */
 bool h5md_make_file(struct h5md *h5md, const struct box *box, struct error *error);
 
+/* Takes room for so many bytes more on the disk. Collective. */
+bool h5md_reserve(const struct h5md *h5md, uint64_t bytes, struct error *error);
+
 /* Makes the group of a time-dependent element ("/observables/x") with step and time: new ones, or hard links
  * to those of another group. */
 bool h5md_make_element(const struct h5md *h5md, const struct h5 *h5, const char *group, const char *linked_to,

@@ -1,0 +1,28 @@
+/* A folder for a test's files that all ranks know: made before, removed with all in it after. */
+#ifndef SCREE_TESTS_MPI_FOLDER_H
+#define SCREE_TESTS_MPI_FOLDER_H
+
+#include "comm/comm.h"
+
+enum { FOLDER_MAX = 512 };
+
+struct folder {
+    char path[FOLDER_MAX];
+};
+
+/* Makes a new folder below TMPDIR or /tmp; rank 0 does it, all know its name. Collective. */
+void folder_make(struct folder *folder, const struct comm *comm);
+
+/* Removes it with all its files (no folders in it). Collective. */
+void folder_remove(struct folder *folder, const struct comm *comm);
+
+/* "PATH/NAME" in `path` (FOLDER_MAX + 64 bytes); returns `path`. */
+char *folder_file(const struct folder *folder, const char *name, char path[FOLDER_MAX + 64]);
+
+/* Number of files in it. */
+int folder_count(const struct folder *folder);
+
+/* A comm of this rank alone. */
+struct comm folder_self(void);
+
+#endif
