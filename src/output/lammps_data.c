@@ -117,6 +117,11 @@ static bool read_section(struct reading *r, int64_t count, int least, int most,
         if (!lines_next_filled(&r->lines))
             return lines_refuse(&r->lines, error, "the file ends after %" PRId64 " of %" PRId64 " lines", k,
                                 count);
+        char hint[64];
+        if (section_of(r->lines.text, hint, sizeof hint) >= 0)
+            return lines_refuse(&r->lines, error,
+                                "the section before this has %" PRId64 " lines instead of %" PRId64, k,
+                                count);
         int n = lines_numbers(&r->lines, value, 16);
         if (n < 0)
             return lines_refuse(&r->lines, error, "holds a word that is not a number");

@@ -38,3 +38,30 @@ check_PROGRAMS += tests/mpi/test_scene_ranks
 tests_mpi_test_scene_ranks_SOURCES = tests/mpi/test_scene_ranks.c tests/mpi/folder.c tests/mpi/folder.h
 tests_mpi_test_scene_ranks_CPPFLAGS = $(MPI_TEST_FLAGS)
 tests_mpi_test_scene_ranks_LDADD = $(SCENE_LIBS) $(TEST_LIBS) $(MPI_LIBS)
+
+check_PROGRAMS += \
+	tests/mpi/test_checkpoint \
+	tests/mpi/test_dump \
+	tests/mpi/test_h5md \
+	tests/mpi/test_observables \
+	tests/mpi/test_report
+
+OUTPUT_TEST_SOURCES = tests/mpi/team.c tests/mpi/team.h tests/mpi/cloud.c tests/mpi/cloud.h tests/mpi/folder.c tests/mpi/folder.h
+OUTPUT_TEST_FLAGS = $(MPI_TEST_FLAGS) $(HDF5_CFLAGS)
+OUTPUT_TEST_LIBS = $(OUTPUT_LIBS) $(TEST_LIBS) $(HDF5_LIBS) $(MPI_LIBS)
+
+tests_mpi_test_checkpoint_SOURCES = tests/mpi/test_checkpoint.c $(OUTPUT_TEST_SOURCES)
+tests_mpi_test_checkpoint_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
+tests_mpi_test_checkpoint_LDADD = $(OUTPUT_TEST_LIBS)
+tests_mpi_test_dump_SOURCES = tests/mpi/test_dump.c $(OUTPUT_TEST_SOURCES)
+tests_mpi_test_dump_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
+tests_mpi_test_dump_LDADD = $(OUTPUT_TEST_LIBS)
+tests_mpi_test_h5md_SOURCES = tests/mpi/test_h5md.c $(OUTPUT_TEST_SOURCES)
+tests_mpi_test_h5md_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
+tests_mpi_test_h5md_LDADD = $(OUTPUT_TEST_LIBS)
+tests_mpi_test_observables_SOURCES = tests/mpi/test_observables.c $(OUTPUT_TEST_SOURCES)
+tests_mpi_test_observables_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
+tests_mpi_test_observables_LDADD = $(OUTPUT_TEST_LIBS)
+tests_mpi_test_report_SOURCES = tests/mpi/test_report.c $(OUTPUT_TEST_SOURCES)
+tests_mpi_test_report_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
+tests_mpi_test_report_LDADD = $(OUTPUT_TEST_LIBS)

@@ -1,0 +1,303 @@
+/* The report and the progress lines.
+ * Ranks: 1 2 4 */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+
+#include "core/memory.h"
+#include "core/version.h"
+#include "folder.h"
+#include "output/file.h"
+#include "output/progress.h"
+#include "output/report.h"
+#include "team.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <signal.h>
+#include <unistd.h>
+
+static void gather(struct report *report, const struct comm *comm) {
+    struct timers timers = {0};
+    for (int s = 0; s < TIMER_STAGES; s++)
+        timers.seconds[s] = s + comm->rank;
+    struct report_mine mine = {.timers = &timers,
+                               .ghosts = (uint64_t)(10 + comm->rank),
+                               .bytes_sent = (uint64_t)(1000 * comm->rank),
+                               .seconds = 4 - (comm->rank > 0),
+                               .seconds_setup = comm->rank};
+    report_gather(report, comm, &mine);
+}
+
+static struct report example(const struct comm *comm) {
+    struct report report;
+    report_create(&report, comm->size);
+    report.steps = 200;
+    report.particles = 1000000;
+    report.threads = 3;
+    snprintf(report.index, sizeof report.index, "hgrid");
+    snprintf(report.stopped, sizeof report.stopped, "a \"guard\"\n\\");
+    report.levels = 2;
+    report.level[1] = (struct report_level){.cell = INFINITY, .cells = 5, .particles = 6, .radius_max = 0.5};
+    report.seed = UINT64_MAX;
+    report.pairs = 123456789;
+    gather(&report, comm);
+    return report;
+}
+
+static void ranks_are_gathered(void **state) {
+    struct team *team = *state;
+    struct report report = example(&team->comm);
+    int size = team->comm.size;
+    for (int r = 0; r < size; r++)
+        team_expect(team,
+                    report.ghosts[r] == (uint64_t)(10 + r) && report.bytes_sent[r] == (uint64_t)(1000 * r),
+                    "rank %d", r);
+    for (int s = 0; s < TIMER_STAGES; s++) {
+        const struct report_stage *stage = &report.stage[s];
+        team_expect(team, stage->min == s && stage->max == s + size - 1, "stage %d", s);
+        team_expect(team, fabs(stage->mean - (s + (size - 1) / 2.0)) < 1e-12, "mean of %d", s);
+    }
+    team_expect(team, report.seconds == 4 && report.seconds_setup == size - 1, "seconds %g", report.seconds);
+    team_expect(team, report_speed(&report) == 5e7, "speed %g", report_speed(&report));
+    report.particle_steps = 4e6; /* the number of particles changed meanwhile */
+    team_expect(team, report_speed(&report) == 1e6, "speed %g", report_speed(&report));
+    team_expect(team, report.memory_peak > 1 << 20, "peak memory %d", (int)report.memory_peak);
+    report_destroy(&report);
+    team_finish(team);
+}
+
+static char *read_text(const char *path) {
+    char *text = memory_allocate_zero(1 << 16, 1, "test");
+    FILE *file = fopen(path, "r");
+    if (file && fread(text, 1, (1 << 16) - 1, file) == 0)
+        text[0] = '\0';
+    if (file)
+        fclose(file);
+    return text;
+}
+
+/* A reader of JSON that knows just enough to say whether a text is JSON at all: returns where the value ends,
+ * NULL if it is none. */
+static const char *skip_value(const char *c);
+
+static const char *skip_space(const char *c) {
+    return c + strspn(c, " \n\t\r");
+}
+
+static const char *skip_string(const char *c) {
+    if (*c++ != '"')
+        return NULL;
+    while (*c && *c != '"' && (unsigned char)*c >= 0x20)
+        c += *c == '\\' && c[1] ? 2 : 1;
+    return *c == '"' ? c + 1 : NULL;
+}
+
+static const char *skip_members(const char *c, char end, bool keys) {
+    c = skip_space(c + 1);
+    if (*c == end)
+        return c + 1;
+    for (;;) {
+        if (keys) {
+            c = skip_string(skip_space(c));
+            if (!c || *(c = skip_space(c)) != ':')
+                return NULL;
+            c++;
+        }
+        c = skip_value(c);
+        if (!c)
+            return NULL;
+        c = skip_space(c);
+        if (*c == end)
+            return c + 1;
+        if (*c++ != ',')
+            return NULL;
+    }
+}
+
+static const char *skip_value(const char *c) {
+    static const char *const words[] = {"true", "false", "null"};
+    c = skip_space(c);
+    if (*c == '{')
+        return skip_members(c, '}', true);
+    if (*c == '[')
+        return skip_members(c, ']', false);
+    if (*c == '"')
+        return skip_string(c);
+    for (int k = 0; k < 3; k++)
+        if (strncmp(c, words[k], strlen(words[k])) == 0)
+            return c + strlen(words[k]);
+    char *end;
+    if (strspn(c, "-0123456789") == 0)
+        return NULL;
+    strtod(c, &end);
+    return end == c ? NULL : end;
+}
+
+static void json_holds_all_keys(void **state) {
+    struct team *team = *state;
+    struct folder folder;
+    struct error error = {0};
+    folder_make(&folder, &team->comm);
+    struct report report = example(&team->comm);
+    if (team->comm.rank == 0) {
+        char path[FOLDER_MAX + 64];
+        team_expect(team, report_write_json(&report, folder_file(&folder, "report.json", path), &error), "%s",
+                    error.text);
+        char *text = read_text(path);
+        const char *end = skip_value(text);
+        team_expect(team, end && *skip_space(end) == '\0', "this is not JSON:\n%s", text);
+        static const char *const keys[] = {"\"steps\": 200,",
+                                           "\"particles\": 1000000,",
+                                           "\"ranks\": ",
+                                           "\"threads\": 3,",
+                                           "\"index\": \"hgrid\",",
+                                           "\"levels\": [",
+                                           "\"cells\": 5, \"particles\": 6",
+                                           "\"ghosts\": [10",
+                                           "\"bytes_sent\": [0",
+                                           "\"stages\": {",
+                                           "\"particle_steps_per_second\": 50000000,",
+                                           "\"pairs\": 123456789,",
+                                           "\"contacts\": ",
+                                           "\"rebuilds\": ",
+                                           "\"dangerous_rebuilds\": ",
+                                           "\"bytes_per_particle\": ",
+                                           "\"seed\": 18446744073709551615,",
+                                           "\"version\": \"",
+                                           "\"git_revision\": \"",
+                                           "\"compiler\": \"",
+                                           "\"flags\": \"",
+                                           "\"host\": \"",
+                                           "\"cell_size\": null",
+                                           "\"stopped\": \"a \\\"guard\\\"\\u000a\\\\\""};
+        for (size_t k = 0; k < sizeof keys / sizeof keys[0]; k++)
+            team_expect(team, strstr(text, keys[k]) != NULL, "%s is not in\n%s", keys[k], text);
+        for (int s = 0; s < TIMER_STAGES; s++) {
+            char key[64];
+            snprintf(key, sizeof key,
+                     "\"%s\": {\"min\": %d, \"mean\": ", timer_stage_name((enum timer_stage)s), s);
+            team_expect(team, strstr(text, key) != NULL, "%s is not in\n%s", key, text);
+        }
+        memory_free(text);
+    }
+    report_destroy(&report);
+    folder_remove(&folder, &team->comm);
+    team_finish(team);
+}
+
+static void the_table_is_readable(void **state) {
+    struct team *team = *state;
+    struct report report = example(&team->comm);
+    if (team->comm.rank == 0) {
+        char *text = NULL;
+        size_t size;
+        FILE *memory = open_memstream(&text, &size);
+        report_print(&report, memory);
+        fclose(memory);
+        static const char *const parts[] = {"200 steps of 1,000,000 particles", "123,456,789 pairs", "hgrid",
+                                            "contact", "level"};
+        for (size_t k = 0; k < sizeof parts / sizeof parts[0]; k++)
+            team_expect(team, strstr(text, parts[k]) != NULL, "%s is not in\n%s", parts[k], text);
+        free(text);
+    }
+    report_destroy(&report);
+    team_finish(team);
+}
+
+static void a_file_that_does_not_fit_leaves_the_old_one(void **state) {
+    struct team *team = *state;
+    struct folder folder;
+    struct error error = {0};
+    folder_make(&folder, &team->comm);
+    struct report report = example(&team->comm);
+    if (team->comm.rank == 0) {
+        char path[FOLDER_MAX + 64];
+        folder_file(&folder, "report.json", path);
+        team_expect(team, report_write_json(&report, path, &error), "%s", error.text);
+        int64_t size = file_size(path);
+        struct rlimit limit, small;
+        getrlimit(RLIMIT_FSIZE, &limit);
+        signal(SIGXFSZ, SIG_IGN);
+        small = limit;
+        small.rlim_cur = 100;
+        setrlimit(RLIMIT_FSIZE, &small);
+        team_expect(team, !report_write_json(&report, path, &error), "it fits");
+        setrlimit(RLIMIT_FSIZE, &limit);
+        team_expect(team, error.kind == ERROR_SYSTEM && strstr(error.text, "File too large"), "%s",
+                    error.text);
+        team_expect(team, file_size(path) == size && folder_count(&folder) == 1, "the old one is gone");
+        error = (struct error){0};
+        team_expect(team, !report_write_json(&report, "/nowhere/report.json", &error), "written to nowhere");
+        team_expect(team, strstr(error.text, "/nowhere/report.json") != NULL, "%s", error.text);
+    }
+    report_destroy(&report);
+    folder_remove(&folder, &team->comm);
+    team_finish(team);
+}
+
+static void durations(void **state) {
+    struct team *team = *state;
+    static const struct {
+        double seconds;
+        const char *text;
+    } cases[] = {{0, "0:00"},         {59.4, "0:59"},      {59.6, "1:00"},
+                 {3599.6, "1:00:00"}, {86399, "23:59:59"}, {360000, "100:00:00"},
+                 {-1, "-:--"},        {INFINITY, "-:--"},  {NAN, "-:--"}};
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        char text[32];
+        progress_duration(cases[k].seconds, text, sizeof text);
+        team_expect(team, strcmp(text, cases[k].text) == 0, "%g s is %s", cases[k].seconds, text);
+    }
+    team_finish(team);
+}
+
+static void progress_text(enum progress_mode mode, char *text, size_t size) {
+    struct progress progress;
+    struct progress_options options = {.mode = mode};
+    FILE *file = tmpfile();
+    progress_start(&progress, &options, file, 100, 300);
+    for (uint64_t step = 101; step <= 300; step++)
+        progress_update(&progress, step, 1000, 0.5 * (double)step);
+    progress_finish(&progress);
+    rewind(file);
+    size_t length = fread(text, 1, size - 1, file);
+    text[length] = '\0';
+    fclose(file);
+}
+
+static void progress_is_quiet_unless_asked(void **state) {
+    struct team *team = *state;
+    char text[1 << 14];
+    progress_text(PROGRESS_AUTO, text, sizeof text);
+    team_expect(team, text[0] == '\0', "AUTO prints into a file: %s", text);
+    progress_text(PROGRESS_LINES, text, sizeof text);
+    int lines = 0;
+    for (const char *c = text; *c; c++)
+        lines += *c == '\n';
+    team_expect(team, lines == 10, "%d lines:\n%s", lines, text);
+    team_expect(team, strstr(text, " 50 % step 200 of 300, t = 100, ") != NULL, "%s", text);
+    progress_text(PROGRESS_BAR, text, sizeof text);
+    team_expect(team, strstr(text, "[##############################] 100 %") != NULL, "%s", text);
+    team_expect(team, strcmp(text + strlen(text) - 4, "\r\033[K") == 0, "the bar is left: %s", text);
+    team_finish(team);
+}
+
+int main(int argc, char **argv) {
+    struct team team;
+    team_start(&team, &argc, &argv);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_prestate(ranks_are_gathered, &team),
+        cmocka_unit_test_prestate(json_holds_all_keys, &team),
+        cmocka_unit_test_prestate(the_table_is_readable, &team),
+        cmocka_unit_test_prestate(a_file_that_does_not_fit_leaves_the_old_one, &team),
+        cmocka_unit_test_prestate(durations, &team),
+        cmocka_unit_test_prestate(progress_is_quiet_unless_asked, &team),
+    };
+    int failed = cmocka_run_group_tests_name("report", tests, NULL, NULL);
+    return team_stop(&team) || failed;
+}
