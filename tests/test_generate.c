@@ -187,14 +187,14 @@ static void random_discs(void **state) {
 static void says_what_it_reached(void **state) {
     (void)state;
     struct scene *scene = scene_with(
-        "", "particles: {from: random, sizes: 0.4, volume_fraction: 0.6, material: a, attempts: 300}\n");
+        "", "particles: {from: random, sizes: 0.4, volume_fraction: 0.37, material: a, attempts: 300}\n");
     struct particles *p = particles_create(PARTICLE_FEATURES_ALL, 0);
     struct scene_share share = {.size = 1};
     struct error error = {0};
     assert_false(scene_particles(scene, &share, p, NULL, &error));
     assert_int_equal(error.kind, ERROR_USER);
     assert_non_null(strstr(error.text, "particles.sources[0].volume_fraction"));
-    assert_non_null(strstr(error.text, "of 0.6"));
+    assert_non_null(strstr(error.text, "of 0.37"));
     assert_non_null(strstr(error.text, "0.382"));
     particles_destroy(&p);
     scene_free(&scene);

@@ -106,8 +106,9 @@ static bool not_placed(const struct scene *scene, int source, const struct order
     return finish_fail(
         scene, error, key,
         "only %zu of %zu spheres found a place (volume fraction %.4g of %.4g) in %lld attempts for the next "
-        "one, of radius %g. Random placement ends "
-        "at about %s; wide size laws reach more, a lattice or a packing made beforehand as well",
+        "one, of radius %g. Random placement ends at about %s, and nears it slowly (more attempts); wide "
+        "size "
+        "laws reach more, a lattice or a packing made beforehand as well",
         placed, order->count, reached / order->volume, wanted / order->volume,
         (long long)scene->source[source].attempts, order->draw[placed].radius,
         scene->box.dimension == 2 ? "0.547 of the area for equal discs" : "0.382 for equal spheres");

@@ -133,6 +133,14 @@ static bool check_random(const struct scene *scene, const struct source_options 
     snprintf(key, sizeof(key), "%s.volume_fraction", section);
     if (source->count > 0 && source->volume_fraction > 0)
         return finish_fail(scene, error, key, "beside count; give one of the two");
+    double limit = scene->box.dimension == 2 ? 0.547 : 0.382;
+    if (source->sizes.law == SIZES_FIXED && source->volume_fraction > limit)
+        return finish_fail(
+            scene, error, key,
+            "%g: equal %s placed at random end at %g of the %s; a lattice or a packing made beforehand is "
+            "denser",
+            source->volume_fraction, scene->box.dimension == 2 ? "discs" : "spheres", limit,
+            scene->box.dimension == 2 ? "area" : "volume");
     snprintf(key, sizeof(key), "%s.count", section);
     return source->count > 0 || source->volume_fraction > 0 ||
            finish_fail(scene, error, key, "is missing; give count or volume_fraction");
