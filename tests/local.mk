@@ -99,3 +99,7 @@ tests_test_units_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
 check_PROGRAMS += tests/test_output_options
 tests_test_output_options_SOURCES = tests/test_output_options.c
 tests_test_output_options_LDADD = $(OUTPUT_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_library
+tests_test_library_SOURCES = tests/test_library.c
+tests_test_library_LDADD = $(APP_LIBS) $(TEST_LIBS)

@@ -4,7 +4,9 @@ libapp_la_SOURCES = \
 	src/app/check.c \
 	src/app/command.c src/app/command.h \
 	src/app/guards.c \
+	src/app/library.c src/scree.h \
 	src/app/outputs.c src/app/outputs.h \
+	src/app/program.c \
 	src/app/rebuild.c \
 	src/app/resume.c \
 	src/app/run.c src/app/run.h \
@@ -15,7 +17,13 @@ libapp_la_SOURCES = \
 
 libapp_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 
+# The library for other codes exports scree_* alone; the program is a main that calls it
+lib_LTLIBRARIES += libscree.la
+libscree_la_SOURCES =
+libscree_la_LIBADD = $(APP_LIBS)
+libscree_la_LDFLAGS = $(AM_LDFLAGS) -export-symbols-regex '^scree_' -version-info 0:0:0
+include_HEADERS += src/scree.h
+
 bin_PROGRAMS += scree
 scree_SOURCES = src/app/main.c
-scree_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 scree_LDADD = $(APP_LIBS)

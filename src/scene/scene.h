@@ -96,7 +96,6 @@ struct scene {
     double duration; /* time; 0: by step.count */
     struct scene_step step;
     char integrator[SCENE_NAME_MAX];
-    bool fused;  /* passes of the step share a visit of each block; off: pass after pass */
     int threads; /* 0: as many as OpenMP offers */
 
     struct law_options law;

@@ -266,9 +266,6 @@ static const struct schema_row root_rows[] = {
      .fallback = "synchronised_verlet", AT(struct scene, integrator), .help = "how the motion is integrated"},
     {.key = "threads", .type = SCHEMA_INT, .range = "[0, 1024]", .fallback = "0", AT(struct scene, threads),
      .help = "threads a rank; 0: OMP_NUM_THREADS, or all cores"},
-    {.key = "fused", .type = SCHEMA_BOOL, .fallback = "true", AT(struct scene, fused),
-     .help = "passes of the step share a visit of each block of particles; false: pass after pass, with the "
-           "same results"},
     {.key = "contact", .type = SCHEMA_SECTION, .sub = &contact_table, .main = "law",
      .offset = offsetof(struct scene, law), .help = "the contact law, of walls too"},
     {.key = "materials", .type = SCHEMA_LIST, .sub = &material_table, .required = true,

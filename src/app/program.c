@@ -1,0 +1,72 @@
+#include "app/command.h"
+#include "core/version.h"
+#include "scree.h"
+#include <stdio.h>
+#include <string.h>
+
+static int show_help(int argc, char **argv) {
+    const struct command *command = argc > 2 ? command_find(argv[2]) : NULL;
+    if (argc <= 2 || command) {
+        command_usage(stdout, command);
+        if (argc <= 2) {
+            printf("\nThe keys of a scene (scree help KEY tells more):\n\n");
+            scene_help(stdout, NULL);
+        }
+        return 0;
+    }
+    return scene_help(stdout, argv[2]) ? 0 : ERROR_USER;
+}
+
+static int show_version(void) {
+    printf("scree %s (%s)\n%s\n%s\n", version_number(), version_revision(), version_compiler(),
+           version_flags());
+    return 0;
+}
+
+/* What needs no MPI. Returns -1 if the command line is something else. */
+static int answer_plainly(int argc, char **argv) {
+    if (argc < 2 || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
+        command_usage(argc < 2 ? stderr : stdout, NULL);
+        return argc < 2 ? ERROR_USER : 0;
+    }
+    if (strcmp(argv[1], "help") == 0)
+        return show_help(argc, argv);
+    if (strcmp(argv[1], "--version") == 0 || strcmp(argv[1], "version") == 0)
+        return show_version();
+    return -1;
+}
+
+static int run_command(const struct comm *comm, int argc, char **argv, struct error *error) {
+    static struct command_line line; /* large; read once */
+    const struct command *command = command_find(argv[1]);
+    if (command == NULL) {
+        error_set(error, ERROR_USER,
+                  "command line: unknown command '%s'; known are run, check, ablate, info, convert, help",
+                  argv[1]);
+        return error->kind;
+    }
+    for (int k = 2; k < argc; k++) {
+        if (strcmp(argv[k], "--help") == 0) {
+            if (comm->rank == 0)
+                command_usage(stdout, command);
+            return 0;
+        }
+    }
+    if (!command_line_read(&line, command, argc - 2, argv + 2, error))
+        return error->kind;
+    return command->run(comm, &line, error);
+}
+
+int scree_main(int argc, char **argv) {
+    struct comm comm;
+    struct error error = {0};
+    int status = answer_plainly(argc, argv);
+    if (status >= 0)
+        return status;
+    comm_start(&comm, &argc, &argv);
+    status = run_command(&comm, argc, argv, &error);
+    if (error.kind != ERROR_NONE && comm.rank == 0)
+        fprintf(stderr, "scree: %s\n", error.text);
+    comm_stop(&comm);
+    return status;
+}
