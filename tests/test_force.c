@@ -58,8 +58,9 @@ static struct particles *cloud(const struct law *law, size_t count, double box) 
         for (int c = 0; c < 3; c++) {
             s->x[c] = box * random_uniform(&r);
             s->v[c] = random_normal(&r);
+            double omega = 2.0 * random_normal(&r); /* drawn in any case: the same cloud for all laws */
             if (law->spin)
-                p->omega[k][c] = 2.0 * random_normal(&r);
+                p->omega[k][c] = omega;
         }
         if (law->materials > 1)
             p->material[k] = (uint8_t)(k % (size_t)law->materials);

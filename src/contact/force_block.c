@@ -10,18 +10,36 @@ typedef double force_four __attribute__((vector_size(32), aligned(8), may_alias)
 /* Half a record of a particle: x y z vx, and vy vz radius 1/mass. */
 #define FORCE_HALF(state, half) (*(const force_four *)((const double *)(state) + 4 * (half)))
 
-/* Separation of the pairs [first, last) of the list against the sum of radii; appends those that touch. */
-static inline void force_filter(const struct force_task *task, size_t first, size_t last) {
+/* What the loops over pairs read, side by side: a compiler must assume that their stores change what lies
+ * behind pointers. */
+struct force_view {
+    const struct particle_state *state;
+    const double (*omega)[4]; /* NULL without spin */
+    const uint32_t *i, *j;    /* from the first pair of the block on */
+    const double (*shift)[4];
+};
+
+static inline struct force_view force_view_of(const struct force_task *task) {
+    const struct particles *particles = task->context->particles;
     const struct pairlist *list = task->context->list;
-    const struct particle_state *state = task->context->particles->state;
-    struct force_thread *restrict thread = task->thread;
+    return (struct force_view){.state = particles->state,
+                               .omega = task->context->law->spin ? particles->omega : NULL,
+                               .i = list->i + task->block->first_pair,
+                               .j = list->j + task->block->first_pair,
+                               .shift = list->shift};
+}
+
+/* Separations of the block's pairs [first, last) against the sum of radii; appends those that touch. */
+static inline void force_filter(const struct force_view view, struct force_thread *restrict thread,
+                                size_t first, size_t last) {
     uint32_t touch[FORCE_CHUNK];
     int n = (int)(last - first);
     for (int k = 0; k < n; k++) {
-        uint32_t code = list->j[first + (size_t)k];
-        const struct particle_state *i = &state[list->i[first + (size_t)k]], *j = &state[pair_partner(code)];
+        uint32_t code = view.j[first + (size_t)k];
+        const struct particle_state *i = &view.state[view.i[first + (size_t)k]];
+        const struct particle_state *j = &view.state[pair_partner(code)];
         *(force_four *)thread->distance[k] =
-            (FORCE_HALF(j, 0) - FORCE_HALF(i, 0)) + *(const force_four *)list->shift[pair_image(code)];
+            (FORCE_HALF(j, 0) - FORCE_HALF(i, 0)) + *(const force_four *)view.shift[pair_image(code)];
         thread->reach[k] = i->radius + j->radius;
     }
 #pragma omp simd
@@ -31,37 +49,33 @@ static inline void force_filter(const struct force_task *task, size_t first, siz
         touch[k] = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach;
     }
     uint32_t *out = thread->candidate + thread->candidates;
-    uint32_t number = (uint32_t)(first - task->block->first_pair);
     for (int k = 0; k < n; k++) {
-        *out = number + (uint32_t)k;
+        *out = (uint32_t)first + (uint32_t)k;
         out += touch[k];
     }
     thread->candidates = (size_t)(out - thread->candidate);
 }
 
-/* Fills the batch with the first `count` candidates. */
-static inline void force_gather(const struct force_task *task, int count) {
-    const struct pairlist *list = task->context->list;
-    const struct particles *particles = task->context->particles;
+/* Fills the batch with the first `count` candidates; `offset` is the number of the block's first pair in the
+ * thread. */
+static inline void force_gather(const struct force_view view, struct force_thread *restrict thread, int count,
+                                uint32_t offset) {
     const force_four sign = {-1.0, -1.0, 1.0, 1.0};
-    const double(*omega)[4] = task->context->law->spin ? particles->omega : NULL;
-    struct force_thread *restrict thread = task->thread;
     struct force_batch *restrict b = &thread->batch;
     for (int k = 0; k < count; k++) {
-        size_t pair = task->block->first_pair + thread->candidate[k];
-        uint32_t i = list->i[pair], code = list->j[pair], j = pair_partner(code);
-        const struct particle_state *si = &particles->state[i], *sj = &particles->state[j];
+        uint32_t pair = thread->candidate[k], i = view.i[pair], code = view.j[pair], j = pair_partner(code);
+        const struct particle_state *si = &view.state[i], *sj = &view.state[j];
         b->i[k] = i;
         b->j[k] = j;
-        b->pair[k] = (uint32_t)(pair - task->pair_base);
+        b->pair[k] = pair + offset;
         b->radius[0][k] = si->radius;
         b->radius[1][k] = sj->radius;
         *(force_four *)b->record[k] =
-            (FORCE_HALF(sj, 0) - FORCE_HALF(si, 0)) + *(const force_four *)list->shift[pair_image(code)];
+            (FORCE_HALF(sj, 0) - FORCE_HALF(si, 0)) + *(const force_four *)view.shift[pair_image(code)];
         *(force_four *)(b->record[k] + 4) = FORCE_HALF(sj, 1) + FORCE_HALF(si, 1) * sign;
-        if (omega) {
-            *(force_four *)b->omega[k] = *(const force_four *)omega[i];
-            *(force_four *)(b->omega[k] + 4) = *(const force_four *)omega[j];
+        if (view.omega) {
+            *(force_four *)b->omega[k] = *(const force_four *)view.omega[i];
+            *(force_four *)(b->omega[k] + 4) = *(const force_four *)view.omega[j];
         }
     }
     b->count = count;
@@ -69,31 +83,34 @@ static inline void force_gather(const struct force_task *task, int count) {
 }
 
 /* Finds the old springs of the batch's contacts: both run in the order of the pairs. */
-static inline void force_recall(const struct force_task *task, int components) {
-    const struct history_part *old = task->old;
-    struct force_batch *restrict b = &task->thread->batch;
-    size_t cursor = task->thread->cursor, end = old->count;
-    for (int k = 0; k < b->count; k++) {
-        while (cursor < end && old->pair[cursor] < b->pair[k])
+static inline void force_recall(const struct history_part old, struct force_thread *restrict thread,
+                                int components) {
+    struct force_batch *restrict b = &thread->batch;
+    size_t cursor = thread->cursor;
+    int count = b->count;
+    for (int k = 0; k < count; k++) {
+        uint32_t pair = b->pair[k];
+        while (cursor < old.count && old.pair[cursor] < pair)
             cursor++;
-        bool known = cursor < end && old->pair[cursor] == b->pair[k];
+        bool known = cursor < old.count && old.pair[cursor] == pair;
+        const double *value = old.value + cursor * (size_t)components;
         for (int c = 0; c < components; c++)
-            b->spring[c][k] = known ? old->value[cursor * (size_t)components + (size_t)c] : 0.0;
+            b->spring[c][k] = known ? value[c] : 0.0;
     }
-    task->thread->cursor = cursor;
+    thread->cursor = cursor;
 }
 
 /* Appends the new springs of the batch to the other buffer. */
-static inline void force_remember(const struct force_task *task, int components) {
-    struct history_part *restrict new = task->new;
-    const struct force_batch *restrict b = &task->thread->batch;
-    double *value = new->value + new->count *(size_t)components;
-    for (int k = 0; k < b->count; k++) {
-        new->pair[new->count + (size_t)k] = b->pair[k];
+static inline void force_remember(struct history_part *new, const struct force_batch *restrict b,
+                                  int components) {
+    uint32_t *restrict pair = new->pair + new->count;
+    double *restrict value = new->value + new->count *(size_t)components;
+    int count = b->count;
+    memcpy(pair, b->pair, (size_t)count * sizeof *pair);
+    for (int k = 0; k < count; k++)
         for (int c = 0; c < components; c++)
-            *value++ = b->spring[c][k];
-    }
-    new->count += (size_t)b->count;
+            value[k * components + c] = b->spring[c][k];
+    new->count += (size_t)count;
 }
 
 /* Coefficients of each contact, where there are several materials. */
@@ -135,73 +152,107 @@ static inline void force_pad(struct force_batch *b) {
     }
 }
 
+/* Turns three components of the batch's contacts into records x y z 0 at share[k] + offset. */
+static inline void force_transpose(struct force_batch *restrict b, double component[3][FORCE_BATCH],
+                                   int offset) {
+    const force_four zero = {0.0, 0.0, 0.0, 0.0};
+    int count = b->padded;
+    for (int k = 0; k < count; k += 4) {
+        force_four x = *(const force_four *)&component[0][k], y = *(const force_four *)&component[1][k];
+        force_four z = *(const force_four *)&component[2][k];
+        force_four xy02 = __builtin_shufflevector(x, y, 0, 4, 2, 6),
+                   xy13 = __builtin_shufflevector(x, y, 1, 5, 3, 7);
+        force_four z02 = __builtin_shufflevector(z, zero, 0, 4, 2, 6),
+                   z13 = __builtin_shufflevector(z, zero, 1, 5, 3, 7);
+        *(force_four *)(b->share[k] + offset) = __builtin_shufflevector(xy02, z02, 0, 1, 4, 5);
+        *(force_four *)(b->share[k + 1] + offset) = __builtin_shufflevector(xy13, z13, 0, 1, 4, 5);
+        *(force_four *)(b->share[k + 2] + offset) = __builtin_shufflevector(xy02, z02, 2, 3, 6, 7);
+        *(force_four *)(b->share[k + 3] + offset) = __builtin_shufflevector(xy13, z13, 2, 3, 6, 7);
+    }
+}
+
 /* Force and torque of contact k added to the record of particle i (side 0, the negative) or j (side 1). */
-static inline void force_add(double *record, const struct force_batch *b, int k, int side, bool spin,
-                             bool rolling) {
-    force_four *force = (force_four *)record;
-    const force_four *share = (const force_four *)b->force[k];
-    *force = side ? *force + *share : *force - *share;
-    if (!spin)
+static inline void force_add(double *record, const struct force_batch *restrict b, int k, int side,
+                             int components) {
+    const force_four *share = (const force_four *)b->share[k];
+    force_four *sum = (force_four *)record;
+    sum[0] = side ? sum[0] + share[0] : sum[0] - share[0];
+    if (components == 0)
         return;
-    force_four torque = *(const force_four *)b->moment[k] * b->lever[side][k];
-    if (rolling)
-        torque =
-            side ? torque + *(const force_four *)b->rolling[k] : torque - *(const force_four *)b->rolling[k];
-    force[1] += torque;
+    force_four torque = share[1] * b->lever[side][k];
+    if (components == 6)
+        torque = side ? torque + share[2] : torque - share[2];
+    sum[1] += torque;
+}
+
+/* How many of the batch's contacts, which run in the order of pairs, lie before pair `end` of the list. */
+static inline int force_before(const struct force_task *task, size_t end) {
+    const struct force_batch *b = &task->thread->batch;
+    int low = 0, high = b->count;
+    while (low < high) {
+        int middle = (low + high) / 2;
+        if (b->pair[middle] + task->pair_base < end)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
 }
 
 /* The forces of the batch added to the particles, by segment of the list. */
-static inline void force_scatter(const struct force_task *task, bool spin, bool rolling) {
-    const struct force_context *context = task->context;
-    const struct force_batch *b = &task->thread->batch;
-    const struct pair_block *block = task->block;
-    size_t stride = (size_t)context->particles->force_stride;
-    double *force = context->particles->force;
-    uint32_t one_sided = (uint32_t)(block->one_sided - task->pair_base);
-    uint32_t slotted = (uint32_t)(block->slotted - task->pair_base);
-    int k = 0;
-    for (; k < b->count && b->pair[k] < one_sided; k++) {
-        force_add(force + b->i[k] * stride, b, k, 0, spin, rolling);
-        force_add(force + b->j[k] * stride, b, k, 1, spin, rolling);
+static inline void force_scatter(const struct force_task *task, int components) {
+    const struct particles *particles = task->context->particles;
+    struct force_thread *thread = task->thread;
+    const struct force_batch *restrict b = &thread->batch;
+    const int32_t *slot_of = task->context->list->slot_of;
+    const size_t stride = components ? 8 : (size_t)particles->force_stride;
+    double *force = particles->force, *slots = thread->slots;
+    int both = force_before(task, task->block->one_sided), one = force_before(task, task->block->slotted);
+    int count = b->count;
+    force_transpose(&thread->batch, thread->batch.force, 0);
+    if (components >= 3)
+        force_transpose(&thread->batch, thread->batch.moment, 4);
+    if (components == 6)
+        force_transpose(&thread->batch, thread->batch.rolling, 8);
+    for (int k = 0; k < both; k++) {
+        force_add(force + b->i[k] * stride, b, k, 0, components);
+        force_add(force + b->j[k] * stride, b, k, 1, components);
     }
-    task->thread->sums.contact_sides += 2 * (size_t)b->count;
-    for (; k < b->count && b->pair[k] < slotted; k++) {
-        force_add(force + b->i[k] * stride, b, k, 0, spin, rolling);
-        task->thread->sums.contact_sides--;
-    }
-    for (; k < b->count; k++) {
-        size_t slot = (size_t)context->list->slot_of[b->j[k]];
-        force_add(force + b->i[k] * stride, b, k, 0, spin, rolling);
-        force_add(task->thread->slots + slot * stride, b, k, 1, spin, rolling);
-    }
+    for (int k = both; k < count; k++)
+        force_add(force + b->i[k] * stride, b, k, 0, components);
+    for (int k = one; k < count; k++)
+        force_add(slots + (size_t)slot_of[b->j[k]] * stride, b, k, 1, components);
+    thread->sums.contact_sides += 2 * (size_t)count - (size_t)(one - both);
 }
 
-/* The largest overlap so far, and whose. */
+/* The largest overlap so far, relative to the smaller radius, and whose. */
 static inline void force_watch(const struct force_task *task) {
-    const struct force_batch *b = &task->thread->batch;
+    const struct force_batch *restrict b = &task->thread->batch;
     struct force_sums *sums = &task->thread->sums;
     double largest = sums->overlap_max;
-    for (int k = 0; k < b->count; k++)
-        largest = b->overlap[k] > largest ? b->overlap[k] : largest;
-    if (largest == sums->overlap_max)
-        return;
-    for (int k = 0; k < b->count; k++)
-        if (b->overlap[k] == largest) {
-            sums->overlap_id[0] = task->context->particles->id[b->i[k]];
-            sums->overlap_id[1] = task->context->particles->id[b->j[k]];
-        }
-    sums->overlap_max = largest;
+    int above = 0;
+#pragma omp simd reduction(| : above)
+    for (int k = 0; k < b->padded; k++)
+        above |=
+            b->overlap[k] > largest * (b->radius[0][k] < b->radius[1][k] ? b->radius[0][k] : b->radius[1][k]);
+    for (int k = 0; above && k < b->count; k++) {
+        double relative = b->overlap[k] / fmin(b->radius[0][k], b->radius[1][k]);
+        if (relative <= sums->overlap_max)
+            continue;
+        sums->overlap_max = relative;
+        sums->overlap_id[0] = task->context->particles->id[b->i[k]];
+        sums->overlap_id[1] = task->context->particles->id[b->j[k]];
+    }
 }
 
 /* Energies and virial of the batch; a one-sided pair counts half. */
 static void force_account(const struct force_task *task) {
     const struct force_batch *b = &task->thread->batch;
     struct force_sums *sums = &task->thread->sums;
-    uint32_t one_sided = (uint32_t)(task->block->one_sided - task->pair_base);
-    uint32_t slotted = (uint32_t)(task->block->slotted - task->pair_base);
+    int both = force_before(task, task->block->one_sided), one = force_before(task, task->block->slotted);
     for (int k = 0; k < b->count; k++) {
-        double weight = b->pair[k] >= one_sided && b->pair[k] < slotted ? 0.5 : 1.0;
-        const double *d = b->record[k], *f = b->force[k];
+        double weight = k >= both && k < one ? 0.5 : 1.0;
+        const double *d = b->record[k], *f = b->share[k];
         sums->elastic_normal += weight * b->energy[0][k];
         sums->elastic_tangential += weight * b->energy[1][k];
         sums->dissipated += weight * b->energy[2][k];
@@ -215,29 +266,19 @@ static void force_account(const struct force_task *task) {
 }
 
 /* Takes the first `count` candidates through gather, physics and scatter. */
-static inline void force_flush(const struct force_task *task, force_physics *physics, int count) {
+static inline void force_flush(const struct force_task *task, const struct force_view view,
+                               force_physics *physics, int count, int components) {
     struct force_thread *thread = task->thread;
-    const struct law *law = task->context->law;
-    int components = law->history_components;
-    force_gather(task, count);
-    if (components == 3)
-        force_recall(task, 3);
-    else if (components == 6)
-        force_recall(task, 6);
-    if (law->materials > 1)
+    force_gather(view, thread, count, (uint32_t)(task->block->first_pair - task->pair_base));
+    if (components)
+        force_recall(*task->old, thread, components);
+    if (task->context->law->materials > 1)
         force_mix(task);
     force_pad(&thread->batch);
     physics(&thread->batch, &task->step);
-    if (components == 6)
-        force_scatter(task, true, true);
-    else if (components == 3)
-        force_scatter(task, true, false);
-    else
-        force_scatter(task, false, false);
-    if (components == 3)
-        force_remember(task, 3);
-    else if (components == 6)
-        force_remember(task, 6);
+    force_scatter(task, components);
+    if (components)
+        force_remember(task->new, &thread->batch, components);
     force_watch(task);
     if (task->energies)
         force_account(task);
@@ -245,21 +286,32 @@ static inline void force_flush(const struct force_task *task, force_physics *phy
     memmove(thread->candidate, thread->candidate + count, thread->candidates * sizeof thread->candidate[0]);
 }
 
-static void force_block(const struct force_task *task) {
-    const struct pair_block *block = task->block;
+/* The block with a constant number of history components. */
+static inline __attribute__((always_inline)) void force_sweep(const struct force_task *task, int components) {
+    const struct force_view view = force_view_of(task);
     struct force_thread *thread = task->thread;
     force_physics *physics = force_physics_find(&task->context->law->options, task->energies);
+    size_t pairs = task->block->end_pair - task->block->first_pair;
     thread->candidates = 0;
-    if (task->context->law->materials == 1)
-        force_mix_one(&thread->batch, &task->context->law->pair[0][0]);
-    for (size_t first = block->first_pair; first < block->end_pair; first += FORCE_CHUNK) {
-        size_t last = first + FORCE_CHUNK < block->end_pair ? first + FORCE_CHUNK : block->end_pair;
-        force_filter(task, first, last);
+    for (size_t first = 0; first < pairs; first += FORCE_CHUNK) {
+        force_filter(view, thread, first, first + FORCE_CHUNK < pairs ? first + FORCE_CHUNK : pairs);
         while (thread->candidates >= FORCE_BATCH)
-            force_flush(task, physics, FORCE_BATCH);
+            force_flush(task, view, physics, FORCE_BATCH, components);
     }
     if (thread->candidates > 0)
-        force_flush(task, physics, (int)thread->candidates);
+        force_flush(task, view, physics, (int)thread->candidates, components);
+}
+
+static void force_block(const struct force_task *task) {
+    const struct law *law = task->context->law;
+    if (law->materials == 1)
+        force_mix_one(&task->thread->batch, &law->pair[0][0]);
+    if (law->history_components == 6)
+        force_sweep(task, 6);
+    else if (law->history_components == 3)
+        force_sweep(task, 3);
+    else
+        force_sweep(task, 0);
 }
 
 const struct force_kernel FORCE_KERNEL = {FORCE_KERNEL_NAME, force_block};

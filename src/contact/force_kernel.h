@@ -18,22 +18,30 @@
 #include "contact/force.h"
 #include "contact/law_kernel.h"
 
-enum { FORCE_CHUNK = 512, FORCE_BATCH = 128, FORCE_LANES = 8 };
+enum { FORCE_CHUNK = 512, FORCE_BATCH = 64, FORCE_LANES = 8 };
 
 /* Contacts on their way through the phases. Entry k of each array belongs to contact k; the entries up to the
  * next multiple of FORCE_LANES repeat the last contact. */
 struct force_batch {
-    double record[FORCE_BATCH][8];                      /* x_j - x_i, v_j - v_i, r_i + r_j, 1/m_i + 1/m_j */
-    double omega[FORCE_BATCH][8];                       /* omega_i 0 omega_j 0 */
-    double radius[2][FORCE_BATCH];                      /* r_i, r_j */
+    double record[FORCE_BATCH][8];      /* x_j - x_i, v_j - v_i, r_i + r_j, 1/m_i + 1/m_j */
+    double omega[FORCE_BATCH][8];       /* omega_i 0 omega_j 0 */
+    double radius[2][FORCE_BATCH];      /* r_i, r_j */
+    double coefficient[6][FORCE_BATCH]; /* the members of struct law_coefficients */
+    double overlap[FORCE_BATCH];        /* what struct law_contact holds, by component */
+    double mass[FORCE_BATCH];
+    double effective[FORCE_BATCH];
+    double normal[3][FORCE_BATCH];
+    double velocity[3][FORCE_BATCH];
+    double half_normal[3][FORCE_BATCH];
+    double surface[3][FORCE_BATCH];
+    double spin[3][FORCE_BATCH];
     double spring[HISTORY_COMPONENTS_MAX][FORCE_BATCH]; /* in: the old ones; out: the new ones */
-    double coefficient[6][FORCE_BATCH];                 /* the members of struct law_coefficients */
-    double force[FORCE_BATCH][4];                       /* on j, 0 */
-    double moment[FORCE_BATCH][4];                      /* torque per lever, 0 */
-    double rolling[FORCE_BATCH][4];                     /* torque on j, 0 */
+    double force[3][FORCE_BATCH];                       /* on j */
+    double moment[3][FORCE_BATCH];                      /* torque per lever */
+    double rolling[3][FORCE_BATCH];                     /* torque on j */
     double lever[2][FORCE_BATCH];                       /* of i, of j */
-    double overlap[FORCE_BATCH];                        /* relative to the smaller radius */
     double energy[3][FORCE_BATCH];                      /* normal, springs, dissipated; if asked for */
+    double share[FORCE_BATCH][12];                      /* force 0 moment 0 rolling 0, as records have them */
     uint32_t i[FORCE_BATCH], j[FORCE_BATCH];            /* particle numbers, without image code */
     uint32_t pair[FORCE_BATCH];                         /* pair number - first pair of the thread */
     int count, padded;

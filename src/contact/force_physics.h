@@ -10,83 +10,92 @@ LAW_INLINE double force_ratio(double x, double y) {
     return y > 0.0 ? x / y : 0.0;
 }
 
-/* Contact k of the batch as the law wants it. */
-LAW_INLINE struct law_contact force_load(struct law_case law, const struct force_batch *b, int k,
-                                         struct law_step step) {
+LAW_INLINE struct law_vector force_vector(double a[3][FORCE_BATCH], int k) {
+    return (struct law_vector){a[0][k], a[1][k], a[2][k]};
+}
+
+LAW_INLINE void force_set(double a[3][FORCE_BATCH], int k, struct law_vector v) {
+    a[0][k] = v.x;
+    a[1][k] = v.y;
+    a[2][k] = v.z;
+}
+
+/* First loop: what the law wants to know of contact k, from the records. */
+LAW_INLINE void force_measure(struct law_case law, struct force_batch *b, int k, struct law_step step) {
     const double *record = b->record[k], *omega = b->omega[k];
     double ri = b->radius[0][k], rj = b->radius[1][k];
-    struct law_vector d = {record[0], record[1], record[2]};
-    struct law_contact in = {.velocity = {record[3], record[4], record[5]},
-                             .mass = force_ratio(1.0, record[7]),
+    struct law_vector d = {record[0], record[1], record[2]}, v = {record[3], record[4], record[5]};
+    double distance = sqrt(law_dot(d, d)), overlap = record[6] - distance;
+    b->overlap[k] = overlap;
+    b->mass[k] = force_ratio(1.0, record[7]);
+    force_set(b->normal, k, law_scale(force_ratio(1.0, distance), d));
+    force_set(b->velocity, k, v);
+    if (law.hertz || law.rolling)
+        b->effective[k] = ri * rj / record[6];
+    if (!law.friction)
+        return;
+    if (law.synchronised) {
+        struct law_vector half = law_add(d, -0.5 * step.dt, v);
+        force_set(b->half_normal, k, law_scale(force_ratio(1.0, sqrt(law_dot(half, half))), half));
+    }
+    struct law_vector wi = {omega[0], omega[1], omega[2]}, wj = {omega[4], omega[5], omega[6]};
+    double lever_i = law_lever(law, ri, overlap), lever_j = law_lever(law, rj, overlap);
+    b->lever[0][k] = lever_i;
+    b->lever[1][k] = lever_j;
+    force_set(b->surface, k, law_add(law_scale(lever_i, wi), lever_j, wj));
+    if (law.rolling)
+        force_set(b->spin, k, law_add(wj, -1.0, wi));
+}
+
+/* Second loop: the law. */
+LAW_INLINE void force_respond(struct law_case law, struct force_batch *b, int k, struct law_step step) {
+    struct law_contact in = {.overlap = b->overlap[k],
+                             .mass = b->mass[k],
+                             .normal = force_vector(b->normal, k),
+                             .velocity = force_vector(b->velocity, k),
                              .coefficients = {b->coefficient[0][k], b->coefficient[1][k],
                                               b->coefficient[2][k], b->coefficient[3][k],
                                               b->coefficient[4][k], b->coefficient[5][k]}};
-    double distance = sqrt(law_dot(d, d));
-    in.overlap = record[6] - distance;
-    in.normal = law_scale(force_ratio(1.0, distance), d);
     if (law.hertz || law.rolling)
-        in.radius = ri * rj / record[6];
-    if (!law.friction)
-        return in;
-    if (law.synchronised) {
-        struct law_vector half = law_add(d, -0.5 * step.dt, in.velocity);
-        in.half_normal = law_scale(force_ratio(1.0, sqrt(law_dot(half, half))), half);
+        in.radius = b->effective[k];
+    if (law.friction) {
+        in.surface = force_vector(b->surface, k);
+        in.spring = force_vector(b->spring, k);
     }
-    double li = law_lever(law, ri, in.overlap), lj = law_lever(law, rj, in.overlap);
-    in.surface = (struct law_vector){li * omega[0] + lj * omega[4], li * omega[1] + lj * omega[5],
-                                     li * omega[2] + lj * omega[6]};
-    in.spring = (struct law_vector){b->spring[0][k], b->spring[1][k], b->spring[2][k]};
+    if (law.synchronised)
+        in.half_normal = force_vector(b->half_normal, k);
     if (law.rolling) {
-        in.spin = (struct law_vector){omega[4] - omega[0], omega[5] - omega[1], omega[6] - omega[2]};
-        in.roll = (struct law_vector){b->spring[3][k], b->spring[4][k], b->spring[5][k]};
+        in.spin = force_vector(b->spin, k);
+        in.roll = force_vector(b->spring + 3, k);
     }
-    return in;
-}
-
-LAW_INLINE void force_store_vector(double out[4], struct law_vector v) {
-    out[0] = v.x;
-    out[1] = v.y;
-    out[2] = v.z;
-    out[3] = 0.0;
-}
-
-LAW_INLINE void force_store(struct law_case law, struct force_batch *b, int k, const struct law_contact *in,
-                            const struct law_response *out) {
-    double ri = b->radius[0][k], rj = b->radius[1][k];
-    b->overlap[k] = in->overlap / (ri < rj ? ri : rj);
-    force_store_vector(b->force[k], out->force);
+    struct law_response out = law_respond(law, step, &in);
+    force_set(b->force, k, out.force);
     if (law.energies) {
-        b->energy[0][k] = out->normal_energy;
-        b->energy[1][k] = out->spring_energy;
-        b->energy[2][k] = out->dissipated;
+        b->energy[0][k] = out.normal_energy;
+        b->energy[1][k] = out.spring_energy;
+        b->energy[2][k] = out.dissipated;
     }
     if (!law.friction)
         return;
-    force_store_vector(b->moment[k], out->moment);
-    b->lever[0][k] = law_lever(law, ri, in->overlap);
-    b->lever[1][k] = law_lever(law, rj, in->overlap);
-    b->spring[0][k] = out->spring.x;
-    b->spring[1][k] = out->spring.y;
-    b->spring[2][k] = out->spring.z;
-    if (law.rolling) {
-        force_store_vector(b->rolling[k], out->rolling);
-        b->spring[3][k] = out->roll.x;
-        b->spring[4][k] = out->roll.y;
-        b->spring[5][k] = out->roll.z;
-    }
+    force_set(b->moment, k, out.moment);
+    force_set(b->spring, k, out.spring);
+    if (!law.rolling)
+        return;
+    force_set(b->rolling, k, out.rolling);
+    force_set(b->spring + 3, k, out.roll);
 }
 
-/* A function of its own, as variables inside of an `omp simd` loop would become arrays. */
-LAW_INLINE void force_contact(struct law_case law, struct law_step step, struct force_batch *b, int k) {
-    struct law_contact in = force_load(law, b, k, step);
-    struct law_response out = law_respond(law, step, &in);
-    force_store(law, b, k, &in, &out);
-}
-
+/* Two loops, as one is so long that a processor cannot begin a contact before the last has waited for all its
+ * roots and divisions. Their bodies are functions, as variables inside of an `omp simd` loop would become
+ * arrays. */
 LAW_INLINE void force_physics_of(struct law_case law, struct force_batch *restrict b, struct law_step step) {
+    int count = b->padded;
 #pragma omp simd
-    for (int k = 0; k < b->padded; k++)
-        force_contact(law, step, b, k);
+    for (int k = 0; k < count; k++)
+        force_measure(law, b, k, step);
+#pragma omp simd
+    for (int k = 0; k < count; k++)
+        force_respond(law, b, k, step);
 }
 
 /* The specialisations: force_physics_table[normal and damper][friction][energies]. */

@@ -157,12 +157,13 @@ LAW_INLINE struct law_vector law_slide(struct law_case law, struct law_step step
         rate = law_transport(rate, plane, in->normal);
     }
     struct law_vector force = law_add(law_scale(-stiffness, trial), -damping, rate);
-    double ratio = limit / sqrt(law_max(law_dot(force, force), DBL_MIN));
+    double size = sqrt(law_max(law_dot(force, force), DBL_MIN)), k = law_max(stiffness, DBL_MIN);
+    double inverse = 1.0 / (k * size); /* one division for two: limit / size and damping / stiffness */
+    double ratio = limit * (k * inverse), relaxation = damping * (size * inverse);
     double keep = ratio < 1.0 ? ratio : 1.0;
     bool empty = law_dot(trial, trial) <= step.spring_least;
     double keep_spring = empty ? 1.0 : keep;
     double keep_force = keep < keep_spring ? 0.0 : keep;
-    double relaxation = damping / law_max(stiffness, DBL_MIN);
     force = law_scale(keep_force, force);
     *spring = law_add(law_scale(keep_spring, trial), (keep_spring - 1.0) * relaxation, rate);
     if (law.energies) {
