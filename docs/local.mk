@@ -1,1 +1,2 @@
 EXTRA_DIST += docs/architecture.md docs/building.md docs/scene.md
+EXTRA_DIST += docs/indexes.md docs/images/penetration.png

@@ -103,3 +103,11 @@ tests_test_output_options_LDADD = $(OUTPUT_LIBS) $(TEST_LIBS)
 check_PROGRAMS += tests/test_library
 tests_test_library_SOURCES = tests/test_library.c
 tests_test_library_LDADD = $(APP_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_skin
+tests_test_skin_SOURCES = tests/test_skin.c
+tests_test_skin_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
+
+# Beside LAMMPS; minutes
+check_SCRIPTS += tests/crosscode.sh
+EXTRA_DIST += tests/crosscode.sh

@@ -56,7 +56,7 @@ if [ ! -s "$data" ]; then
     mv "$data.part" "$data"
 fi
 particles=$(awk '/ atoms$/ { print $1; exit }' "$data")
-sed "s|DATA|$data|; s|EVERY|$every|; s|STEPS|$steps|" "$here/bidisperse.yaml" >"$work/scene.yaml"
+sed "s|@DATA@|$data|; s|@EVERY@|$every|; s|@STEPS@|$steps|" "$here/bidisperse.yaml" >"$work/scene.yaml"
 
 # Both print: loop seconds, rebuild seconds, rebuilds, pairs, kinetic energy at the end
 

@@ -8,7 +8,7 @@ set output picture
 set datafile separator ","
 set xlabel "time since the throw (ms)"
 set ylabel "depth of the ball's lowest point (mm)"
-set xrange [20:33.5]
+set xrange [20:33.2]
 set yrange [36:-3]
 set grid lc rgb "#dddddd"
 set key bottom left reverse Left

@@ -1,0 +1,64 @@
+/* When a rebuild is due. */
+#include "pairs/skin.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+/* One size class with skin 1 to itself and to walls; walls have no skin among themselves. */
+static struct size_classes one_class(void) {
+    struct size_classes classes = {.count = 1};
+    classes.skin[0][0] = classes.skin[0][1] = classes.skin[1][0] = 1;
+    return classes;
+}
+
+static void test_two_particles_share_the_skin(void **state) {
+    (void)state;
+    struct size_classes classes = one_class();
+    struct skin *skin = skin_create();
+    double speed = 2;
+    skin_moved(skin, &speed, 1, 0.2, 0); /* 0.4 each */
+    assert_false(skin_due(skin, &classes));
+    skin_moved(skin, &speed, 1, 0.2, 0); /* 0.8 each */
+    assert_true(skin_due(skin, &classes));
+    skin_destroy(&skin);
+}
+
+static void test_moving_walls_count_against_particles_alone(void **state) {
+    (void)state;
+    struct size_classes classes = one_class();
+    struct skin *skin = skin_create();
+    double speed = 0;
+    skin_moved(skin, &speed, 1, 0.1, 0.9);
+    assert_false(skin_due(skin, &classes)); /* although the walls have no skin among themselves */
+    skin_moved(skin, &speed, 1, 0.1, 1.1);
+    assert_true(skin_due(skin, &classes));
+    speed = 2;
+    skin_moved(skin, &speed, 1, 0.1, 0.9); /* particle 0.2, wall 0.9 */
+    assert_true(skin_due(skin, &classes));
+    skin_destroy(&skin);
+}
+
+static void test_nothing_moves(void **state) {
+    (void)state;
+    struct size_classes classes = {.count = 1}; /* no skin at all */
+    struct skin *skin = skin_create();
+    double speed = 0;
+    skin_moved(skin, &speed, 1, 0.1, 0);
+    assert_false(skin_due(skin, &classes));
+    speed = 1e-9;
+    skin_moved(skin, &speed, 1, 0.1, 0);
+    assert_true(skin_due(skin, &classes));
+    skin_destroy(&skin);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_two_particles_share_the_skin),
+        cmocka_unit_test(test_moving_walls_count_against_particles_alone),
+        cmocka_unit_test(test_nothing_moves),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
