@@ -109,5 +109,4 @@ tests_test_skin_SOURCES = tests/test_skin.c
 tests_test_skin_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
 
 # Beside LAMMPS; minutes
-check_SCRIPTS += tests/crosscode.sh
-EXTRA_DIST += tests/crosscode.sh
+dist_check_SCRIPTS += tests/crosscode.sh
