@@ -29,7 +29,9 @@ libindex_la_SOURCES = \
 	index/search.h \
 	index/search_avx2.c \
 	index/search_avx512.c \
+	index/search_gather.h \
 	index/search_plain.c \
 	index/search_rows.h \
+	index/search_test.h \
 	index/stencil.c \
 	index/stencil.h
