@@ -216,7 +216,7 @@ static void check_history(int before, int after, bool both_ends) {
     particles_reorder(c.particles, order);
     history_rows_reorder(&rows, order, 1200);
     cloud_search(&c, after, true);
-    history_attach(new, &rows, c.list, c.particles);
+    history_attach(new, &rows, c.list, c.particles, false);
     history_compare(&c, new);
     history_rows_free(&rows);
     memory_free(order);

@@ -2,8 +2,7 @@
  * are those of the last evaluation. Copies appear, vanish and migrate only here. */
 #include "app/simulation.h"
 #include "core/memory.h"
-#include <assert.h>
-#include <omp.h>
+#include <math.h>
 #include <string.h>
 
 void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
@@ -54,9 +53,22 @@ static void reorder(struct simulation *s, struct rebuild_rows *rows) {
     memory_free(order);
 }
 
+/* True if every periodic edge is longer than two cut-offs. */
+static bool one_image(const struct simulation *s) {
+    const struct size_classes *classes = &s->classes;
+    int largest = classes->count - 1;
+    double reach = 2 * classes->radius_max[largest];
+    for (int c = 0; c < classes->count; c++)
+        reach = fmax(reach, 2 * classes->radius_max[largest] + classes->margin[c][largest]);
+    for (int d = 0; d < 3; d++)
+        if (s->scene->box.periodic[d] && s->scene->box.edge[d] <= 2 * reach)
+            return false;
+    return true;
+}
+
 static void attach(struct simulation *s, struct rebuild_rows *rows) {
     if (rows->pairs.start)
-        history_attach(s->history, &rows->pairs, s->list, s->particles);
+        history_attach(s->history, &rows->pairs, s->list, s->particles, one_image(s));
     if (rows->walls.start)
         walls_attach(s->walls, &rows->walls, s->particles);
     rebuild_rows_free(rows);

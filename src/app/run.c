@@ -87,11 +87,13 @@ static void signals_ask(struct run *run) {
 
 static bool step_once(struct run *run, struct error *error) {
     struct simulation *s = run->s;
+    int64_t every = s->scene->step.rebuild_every;
     bool checkpoint = checkpoint_step(run, s->step + 1);
+    bool rebuild = checkpoint || (every > 0 && (s->step + 1) % (uint64_t)every == 0);
     signals_ask(run);
     s->contact.want_sums =
         s->sums_each_step || (run->outputs && outputs_want_sums(run->outputs, s, s->step + 1));
-    step_run(s, checkpoint);
+    step_run(s, rebuild);
     if (s->step % POSITIONS_EVERY == 0)
         guards_check_positions(s);
     timer_start(&s->timers, TIMER_OUTPUT);

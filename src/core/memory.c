@@ -8,6 +8,10 @@
  * them with huge pages; their arrays begin at offsets that differ from array to array, as arrays that all
  * begin at the same place of a page would fight for the same few lines of the cache when a loop runs over
  * many of them.
+ *
+ * Large blocks that are freed are kept for a while (cache_*), and given out again to arrays of about the same
+ * size: a rebuild frees and allocates the same arrays each time, and fresh pages cost more than the work on
+ * them. What is kept is bounded by a part of what is in use; it counts in the peak.
  */
 #include "core/memory.h"
 
@@ -35,6 +39,7 @@ struct header {
 static const uint64_t HEADER_MARK = 0x7363726565617272u;
 
 static _Atomic size_t bytes_in_use;
+static _Atomic size_t bytes_kept; /* freed, but not given back to the system */
 static _Atomic size_t bytes_peak;
 static _Atomic unsigned large_arrays;
 
@@ -45,7 +50,7 @@ static struct header *header_of(void *array) {
 }
 
 static void count_bytes(size_t held) {
-    size_t now = atomic_fetch_add(&bytes_in_use, held) + held;
+    size_t now = atomic_fetch_add(&bytes_in_use, held) + held + atomic_load(&bytes_kept);
     size_t peak = atomic_load(&bytes_peak);
     while (now > peak && !atomic_compare_exchange_weak(&bytes_peak, &peak, now)) {
     }
@@ -53,6 +58,63 @@ static void count_bytes(size_t held) {
 
 static size_t round_up(size_t bytes, size_t unit) {
     return (bytes + unit - 1) / unit * unit;
+}
+
+/* Freed large blocks, newest last. Entered by one thread at a time. */
+enum { CACHE_BLOCKS = 12, CACHE_SHARE = 4 };
+
+static struct {
+    int count;
+    struct {
+        void *block;
+        size_t held;
+    } entry[CACHE_BLOCKS];
+} cache;
+
+static void cache_drop(int k) {
+    atomic_fetch_sub(&bytes_kept, cache.entry[k].held);
+    cache.count--;
+    memmove(&cache.entry[k], &cache.entry[k + 1], (size_t)(cache.count - k) * sizeof cache.entry[0]);
+}
+
+/* A kept block of at least `held` bytes and not much more, or NULL; `held` becomes its size. */
+static void *cache_take(size_t *held) {
+    void *block = NULL;
+#pragma omp critical(memory_cache)
+    {
+        int best = -1;
+        for (int k = 0; k < cache.count; k++) {
+            bool fits = cache.entry[k].held >= *held && cache.entry[k].held <= *held + *held / 4;
+            if (fits && (best < 0 || cache.entry[k].held < cache.entry[best].held)) {
+                best = k;
+            }
+        }
+        if (best >= 0) {
+            block = cache.entry[best].block;
+            *held = cache.entry[best].held;
+            cache_drop(best);
+        }
+    }
+    return block;
+}
+
+/* Keeps a large block, and releases the oldest ones above the bound. */
+static void cache_put(void *block, size_t held) {
+#pragma omp critical(memory_cache)
+    {
+        size_t bound = atomic_load(&bytes_in_use) / CACHE_SHARE;
+        while (cache.count > 0 && (cache.count == CACHE_BLOCKS || atomic_load(&bytes_kept) + held > bound)) {
+            free(cache.entry[0].block);
+            cache_drop(0);
+        }
+        if (held > bound) {
+            free(block);
+        } else {
+            cache.entry[cache.count].block = block;
+            cache.entry[cache.count++].held = held;
+            atomic_fetch_add(&bytes_kept, held);
+        }
+    }
 }
 
 void *memory_allocate(size_t count, size_t size, const char *what) {
@@ -68,12 +130,13 @@ void *memory_allocate(size_t count, size_t size, const char *what) {
         offset += (size_t)(atomic_fetch_add(&large_arrays, 1) % OFFSETS) * OFFSET_STEP;
     }
     size_t held = round_up(offset + bytes + MEMORY_ALIGNMENT, MEMORY_ALIGNMENT);
-    void *block = NULL;
-    if (posix_memalign(&block, alignment, held) != 0) {
+    void *block = bytes >= LARGE ? cache_take(&held) : NULL;
+    bool fresh = block == NULL;
+    if (fresh && posix_memalign(&block, alignment, held) != 0) {
         error_fatal("out of memory: %zu bytes for %s (%zu bytes are held already)", bytes, what,
                     memory_in_use());
     }
-    if (bytes >= LARGE) {
+    if (fresh && bytes >= LARGE) {
         madvise(block, held, MADV_HUGEPAGE); /* a wish: without it all is as right, only slower */
     }
     char *array = (char *)block + offset;
@@ -132,9 +195,13 @@ void memory_free(void *array) {
         return;
     }
     struct header *header = header_of(array);
-    atomic_fetch_sub(&bytes_in_use, header->held);
     header->mark = 0;
-    free(header->block);
+    atomic_fetch_sub(&bytes_in_use, header->held);
+    if (header->room >= LARGE) {
+        cache_put(header->block, header->held);
+    } else {
+        free(header->block);
+    }
 }
 
 size_t memory_in_use(void) {

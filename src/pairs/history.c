@@ -124,6 +124,16 @@ static void row_fill(struct history_row *row, const struct record *record, int64
         row->separation[d] = sign * separation[d];
 }
 
+/* Counts a cursor up; `shared` where other threads may count the same one. */
+static size_t cursor_next(size_t *cursor, bool shared) {
+    size_t at;
+    if (!shared)
+        return (*cursor)++;
+#pragma omp atomic capture
+    at = (*cursor)++;
+    return at;
+}
+
 /* Adds a thread's records to the rows, at the places that `cursor` counts up; without rows only counts. With
  * both_ends particles of other threads' ranges are touched, hence the atomic increments; the order within a
  * particle's rows is of no consequence, because rows are looked up by id. */
@@ -137,9 +147,7 @@ static void records_scatter(struct record_walk walk, const struct particles *par
         if (rows)
             pair_separation(walk.list, particles, record.i, record.j, separation);
         for (int e = 0; e < (both_ends && end[1] < walk.owned ? 2 : 1); e++) {
-            size_t at;
-#pragma omp atomic capture
-            at = cursor[end[e]]++;
+            size_t at = cursor_next(&cursor[end[e]], both_ends);
             if (rows == NULL)
                 continue;
             rows[at].id = id[e];
@@ -219,7 +227,8 @@ struct attach {
     const struct history_rows *rows;
     const struct pairlist *list;
     const struct particles *particles;
-    double near; /* separations that differ by less belong to the same image; squared length */
+    bool one_image; /* no two particles can meet through several images */
+    double near;    /* separations that differ by less belong to the same image; squared length */
 };
 
 /* The row of particle `carrier` whose partner has id `partner`, or NULL; of several images the one at this
@@ -230,6 +239,8 @@ static const struct history_row *row_find(const struct attach *a, uint32_t carri
         const struct history_row *row = &a->rows->row[k];
         if (row->partner != partner)
             continue;
+        if (a->one_image)
+            return row;
         double separation[3], d2 = 0;
         pair_separation(a->list, a->particles, i, j, separation);
         double sign = a->particles->id[i] < a->particles->id[pair_partner(j)] ? 1 : -1;
@@ -279,7 +290,7 @@ static void attach_thread(struct history *history, const struct attach *a, int t
 }
 
 void history_attach(struct history *history, const struct history_rows *rows, const struct pairlist *list,
-                    const struct particles *particles) {
+                    const struct particles *particles, bool one_image) {
     /* Images of one particle are a box edge apart: at least as far as the nearest two entries of the shift
      * table */
     double edge = INFINITY;
@@ -287,7 +298,7 @@ void history_attach(struct history *history, const struct history_rows *rows, co
         unsigned code = box_image_code(d == 0, d == 1, d == 2);
         edge = list->shift[code][d] < edge ? list->shift[code][d] : edge;
     }
-    struct attach attach = {rows, list, particles, 0.25 * edge * edge};
+    struct attach attach = {rows, list, particles, one_image, 0.25 * edge * edge};
 #pragma omp parallel for num_threads(history->threads) schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
         attach_thread(history, &attach, t);
