@@ -15,6 +15,8 @@ nobase_dist_pkgdata_DATA = \
 	examples/bidisperse/step200.dump.gz \
 	examples/drum/README.md \
 	examples/drum/compare.awk \
+	examples/drum/lammps-1.csv \
+	examples/drum/lammps-2.csv \
 	examples/drum/lammps/data.awk \
 	examples/drum/lammps/in.drum \
 	examples/drum/particles.txt \
