@@ -110,3 +110,9 @@ tests_test_skin_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
 
 # Beside LAMMPS; minutes
 dist_check_SCRIPTS += tests/crosscode.sh
+
+# make tests/bench_force: times of the force loop
+EXTRA_PROGRAMS += tests/bench_force
+CLEANFILES += tests/bench_force
+tests_bench_force_SOURCES = tests/bench_force.c
+tests_bench_force_LDADD = $(INTEGRATE_LIBS)

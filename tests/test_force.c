@@ -434,7 +434,7 @@ static void test_degenerate(void **state) {
             for (int c = 0; c < 3; c++)
                 s[i].x[c] = 10.0 * (double)i;
         s[0].inverse_mass = s[1].inverse_mass = 0.0; /* a prescribed pair overlaps */
-        uint32_t i[] = {0, 2, 4}, j[] = {1, 3, 5};
+        uint32_t i[3 + INDEX_SINK_PAD] = {0, 2, 4}, j[3 + INDEX_SINK_PAD] = {1, 3, 5};
         struct pair_block block = {.one_sided = 3, .slotted = 3, .end_pair = 3};
         rig.list = (struct pairlist){
             .i = i, .j = j, .blocks = &block, .block_count = 1, .threads = 1, .thread_block = (int[]){0, 1}};

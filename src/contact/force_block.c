@@ -15,6 +15,8 @@ typedef double force_four __attribute__((vector_size(32), aligned(8), may_alias)
 struct force_view {
     const struct particle_state *state;
     const double (*omega)[4]; /* NULL without spin */
+    const double *force;      /* only to fetch it ahead of the scatter */
+    size_t stride;            /* doubles of a force record */
     const uint32_t *i, *j;    /* from the first pair of the block on */
     const double (*shift)[4];
 };
@@ -24,6 +26,8 @@ static inline struct force_view force_view_of(const struct force_task *task) {
     const struct pairlist *list = task->context->list;
     return (struct force_view){.state = particles->state,
                                .omega = task->context->law->spin ? particles->omega : NULL,
+                               .force = particles->force,
+                               .stride = (size_t)particles->force_stride,
                                .i = list->i + task->block->first_pair,
                                .j = list->j + task->block->first_pair,
                                .shift = list->shift};
@@ -36,6 +40,7 @@ static inline void force_filter(const struct force_view view, struct force_threa
     int n = (int)(last - first);
     for (int k = 0; k < n; k++) {
         uint32_t code = view.j[first + (size_t)k];
+        __builtin_prefetch(&view.state[pair_partner(view.j[first + (size_t)k + FORCE_AHEAD])]);
         const struct particle_state *i = &view.state[view.i[first + (size_t)k]];
         const struct particle_state *j = &view.state[pair_partner(code)];
         *(force_four *)thread->distance[k] =
@@ -65,6 +70,8 @@ static inline void force_gather(const struct force_view view, struct force_threa
     for (int k = 0; k < count; k++) {
         uint32_t pair = thread->candidate[k], i = view.i[pair], code = view.j[pair], j = pair_partner(code);
         const struct particle_state *si = &view.state[i], *sj = &view.state[j];
+        __builtin_prefetch(view.force + i * view.stride, 1);
+        __builtin_prefetch(view.force + j * view.stride, 1);
         b->i[k] = i;
         b->j[k] = j;
         b->pair[k] = pair + offset;

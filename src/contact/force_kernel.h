@@ -1,24 +1,33 @@
 /* Inside of the force loop: what force.c hands to the compiled kernels, and a batch of contacts. Nobody else
  * includes this.
  *
- * force_block.c is compiled several times, for the instruction sets in force_kernels(), and the best one that
- * the CPU has is chosen at run time. All give the same bits: no sum depends on the vector length, and nothing
- * is contracted into fused operations.
+ * force_block.c is compiled several times, for several instruction sets, and the best one that the CPU has is
+ * chosen at run time. All give the same bits: no sum depends on the vector length, and nothing is contracted
+ * into fused operations.
  *
  * A block goes through these stages (docs/performance.md):
+ *
  *   filter   distance of FORCE_CHUNK pairs at a time against r_i + r_j; the numbers of those that touch are
- * appended to `candidate` then for each FORCE_BATCH candidates, and for the rest at the end of the block:
- *   gather   the records of the two particles, their difference written to the batch; old springs found by
- * the merge pointer physics  law_respond over the batch, a vectorised loop specialised for the law scatter
- * forces to i, and to j or its slot, by segment; springs to the other history buffer Distances are formed as
- * (x_j - x_i) + shift, so that a pair and its mirror have exactly opposite ones; the law keeps that up. */
+ *            appended to `candidate`
+ *
+ * then for each FORCE_BATCH candidates, and for the rest at the end of the block:
+ *
+ *   gather   the records of the two particles, their difference written to the batch
+ *   recall   old springs, found by the merge pointer
+ *   physics  two vectorised loops, specialised for the law: geometry, law_respond
+ *   scatter  forces to i, and to j or its slot, by segment
+ *   remember springs to the other history buffer
+ *
+ * Distances are formed as (x_j - x_i) + shift, so that a pair and its mirror have exactly opposite ones; the
+ * law keeps that up. */
 #ifndef SCREE_CONTACT_FORCE_KERNEL_H
 #define SCREE_CONTACT_FORCE_KERNEL_H
 
 #include "contact/force.h"
 #include "contact/law_kernel.h"
 
-enum { FORCE_CHUNK = 512, FORCE_BATCH = 64, FORCE_LANES = 8 };
+/* FORCE_AHEAD: how many pairs ahead partners are fetched; lists are padded by more than that. */
+enum { FORCE_CHUNK = 512, FORCE_BATCH = 64, FORCE_LANES = 8, FORCE_AHEAD = 16 };
 
 /* Contacts on their way through the phases. Entry k of each array belongs to contact k; the entries up to the
  * next multiple of FORCE_LANES repeat the last contact. */
@@ -54,8 +63,7 @@ struct force_thread {
     double distance[FORCE_CHUNK][4]; /* filter: separation, junk */
     double reach[FORCE_CHUNK];       /* filter: r_i + r_j */
     struct force_batch batch;
-    uint32_t
-        candidate[FORCE_CHUNK + FORCE_BATCH]; /* pairs that touch, as numbers - first pair of the block */
+    uint32_t candidate[FORCE_CHUNK + FORCE_BATCH]; /* touching pairs, number - first pair of the block */
     size_t candidates;
     size_t cursor; /* merge pointer into the old history records */
     struct force_sums sums;
