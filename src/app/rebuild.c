@@ -5,6 +5,19 @@
 #include <math.h>
 #include <string.h>
 
+/* True if every periodic edge is longer than two cut-offs. */
+static bool one_image(const struct simulation *s) {
+    const struct size_classes *classes = &s->classes;
+    int largest = classes->count - 1;
+    double reach = 2 * classes->radius_max[largest];
+    for (int c = 0; c < classes->count; c++)
+        reach = fmax(reach, 2 * classes->radius_max[largest] + classes->margin[c][largest]);
+    for (int d = 0; d < 3; d++)
+        if (s->scene->box.periodic[d] && s->scene->box.edge[d] <= 2 * reach)
+            return false;
+    return true;
+}
+
 void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
     *rows = (struct rebuild_rows){0};
     if (s->history)
@@ -15,6 +28,7 @@ void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *r
 
 void rebuild_rows_free(struct rebuild_rows *rows) {
     history_rows_free(&rows->pairs);
+    history_kept_free(&rows->kept);
     wall_rows_free(&rows->walls);
 }
 
@@ -39,7 +53,8 @@ static void migrate(struct simulation *s, struct rebuild_rows *rows) {
         rows->walls = (struct wall_rows){set[walls].start, set[walls].row, set[walls].count};
 }
 
-static void reorder(struct simulation *s, struct rebuild_rows *rows) {
+/* Sorts the particles; returns the order, which the caller frees. */
+static uint32_t *reorder(struct simulation *s, struct rebuild_rows *rows) {
     size_t owned = s->particles->owned;
     uint32_t *order = memory_allocate(owned, sizeof *order, "particle order");
     struct index_view view;
@@ -50,23 +65,12 @@ static void reorder(struct simulation *s, struct rebuild_rows *rows) {
         history_rows_reorder(&rows->pairs, order, owned);
     if (rows->walls.start)
         wall_rows_reorder(&rows->walls, order, owned);
-    memory_free(order);
+    return order;
 }
 
-/* True if every periodic edge is longer than two cut-offs. */
-static bool one_image(const struct simulation *s) {
-    const struct size_classes *classes = &s->classes;
-    int largest = classes->count - 1;
-    double reach = 2 * classes->radius_max[largest];
-    for (int c = 0; c < classes->count; c++)
-        reach = fmax(reach, 2 * classes->radius_max[largest] + classes->margin[c][largest]);
-    for (int d = 0; d < 3; d++)
-        if (s->scene->box.periodic[d] && s->scene->box.edge[d] <= 2 * reach)
-            return false;
-    return true;
-}
-
-static void attach(struct simulation *s, struct rebuild_rows *rows) {
+static void attach(struct simulation *s, struct rebuild_rows *rows, const uint32_t *order) {
+    if (rows->kept.start)
+        history_restore(s->history, &rows->kept, order, s->list);
     if (rows->pairs.start)
         history_attach(s->history, &rows->pairs, s->list, s->particles, one_image(s));
     if (rows->walls.start)
@@ -102,7 +106,7 @@ void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
     particles_classify(s->particles, &s->classes);
     timer_stop(&s->timers, TIMER_MIGRATE);
     timer_start(&s->timers, TIMER_REORDER);
-    reorder(s, rows);
+    uint32_t *order = reorder(s, rows);
     timer_stop(&s->timers, TIMER_REORDER);
     search(s);
     timer_start(&s->timers, TIMER_WALL);
@@ -110,16 +114,24 @@ void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
         walls_build(s->walls, s->particles, &s->classes);
     timer_stop(&s->timers, TIMER_WALL);
     timer_start(&s->timers, TIMER_HISTORY);
-    attach(s, rows);
+    attach(s, rows, order);
+    memory_free(order);
     skin_reset(s->skin, s->particles);
     timer_stop(&s->timers, TIMER_HISTORY);
     force_loop_prepare(s->loop, &s->contact);
 }
 
 void rebuild_run(struct simulation *s) {
-    struct rebuild_rows rows;
+    struct rebuild_rows rows = {0};
+    bool all_stay = s->alone && !sources_due(s) && !simulation_may_lose(s);
     timer_start(&s->timers, TIMER_HISTORY);
-    rebuild_detach(s, !s->alone, &rows);
+    if (s->history && all_stay && one_image(s)) {
+        history_keep(s->history, s->list, s->particles->owned, &rows.kept);
+        if (s->walls)
+            walls_detach(s->walls, s->particles, &rows.walls);
+    } else {
+        rebuild_detach(s, !s->alone, &rows);
+    }
     timer_stop(&s->timers, TIMER_HISTORY);
     rebuild_from_rows(s, &rows);
 }

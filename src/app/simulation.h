@@ -22,6 +22,7 @@
 #include "output/checkpoint.h"
 #include "output/output.h"
 #include "pairs/history.h"
+#include "pairs/history_keep.h"
 #include "pairs/pairlist.h"
 #include "pairs/skin.h"
 #include "particles/classes.h"
@@ -133,6 +134,7 @@ void rebuild_run(struct simulation *simulation);
 /* Contact history (pairs and walls together) on the move over a rebuild or into a checkpoint. */
 struct rebuild_rows {
     struct history_rows pairs;
+    struct history_kept kept; /* instead of `pairs`, where no particle comes, goes or changes ranks */
     struct wall_rows walls;
 };
 void rebuild_detach(struct simulation *simulation, bool both_ends, struct rebuild_rows *rows);
