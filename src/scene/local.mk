@@ -42,7 +42,7 @@ libscene_la_LIBADD = $(YAML_LIBS)
 EXTRA_DIST += docs/scene.md
 
 # What writes docs/scene.md, after a change of the schema
-EXTRA_PROGRAMS = src/scene/document
+EXTRA_PROGRAMS += src/scene/document
 src_scene_document_SOURCES = src/scene/document.c
 src_scene_document_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 src_scene_document_LDADD = $(SCENE_LIBS)
