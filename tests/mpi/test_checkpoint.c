@@ -286,6 +286,64 @@ static void no_particles_at_all(void **state) {
     team_finish(team);
 }
 
+/* Two planes that have moved: each comes back by its name. */
+static void wall_poses_come_back(void **state) {
+    struct team *team = *state;
+    struct fixture f;
+    struct error error = {0};
+    struct law law = {0};
+    struct law_options options = law_options_default();
+    static const struct law_material material = {
+        .name = "glass", .density = 2500, .young = 1e7, .poisson = 0.2};
+    static struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
+    pair[0][0] = (struct law_pair){.restitution = 0.5, .friction = 0.3};
+    team_expect(team, law_prepare(&law, &options, 1, &material, pair, &error), "%s", error.text);
+    struct wall_motion drift = {.kind = WALL_TRANSLATE, .stop = 10, .velocity = {1, 0, 0.25}};
+    struct wall_motion turn = {
+        .kind = WALL_ROTATE, .stop = 10, .direction = {0, 0, 1}, .point = {0, 105, 6}, .rate = 0.5};
+    struct wall_options planes[2] = {{.name = "floor",
+                                      .shape = WALL_PLANE,
+                                      .point = {0, 105, 1},
+                                      .normal = {0, 0, 1},
+                                      .motions = 1,
+                                      .motion = {drift}},
+                                     {.name = "side",
+                                      .shape = WALL_PLANE,
+                                      .point = {-4, 105, 6},
+                                      .normal = {1, 0, 0},
+                                      .motions = 1,
+                                      .motion = {turn}}};
+    fixture_make(&f, team, &team->comm, PARTICLE_SPIN);
+    struct walls *walls = NULL;
+    if (team_expect(team, walls_create(&walls, planes, 2, &law, &f.cloud.box, 1, &error, NULL), "%s",
+                    error.text)) {
+        for (int step = 0; step < 8; step++)
+            walls_advance(walls, 0.125 * step, 0.125, NULL);
+        f.checkpoint.walls = walls;
+        struct checkpoint_loaded l;
+        char path[FOLDER_MAX + 64];
+        team_expect(team, checkpoint_write(&f.comm, f.folder.path, "", &f.checkpoint, 2, &error), "%s",
+                    error.text);
+        path_of(&f, "checkpoint-1200.h5", path);
+        if (team_expect(team, checkpoint_read_head(&f.comm, path, &l, &error), "%s", error.text)) {
+            team_expect(team, l.walls == 2, "%d walls", l.walls);
+            for (int w = 0; w < l.walls; w++) {
+                struct wall_pose now;
+                walls_pose(walls, w, &now);
+                team_expect(team, strcmp(l.wall[w].name, planes[w].name) == 0, "wall %d is %s", w,
+                            l.wall[w].name);
+                team_expect(team, memcmp(&l.wall[w].pose, &now, sizeof now) == 0, "pose of wall %d", w);
+            }
+            team_expect(team, l.walls < 1 || l.wall[0].pose.translation[2] == 0.25,
+                        "the floor has not moved");
+            checkpoint_loaded_free(&l);
+        }
+        walls_destroy(&walls);
+    }
+    fixture_free(&f);
+    team_finish(team);
+}
+
 static void head_is_read_alone(void **state) {
     struct team *team = *state;
     struct fixture f;
@@ -540,6 +598,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(comes_back_on_other_layouts, &team),
         cmocka_unit_test_prestate(features_may_change, &team),
         cmocka_unit_test_prestate(no_particles_at_all, &team),
+        cmocka_unit_test_prestate(wall_poses_come_back, &team),
         cmocka_unit_test_prestate(head_is_read_alone, &team),
         cmocka_unit_test_prestate(old_ones_are_deleted, &team),
         cmocka_unit_test_prestate(any_cut_is_noticed, &team),
