@@ -182,10 +182,10 @@ static bool put_history(struct writing *w, struct error *error) {
     if (!put_counts(w, "/history/count", rows->start, error))
         return false;
     int64_t *partner = memory_allocate(rows->count, sizeof *partner, "history rows");
-    double(*value)[CHECKPOINT_HISTORY] = memory_allocate(rows->count, sizeof *value, "history rows");
+    double(*value)[CHECKPOINT_HISTORY] = memory_allocate_zero(rows->count, sizeof *value, "history rows");
     for (size_t k = 0; k < rows->count; k++) {
         partner[k] = rows->row[k].partner;
-        memcpy(value[k], rows->row[k].value, sizeof rows->row[k].value);
+        memcpy(value[k], rows->row[k].value, (size_t)w->checkpoint->history_components * sizeof value[k][0]);
         memcpy(value[k] + HISTORY_COMPONENTS_MAX, rows->row[k].separation, sizeof rows->row[k].separation);
     }
     struct h5_table table = place_rows(w->comm, rows->count);
@@ -204,11 +204,12 @@ static bool put_wall_history(struct writing *w, struct error *error) {
     if (!put_counts(w, "/wall_history/count", rows->start, error))
         return false;
     int32_t(*place)[2] = memory_allocate(rows->count, sizeof *place, "wall history rows");
-    double(*value)[HISTORY_COMPONENTS_MAX] = memory_allocate(rows->count, sizeof *value, "wall history rows");
+    double(*value)[HISTORY_COMPONENTS_MAX] =
+        memory_allocate_zero(rows->count, sizeof *value, "wall history rows");
     for (size_t k = 0; k < rows->count; k++) {
         place[k][0] = rows->row[k].wall;
         place[k][1] = rows->row[k].patch;
-        memcpy(value[k], rows->row[k].value, sizeof value[k]);
+        memcpy(value[k], rows->row[k].value, (size_t)w->checkpoint->history_components * sizeof value[k][0]);
     }
     struct h5_table table = place_rows(w->comm, rows->count);
     table.type = FIELD_INT32;

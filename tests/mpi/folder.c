@@ -53,3 +53,15 @@ int folder_count(const struct folder *folder) {
 struct comm folder_self(void) {
     return (struct comm){.handle = MPI_COMM_SELF, .size = 1};
 }
+
+struct comm folder_first(const struct comm *comm, int size) {
+    struct comm part = {.size = size};
+    if (MPI_Comm_split(comm->handle, comm->rank >= size, comm->rank, &part.handle) != MPI_SUCCESS ||
+        MPI_Comm_rank(part.handle, &part.rank) != MPI_SUCCESS)
+        error_fatal("the ranks cannot be split");
+    return part;
+}
+
+void folder_first_free(struct comm *comm) {
+    MPI_Comm_free(&comm->handle);
+}

@@ -25,4 +25,8 @@ int folder_count(const struct folder *folder);
 /* A comm of this rank alone. */
 struct comm folder_self(void);
 
+/* A comm of the first `size` ranks; on the others a comm of the others. Collective; _free releases it. */
+struct comm folder_first(const struct comm *comm, int size);
+void folder_first_free(struct comm *comm);
+
 #endif
