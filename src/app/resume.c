@@ -61,7 +61,7 @@ static void numbers_take(struct simulation *s, const struct checkpoint_numbers *
 bool resume_write(struct simulation *s, const struct output_run *run, const char *suffix,
                   struct error *error) {
     struct rebuild_rows rows;
-    rebuild_detach(s, false, &rows);
+    rebuild_detach(s, true, &rows); /* whoever reads it may divide the particles otherwise */
     struct checkpoint checkpoint = {.particles = s->particles,
                                     .box = &s->scene->box,
                                     .history_components = s->law.history_components,
