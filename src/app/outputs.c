@@ -84,10 +84,7 @@ bool outputs_want_sums(const struct outputs *o, const struct simulation *s, uint
 }
 
 bool outputs_sum_each_step(const struct outputs *o) {
-    for (int c = 0; o->observables && c < observables_columns(o->observables); c++)
-        if (strncmp(o->name[c], "energy_dissipated", strlen("energy_dissipated")) == 0)
-            return true;
-    return false;
+    return o->observables && observables_need_work(o->observables);
 }
 
 static bool row_write(struct outputs *o, const struct output_view *view, struct error *error) {

@@ -39,6 +39,7 @@ struct run {
     double began;           /* seconds: the loop */
     double checkpoint_last; /* seconds: the last checkpoint by wall clock */
     bool checkpoint_due;    /* decided in the step before */
+    double particle_steps;  /* sum over steps of the particles moved */
     int stopped;            /* signal that ended it */
 };
 
@@ -94,6 +95,7 @@ static bool step_once(struct run *run, struct error *error) {
     s->contact.want_sums =
         s->sums_each_step || (run->outputs && outputs_want_sums(run->outputs, s, s->step + 1));
     step_run(s, rebuild);
+    run->particle_steps += (double)s->total;
     if (s->step % POSITIONS_EVERY == 0)
         guards_check_positions(s);
     timer_start(&s->timers, TIMER_OUTPUT);
@@ -150,6 +152,7 @@ static void report_fill(const struct run *run, double setup, struct report *repo
     int64_t sums[3] = {(int64_t)s->list->primary_count, (int64_t)s->sums.contacts, (int64_t)memory_peak()};
     comm_sum_int(s->comm, sums, 3);
     report->steps = s->step - run->first;
+    report->particle_steps = run->particle_steps;
     report->step_last = s->step;
     report->time = s->time;
     report->dt = s->dt;
