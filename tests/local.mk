@@ -116,3 +116,14 @@ EXTRA_PROGRAMS += tests/bench_force
 CLEANFILES += tests/bench_force
 tests_bench_force_SOURCES = tests/bench_force.c
 tests_bench_force_LDADD = $(INTEGRATE_LIBS)
+
+check_PROGRAMS += tests/test_mesh tests/test_wall tests/test_wall_mesh tests/test_wall_motion
+EXTRA_DIST += tests/mesh_by_hand.h tests/walls_by_hand.h
+tests_test_mesh_SOURCES = tests/test_mesh.c
+tests_test_mesh_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
+tests_test_wall_SOURCES = tests/test_wall.c
+tests_test_wall_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
+tests_test_wall_mesh_SOURCES = tests/test_wall_mesh.c
+tests_test_wall_mesh_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
+tests_test_wall_motion_SOURCES = tests/test_wall_motion.c
+tests_test_wall_motion_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)

@@ -30,7 +30,7 @@ struct wall_triangle {
 
 struct wall_patch {
     struct law_vector normal; /* unit vector */
-    double offset;            /* normal . x of its points */
+    struct law_vector point;  /* its centroid: heights from here lose the fewest digits */
 };
 
 struct wall_mesh {

@@ -98,17 +98,27 @@ static void table_value(const struct numbers *table, double t, struct law_vector
     }
 }
 
-/* Mean rates of displacement and rotation vector from t to t + dt; by slopes, as differences of values would
- * lose digits. */
-static void table_rate(const struct numbers *table, double t, double end, double dt,
+/* The part of a step from t on that lies within the span of a motion, as time; no digits are lost where it is
+ * the whole step. */
+static double motion_duration(const struct wall_motion *motion, double t, double dt) {
+    if (t >= motion->start && t + dt <= motion->stop)
+        return dt;
+    return motion_time(motion, t + dt) - motion_time(motion, t);
+}
+
+/* Mean rates of displacement and rotation vector in a step of length dt, of which the motion takes `duration`
+ * from t on; by slopes, as differences of values would lose digits. */
+static void table_rate(const struct numbers *table, double t, double duration, double dt,
                        struct law_vector rate[2]) {
+    double end = t + duration;
     rate[0] = rate[1] = (struct law_vector){0.0, 0.0, 0.0};
     for (size_t row = table_row(table, t); row + 1 < table->rows; row++) {
         const double *a = table->value + row * TABLE_COLUMNS, *b = a + TABLE_COLUMNS;
         if (a[0] >= end)
             break;
-        double from = t > a[0] ? t : a[0], to = end < b[0] ? end : b[0];
-        double weight = to > from ? (to - from) / dt / (b[0] - a[0]) : 0.0;
+        bool whole = a[0] <= t && end <= b[0];
+        double part = whole ? duration : (end < b[0] ? end : b[0]) - (t > a[0] ? t : a[0]);
+        double weight = part > 0.0 ? part / dt / (b[0] - a[0]) : 0.0;
         for (int k = 0; k < 2; k++) {
             struct law_vector step = law_add(wall_vector(b + 1 + 3 * k), -1.0, wall_vector(a + 1 + 3 * k));
             rate[k] = law_add(rate[k], weight, step);
@@ -129,14 +139,14 @@ static struct law_vector vector_spin(struct law_vector v, struct law_vector rate
     return law_add(spin, 2.0 * half * half / angle, law_cross(n, rate));
 }
 
-/* sin(2 pi f t + phase) at t; and its mean rate from t to t + dt. */
+/* amplitude x sin(2 pi f t + phase) at t; and its mean rate in a step (see table_rate). */
 static double wave_value(const struct wall_motion *motion, double t) {
     return motion->amplitude * sin(2.0 * M_PI * motion->frequency * t + motion->phase);
 }
 
-static double wave_rate(const struct wall_motion *motion, double t, double end, double dt) {
-    double turn = M_PI * motion->frequency;
-    return motion->amplitude * 2.0 * cos(turn * (t + end) + motion->phase) * sin(turn * (end - t)) / dt;
+static double wave_rate(const struct wall_motion *motion, double t, double duration, double dt) {
+    double turn = M_PI * motion->frequency, middle = turn * (2.0 * t + duration) + motion->phase;
+    return motion->amplitude * 2.0 * cos(middle) * sin(turn * duration) / dt;
 }
 
 static struct wall_transform motion_place(const struct wall_mover *mover, int k, double t, double servo) {
@@ -175,24 +185,23 @@ static struct wall_twist motion_twist(const struct wall_mover *mover, int k, dou
     const struct wall_motion *motion = &mover->motion[k];
     struct law_vector axis = wall_vector(motion->direction), point = wall_vector(motion->point);
     struct law_vector rest = {0.0, 0.0, 0.0}, value[2], rate[2];
-    double begin = motion_time(motion, t), end = motion_time(motion, t + dt);
-    double active = end > begin ? (end - begin) / dt : 0.0;
+    double begin = motion_time(motion, t), duration = motion_duration(motion, t, dt), active = duration / dt;
     switch (motion->kind) {
     case WALL_TRANSLATE:
         return (struct wall_twist){.velocity = law_scale(active, wall_vector(motion->velocity))};
     case WALL_ROTATE:
         return twist_about(law_scale(active * motion->rate, axis), point, rest);
     case WALL_OSCILLATE:
-        return (struct wall_twist){.velocity = law_scale(wave_rate(motion, begin, end, dt), axis)};
+        return (struct wall_twist){.velocity = law_scale(wave_rate(motion, begin, duration, dt), axis)};
     case WALL_OSCILLATE_ROTATION:
-        return twist_about(law_scale(wave_rate(motion, begin, end, dt), axis), point, rest);
+        return twist_about(law_scale(wave_rate(motion, begin, duration, dt), axis), point, rest);
     case WALL_SERVO:
         return (struct wall_twist){.velocity = law_scale(servo, axis)};
     case WALL_TABLE:
         break;
     }
-    table_value(&mover->table[k], 0.5 * (begin + end), value);
-    table_rate(&mover->table[k], begin, end, dt, rate);
+    table_value(&mover->table[k], begin + 0.5 * duration, value);
+    table_rate(&mover->table[k], begin, duration, dt, rate);
     return twist_about(vector_spin(value[1], rate[1]), law_add(point, 1.0, value[0]), rate[0]);
 }
 
@@ -276,6 +285,8 @@ static bool motion_prepare(struct wall_mover *mover, int k, const char *name, co
     bool directed = motion->kind != WALL_TRANSLATE && motion->kind != WALL_TABLE;
     for (int d = 0; d < 3; d++)
         motion->point[d] -= origin[d];
+    if (!isfinite(motion->start))
+        return error_set(error, ERROR_USER, "wall '%s': the start of motion %d is not finite", name, k + 1);
     if (!(motion->stop >= motion->start))
         return error_set(error, ERROR_USER, "wall '%s': motion %d stops (%g) before it starts (%g)", name,
                          k + 1, motion->stop, motion->start);

@@ -98,7 +98,8 @@ static bool sides_oppose(const struct finder *f, const struct side *a, const str
 static bool triangle_flat(const struct finder *f, int32_t triangle, const struct wall_patch *plane) {
     double far = 0.0;
     for (int k = 0; k < 3; k++)
-        far = law_max(far, fabs(law_dot(plane->normal, vertex_of(f, triangle, k)) - plane->offset));
+        far = law_max(far,
+                      fabs(law_dot(plane->normal, law_add(vertex_of(f, triangle, k), -1.0, plane->point))));
     struct law_vector n = f->normal[triangle], sine = law_cross(plane->normal, n);
     bool parallel = law_dot(sine, sine) <= patch_angle_sine * patch_angle_sine * law_dot(n, n);
     return far <= (parallel ? f->weld->tolerance : 0.1 * f->weld->tolerance);
@@ -112,10 +113,9 @@ static struct law_vector unit(struct law_vector a) {
 static void patch_grow(struct finder *f, int32_t seed) {
     struct wall_triangle *triangle = f->mesh->triangle;
     int32_t patch = (int32_t)f->mesh->patches++, depth = 0;
-    struct wall_patch plane = {.normal = unit(f->normal[seed])};
-    struct law_vector sum = {0.0, 0.0, 0.0}, origin = vertex_of(f, seed, 0), middle = sum;
+    struct wall_patch plane = {.normal = unit(f->normal[seed]), .point = vertex_of(f, seed, 0)};
+    struct law_vector sum = {0.0, 0.0, 0.0}, middle = sum;
     double area = 0.0;
-    plane.offset = law_dot(plane.normal, origin);
     triangle[seed].patch = patch;
     f->stack[depth++] = seed;
     while (depth > 0) {
@@ -124,7 +124,7 @@ static void patch_grow(struct finder *f, int32_t seed) {
         double twice = sqrt(law_dot(n, n));
         sum = law_add(sum, law_dot(n, plane.normal) < 0.0 ? -1.0 : 1.0, n);
         for (int k = 0; k < 3; k++)
-            middle = law_add(middle, twice / 3.0, law_add(vertex_of(f, t, k), -1.0, origin));
+            middle = law_add(middle, twice / 3.0, law_add(vertex_of(f, t, k), -1.0, plane.point));
         area += twice;
         for (int k = 0; k < 3; k++) {
             size_t first = (size_t)f->first[t][k];
@@ -140,7 +140,7 @@ static void patch_grow(struct finder *f, int32_t seed) {
         }
     }
     plane.normal = unit(sum);
-    plane.offset = law_dot(plane.normal, origin) + law_dot(plane.normal, middle) / area;
+    plane.point = law_add(plane.point, 1.0 / area, middle);
     f->mesh->patch[patch] = plane;
 }
 

@@ -40,7 +40,7 @@ static void rim_nearest(const struct wall_triangle *triangle, struct law_vector 
 struct wall_nearest wall_touch_nearest(const struct wall_mesh *mesh, int32_t t, struct law_vector x) {
     const struct wall_triangle *triangle = &mesh->triangle[t];
     const struct wall_patch *patch = &mesh->patch[triangle->patch];
-    double height = law_dot(patch->normal, x) - patch->offset;
+    double height = law_dot(patch->normal, difference(x, patch->point));
     struct law_vector to = law_scale(-height, patch->normal), foot = law_add(x, 1.0, to);
     bool inside = true;
     for (int k = 0; k < 3; k++)
@@ -131,7 +131,7 @@ struct law_vector wall_touch_toward(const struct wall_mesh *mesh, int32_t featur
     size_t f = (size_t)feature;
     if (f < mesh->patches) {
         const struct wall_patch *patch = &mesh->patch[f];
-        double height = law_dot(patch->normal, x) - patch->offset;
+        double height = law_dot(patch->normal, difference(x, patch->point));
         *distance = fabs(height);
         return law_scale(height < 0.0 ? 1.0 : -1.0, patch->normal);
     }
