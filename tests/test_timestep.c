@@ -98,6 +98,48 @@ static void test_chain(void **state) {
     }
 }
 
+/* Largest stretch of the tangential spring between a sphere (mass 1, radius 1, inertia 2/5) and a wall, and
+ * of a rolling one beside it, late in a leapfrog run. */
+static double sticking_run(double stiffness, double damping, bool rolling, double dt) {
+    double x = 1.0, v = 0.0, angle = 0.5, spin = 0.0, largest = 0.0;
+    for (int step = 0; step < 20000 && largest < 1e9; step++) {
+        double force = -stiffness * (x + angle) - damping * (v + spin);
+        double torque = force - (rolling ? stiffness * angle + damping * spin : 0.0);
+        v += dt * force;
+        spin += dt * torque / 0.4;
+        x += dt * v;
+        angle += dt * spin;
+        if (step > 15000 || fabs(x + angle) > 1e9)
+            largest = fmax(largest, fabs(x + angle));
+    }
+    return largest;
+}
+
+/* With friction the sphere turns as it slips: the tangential mode's mass is m* / 3.5, sharp; with rolling
+ * resistance m* / 6 is safe. */
+static void test_tangential_mode(void **state) {
+    (void)state;
+    const struct law_material m = {"m", 1.0, 0.0, 0.0};
+    const double damping[] = {0.0, 1.0, 30.0};
+    for (int k = 0; k < 3; k++)
+        for (int rolling = 0; rolling < 2; rolling++) {
+            struct law_options options = law_options_default();
+            options.normal = LAW_HOOKE;
+            options.damping = LAW_DAMPING_COEFFICIENT;
+            options.rolling = rolling ? LAW_ROLLING_SPRING : LAW_ROLLING_NONE;
+            pair[0][0] = (struct law_pair){.friction = 1.0, .k_n = 7.0, .k_t = 7.0, .gamma_t = damping[k]};
+            struct law law = prepared(options, 1, &m);
+            const struct timestep_kind kind[2] = {{0, false, 1.0, 1.0, 1.0}, {.wall = true}};
+            struct timestep_limits limits = limits_for(&law, &m, 2, kind, 1, 0.0);
+            /* the pair of two spheres has half the mass, and sets the limit of all; the wall alone is sqrt2
+             * slower */
+            assert_near(limits.stable, timestep_bound(7.0, 0.5 * damping[k], rolling ? 12.0 : 7.0), 1e-12);
+            double bound = timestep_bound(7.0, damping[k], rolling ? 6.0 : 3.5);
+            assert_true(sticking_run(7.0, damping[k], rolling, 0.995 * bound) < 100.0);
+            assert_true(sticking_run(7.0, damping[k], rolling, (rolling ? 1.2 : 1.005) * bound) > 1e6);
+        }
+}
+
 /* Spheres of radius 1 and 10, Hooke with LAMMPS's coefficients: damping ratios 1.1, 1.6 and 36; its dt is
  * 0.001. */
 static void test_bidisperse(void **state) {
@@ -185,7 +227,8 @@ static void test_nothing_to_limit(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bound_is_sharp),  cmocka_unit_test(test_chain),
-        cmocka_unit_test(test_bidisperse),      cmocka_unit_test(test_penetration),
-        cmocka_unit_test(test_hertz_frequency), cmocka_unit_test(test_nothing_to_limit)};
+        cmocka_unit_test(test_tangential_mode), cmocka_unit_test(test_bidisperse),
+        cmocka_unit_test(test_penetration),     cmocka_unit_test(test_hertz_frequency),
+        cmocka_unit_test(test_nothing_to_limit)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
