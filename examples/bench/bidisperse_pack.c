@@ -1,13 +1,13 @@
-/* Makes the spheres of the bidisperse benchmark: a periodic cube with LARGE spheres of radius RATIO and SMALL of
- * radius 1, none inside another, as a LAMMPS data file on standard output.
+/* Makes the spheres of the bidisperse benchmark: a periodic cube with LARGE spheres of radius RATIO and SMALL
+ * of radius 1, none inside another, as a LAMMPS data file on standard output.
  *
  *     bidisperse_pack RATIO EDGE LARGE SMALL [SEED]
  *
- * The large ones are placed at random without overlap, the small ones at random outside the large. Then small ones
- * that overlap are pushed apart, each pair until it just touches, over and over until hardly anything overlaps: a
- * random packing in which neighbours touch and nothing is pressed. Large spheres stay. Velocities are normal with
- * sigma 1 in each component; spins are zero. The random numbers are those of SplitMix64 (Steele, Lea and Flood 2014),
- * so a file depends on the arguments alone. */
+ * The large ones are placed at random without overlap, the small ones at random outside the large. Then small
+ * ones that overlap are pushed apart, each pair until it just touches, over and over until hardly anything
+ * overlaps: a random packing in which neighbours touch and nothing is pressed. Large spheres stay. Velocities
+ * are normal with sigma 1 in each component; spins are zero. The random numbers are those of SplitMix64
+ * (Steele, Lea and Flood 2014), so a file depends on the arguments alone. */
 #include <errno.h>
 #include <math.h>
 #include <stdint.h>
@@ -142,7 +142,8 @@ static void push(const struct packing *packing, double a[3], double b[3], double
     }
 }
 
-static void push_cells(struct packing *packing, const struct cells *cells, long c, long d, struct sweep *sweep) {
+static void push_cells(struct packing *packing, const struct cells *cells, long c, long d,
+                       struct sweep *sweep) {
     for (long a = cells->first[c]; a < cells->first[c + 1]; a++)
         for (long b = c == d ? a + 1 : cells->first[d]; b < cells->first[d + 1]; b++)
             push(packing, packing->x[cells->item[a]], packing->x[cells->item[b]], 2, sweep);
@@ -164,7 +165,8 @@ static void sweep_small(struct packing *packing, const struct cells *cells, stru
 }
 
 /* The small spheres near one large one: its cells, with room for half a cell's move since the last sort. */
-static void sweep_large(struct packing *packing, const struct cells *cells, double large[3], struct sweep *sweep) {
+static void sweep_large(struct packing *packing, const struct cells *cells, double large[3],
+                        struct sweep *sweep) {
     double touch = packing->ratio + 1;
     long reach = (long)(touch / cells->size) + 2, side = cells->side, base[3];
     if (2 * reach + 1 > side)
@@ -199,8 +201,9 @@ static void relax(struct packing *packing) {
             sweep_large(packing, &cells, packing->boulder[b], &sweep);
         sweep_small(packing, &cells, &sweep);
         if (sweep.max < OVERLAP_MAX && sweep.sum < OVERLAP_MEAN * (double)packing->small) {
-            fprintf(stderr, "bidisperse_pack: %d sweeps, %ld contacts, mean overlap %.3g, largest %.3g\n", k + 1,
-                    sweep.contacts, sweep.sum / (double)(sweep.contacts ? sweep.contacts : 1), sweep.max);
+            fprintf(stderr, "bidisperse_pack: %d sweeps, %ld contacts, mean overlap %.3g, largest %.3g\n",
+                    k + 1, sweep.contacts, sweep.sum / (double)(sweep.contacts ? sweep.contacts : 1),
+                    sweep.max);
             break;
         }
         if (k == SWEEPS_MAX - 1) {
@@ -217,13 +220,13 @@ static void write_data(struct packing *packing) {
     long count = packing->large + packing->small;
     printf("bidisperse spheres, radius 1 and %g, periodic cube, units lj\n\n%ld atoms\n2 atom types\n\n",
            packing->ratio, count);
-    printf("0 %.15g xlo xhi\n0 %.15g ylo yhi\n0 %.15g zlo zhi\n\nAtoms # sphere\n\n", packing->edge, packing->edge,
-           packing->edge);
+    printf("0 %.15g xlo xhi\n0 %.15g ylo yhi\n0 %.15g zlo zhi\n\nAtoms # sphere\n\n", packing->edge,
+           packing->edge, packing->edge);
     for (long i = 0; i < count; i++) {
         int is_large = i < packing->large;
         double *x = is_large ? packing->boulder[i] : packing->x[i - packing->large];
-        printf("%ld %d %g 1 %.12g %.12g %.12g\n", i + 1, 1 + is_large, is_large ? 2 * packing->ratio : 2, x[0], x[1],
-               x[2]);
+        printf("%ld %d %g 1 %.12g %.12g %.12g\n", i + 1, 1 + is_large, is_large ? 2 * packing->ratio : 2,
+               x[0], x[1], x[2]);
     }
     printf("\nVelocities\n\n");
     for (long i = 0; i < count; i++) {

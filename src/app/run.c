@@ -149,7 +149,8 @@ static void report_fill(const struct run *run, double setup, struct report *repo
     const struct simulation *s = run->s;
     struct ghosts_counts ghosts;
     ghosts_count(s->ghosts, &ghosts);
-    int64_t sums[3] = {(int64_t)s->list->primary_count, (int64_t)s->sums.contacts, (int64_t)memory_peak()};
+    int64_t sums[3] = {(int64_t)s->list->primary_count, (int64_t)s->sums.contact_sides,
+                       (int64_t)memory_peak()};
     comm_sum_int(s->comm, sums, 3);
     report->steps = s->step - run->first;
     report->particle_steps = run->particle_steps;
@@ -165,7 +166,7 @@ static void report_fill(const struct run *run, double setup, struct report *repo
     snprintf(report->integrator, sizeof report->integrator, "%s", s->scene->integrator);
     report_levels(s, report);
     report->pairs = (uint64_t)sums[0];
-    report->contacts = (uint64_t)sums[1];
+    report->contacts = (uint64_t)sums[1] / 2;
     report->rebuilds = s->skin->rebuilds > 0 ? s->skin->rebuilds - 1 : 0;
     report->dangerous_rebuilds = s->skin->dangerous;
     report->bytes_per_particle = s->total ? (double)sums[2] / (double)s->total : 0;
@@ -208,7 +209,10 @@ static bool run_open(struct run *run, struct error *error) {
     struct simulation *s = run->s;
     if (run->options->directory == NULL)
         return true;
-    if (!outputs_open(&run->outputs, s, &run->output, run->options->resume != NULL, error))
+    if (!outputs_create(&run->outputs, s, &run->output, error) ||
+        !run_directory(s->comm, run->options, error))
+        return false;
+    if (!outputs_open(run->outputs, s, run->options->resume != NULL, error))
         return false;
     s->sums_each_step = outputs_sum_each_step(run->outputs);
     return run->options->resume != NULL || outputs_write(run->outputs, s, error);
@@ -240,10 +244,8 @@ int run_scene(const struct comm *comm, const struct scene *scene, const struct r
     struct report own;
     double start = timer_now();
     run.s = simulation_create(comm, scene, options->resume, error);
-    if (run.s == NULL || !run_directory(comm, options, error)) {
-        simulation_destroy(&run.s);
+    if (run.s == NULL)
         return error->kind;
-    }
     char *echo = scene_echo(scene);
     run.output = (struct output_run){.directory = options->directory,
                                      .scene = echo,

@@ -174,7 +174,7 @@ static void add_total(const struct output_view *view, const struct observable_it
 static void contacts_of_rank(const struct observable_context *context, struct observable_item *item,
                              double *part) {
     (void)item;
-    part[0] = context->view->sums ? (double)context->view->sums->contacts : 0;
+    part[0] = context->view->sums ? 0.5 * (double)context->view->sums->contact_sides : 0;
 }
 
 static void overlap_of_rank(const struct observable_context *context, struct observable_item *item,

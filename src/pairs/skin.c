@@ -81,7 +81,8 @@ void skin_measure(struct skin *skin, const struct particles *particles, int clas
 
 bool skin_due(const struct skin *skin, const struct size_classes *classes) {
     for (int a = 0; a < classes->count; a++) {
-        for (int b = a; b <= classes->count; b++) { /* the last is walls; walls among themselves do not matter */
+        for (int b = a; b <= classes->count;
+             b++) { /* the last is walls; walls among themselves do not matter */
             double moved = skin->bound[a] + (a == b ? skin->second[b] : skin->bound[b]);
             bool still = skin->bound[a] == 0 && skin->bound[b] == 0;
             if (!still && moved > classes->skin[a][b])

@@ -67,6 +67,7 @@ static void fixture_make(struct fixture *f, struct team *team) {
                                   .elastic_tangential = 10,
                                   .virial = {1, 2, 3, 4, 5, 6},
                                   .overlap_max = 0.01 * (1 + team->comm.rank),
+                                  .contact_sides = 14,
                                   .contacts = 7};
     snprintf(f->material[0].name, sizeof f->material[0].name, "glass");
     snprintf(f->material[1].name, sizeof f->material[1].name, "steel");
