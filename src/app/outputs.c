@@ -21,12 +21,37 @@ static bool h5md_wanted(const struct outputs *o) {
            output_interval_set(&o->options->trajectory.contacts);
 }
 
-static bool observables_start(struct outputs *o, const struct simulation *s, double resume_time,
-                              struct error *error) {
-    struct output_view view = simulation_view(s);
-    if (!observables_create(&o->observables, &o->options->observables, &view, o->run, error) ||
-        !observables_open(o->observables, s->comm, o->run->directory, resume_time, error))
+/* Puts the place of `key` in the scene before the text of a user's error. */
+static bool fail_at(const struct simulation *s, const char *key, struct error *error) {
+    char place[SCENE_PATH_MAX];
+    struct error plain = *error;
+    if (plain.kind != ERROR_USER)
         return false;
+    *error = (struct error){0};
+    error_set(error, ERROR_USER, "%s: %s", scene_place(s->scene, key, place, sizeof place), plain.text);
+    return false;
+}
+
+/* An id above all others stays without a particle where none are inserted. */
+static bool observables_check_ids(const struct simulation *s, struct error *error) {
+    const struct observables_options *options = &s->scene->output.observables;
+    for (int k = 0; s->scene->insertions == 0 && k < options->count; k++)
+        if (options->request[k].id >= s->next_id) {
+            char key[64];
+            snprintf(key, sizeof key, "observables.list[%d].id", k);
+            error_set(error, ERROR_USER, "%s: there is no particle %lld; ids go up to %lld", key,
+                      (long long)options->request[k].id, (long long)s->next_id - 1);
+            return fail_at(s, key, error);
+        }
+    return true;
+}
+
+static bool observables_prepare(struct outputs *o, const struct simulation *s, struct error *error) {
+    struct output_view view = simulation_view(s);
+    if (!observables_check_ids(s, error))
+        return false;
+    if (!observables_create(&o->observables, &o->options->observables, &view, o->run, error))
+        return fail_at(s, "observables.list", error);
     int columns = observables_columns(o->observables);
     o->name = memory_allocate((size_t)columns, sizeof *o->name, "observables");
     o->unit = memory_allocate((size_t)columns, sizeof *o->unit, "observables");
@@ -58,23 +83,30 @@ static bool files_open(struct outputs *o, const struct simulation *s, bool resum
     return true;
 }
 
-bool outputs_open(struct outputs **outputs, const struct simulation *s, const struct output_run *run,
-                  bool resumed, struct error *error) {
+bool outputs_create(struct outputs **outputs, const struct simulation *s, const struct output_run *run,
+                    struct error *error) {
     struct outputs *o = memory_allocate_zero(1, sizeof *o, "outputs");
     o->options = &s->scene->output;
     o->run = run;
-    bool good = frame_check_fields(&o->options->trajectory.fields, s->particles, error) &&
-                frame_check_fields(&o->options->dump.fields, s->particles, error);
+    bool good = (frame_check_fields(&o->options->trajectory.fields, s->particles, error) ||
+                 fail_at(s, "output.trajectory.fields", error)) &&
+                (frame_check_fields(&o->options->dump.fields, s->particles, error) ||
+                 fail_at(s, "output.dump.fields", error));
     if (good && output_interval_set(&o->options->observables.every))
-        good = observables_start(o, s, resumed ? s->time : -1, error);
-    good = good && files_open(o, s, resumed, error);
-    if (!comm_agree(s->comm, error) || !good) {
-        struct error second = {0};
-        outputs_close(&o, s->comm, &second);
-        return false;
-    }
+        good = observables_prepare(o, s, error);
     *outputs = o;
-    return true;
+    if (comm_agree(s->comm, error) && good)
+        return true;
+    struct error second = {0};
+    outputs_close(outputs, s->comm, &second);
+    return false;
+}
+
+bool outputs_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
+    bool good = o->observables == NULL ||
+                observables_open(o->observables, s->comm, o->run->directory, resumed ? s->time : -1, error);
+    good = good && files_open(o, s, resumed, error);
+    return comm_agree(s->comm, error) && good;
 }
 
 bool outputs_want_sums(const struct outputs *o, const struct simulation *s, uint64_t step) {

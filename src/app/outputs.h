@@ -8,10 +8,14 @@
 
 struct outputs;
 
-/* Opens what the scene asks for, in run->directory; on a resume goes on with the files there. `run` and its
- * strings are borrowed until the end. Collective. */
-bool outputs_open(struct outputs **outputs, const struct simulation *simulation, const struct output_run *run,
-                  bool resumed, struct error *error);
+/* Checks what the scene asks for; writes nothing. `run` and its strings are borrowed until the end. Errors
+ * (user) name the place in the scene. Collective. */
+bool outputs_create(struct outputs **outputs, const struct simulation *simulation,
+                    const struct output_run *run, struct error *error);
+
+/* Opens the files in run->directory; on a resume goes on with those there. Collective. */
+bool outputs_open(struct outputs *outputs, const struct simulation *simulation, bool resumed,
+                  struct error *error);
 
 /* Tells whether the step to come writes observables that need sums, so that its forces compute them. */
 bool outputs_want_sums(const struct outputs *outputs, const struct simulation *simulation, uint64_t step);
