@@ -142,26 +142,34 @@ static void mark_copies(const struct wall_weld *weld, uint8_t *drop) {
     memory_free(key);
 }
 
-/* Leaves out slivers and copies. */
-static void weld_clean(struct wall_weld *weld, const struct mesh *file, const char *path, FILE *notes) {
+/* Tells what was left out: the first few of each kind by name. */
+static void note_dropped(const uint8_t *drop, const struct mesh *file, const char *path, FILE *notes) {
     static const char *const what[] = {
         "", "is too thin (its height is a millionth of the mesh or less): left out",
         "has the corners of an earlier one: left out"};
-    uint8_t *drop = memory_allocate_zero(weld->triangles, 1, "triangles of a mesh");
-    size_t dropped[3] = {0}, kept = 0;
-    mark_copies(weld, drop);
-    for (size_t k = 0; k < weld->triangles; k++) {
-        if (triangle_height(weld, weld->corner[k]) <= weld->tolerance)
-            drop[k] = 1;
-        if (drop[k] && notes && dropped[drop[k]]++ < NOTES_MAX)
+    size_t dropped[3] = {0};
+    for (size_t k = 0; k < file->count; k++)
+        if (drop[k] && dropped[drop[k]]++ < NOTES_MAX)
             note_triangle(notes, file, path, k, what[drop[k]]);
-        if (!drop[k])
-            memmove(weld->corner[kept++], weld->corner[k], sizeof *weld->corner);
-    }
     for (int kind = 1; kind <= 2; kind++)
         if (dropped[kind] > NOTES_MAX)
             fprintf(notes, "%s: and %zu triangles more of which each %s\n", path, dropped[kind] - NOTES_MAX,
                     what[kind]);
+}
+
+/* Leaves out slivers and copies. No notes where nothing is left: that is an error, which says so. */
+static void weld_clean(struct wall_weld *weld, const struct mesh *file, const char *path, FILE *notes) {
+    uint8_t *drop = memory_allocate_zero(weld->triangles, 1, "triangles of a mesh");
+    size_t kept = 0;
+    mark_copies(weld, drop);
+    for (size_t k = 0; k < weld->triangles; k++) {
+        if (triangle_height(weld, weld->corner[k]) <= weld->tolerance)
+            drop[k] = 1;
+        if (!drop[k])
+            memmove(weld->corner[kept++], weld->corner[k], sizeof *weld->corner);
+    }
+    if (notes && kept > 0)
+        note_dropped(drop, file, path, notes);
     weld->triangles = kept;
     memory_free(drop);
 }

@@ -65,7 +65,7 @@ static bool normalise_row(struct schema_reader *reader, const struct schema_row 
     if (row->type == SCHEMA_SECTION) {
         if (is_empty(node))
             tree_clear(node, TREE_MAP);
-        else if (node->kind != TREE_MAP && row->main)
+        else if (node->kind == TREE_SCALAR && row->main)
             wrap_scalar(node, row->main);
         return fold_short_form(reader, row->sub, node, key) && normalise_table(reader, row->sub, node, key);
     }
