@@ -1,0 +1,285 @@
+#!/usr/bin/env bash
+# Bad input: scenes, data files, meshes, checkpoints, command lines. Each must end with exit status 2 and one line on
+# standard error that begins with "scree: " and names the place; nothing may be made or written over.
+#
+# The table is the script: NAME, what is wrong, words of the message (separated by |), and what to run.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+box=$out/box # all that the program sees; it must stay as it is
+mkdir "$box" "$out/made"
+cd "$box" || exit 1
+
+state() {
+    find . -type d | sort
+    find . -type f -exec cksum {} + | sort
+}
+
+# refused WORDS STATUS STDERR: tells what is wrong with an answer
+refused() {
+    local words=$1 status=$2 said=$3 word
+    local -a list
+    [ "$status" = 2 ] || { echo "  exit status $status"; head -n 5 "$said"; return 1; }
+    [ "$(wc -l <"$said")" = 1 ] && grep -q '^scree: ' "$said" || { echo "  not one line:"; head -n 5 "$said"; return 1; }
+    IFS='|' read -ra list <<<"$words"
+    for word in "${list[@]}"; do
+        grep -qF -e "$word" "$said" || { echo "  no '$word' in: $(cat "$said")"; return 1; }
+    done
+    state >"$out/after"
+    cmp -s "$out/before" "$out/after" || { echo "  files changed:"; diff "$out/before" "$out/after"; return 1; }
+}
+
+# bad NAME WHAT WORDS COMMAND...; RANKS: on how many ranks
+RANKS=1
+bad() {
+    local name=$1 what=$2 words=$3
+    shift 3
+    state >"$out/before"
+    on "$RANKS" "$@" >"$out/stdout" 2>"$out/stderr"
+    local status=$?
+    # mpirun adds lines of its own about the exit status
+    [ "$RANKS" = 1 ] || { grep '^scree' "$out/stderr" >"$out/ours"; mv "$out/ours" "$out/stderr"; }
+    check "$name: $what" refused "$words" $status "$out/stderr"
+    [ -e new ] && rm -rf new
+    return 0
+}
+
+good_scene='box: {lower: [0, 0, 0], upper: [10 mm, 10 mm, 10 mm]}
+gravity: [0, 0, -9.81]
+step: {count: 4}
+contact: {law: hertz}
+materials: [{name: glass, density: 2500, young: 10 MPa, poisson: 0.2}]
+material_pairs: [{restitution: 0.5, friction: 0.3}]
+particles: {from: single, position: [5 mm, 5 mm, 5 mm], radius: 1 mm}'
+
+# write_scene FILE LINE...: the good scene; a line replaces the one of the same key, or is appended
+write_scene() {
+    local file=$1 line key
+    shift
+    echo "$good_scene" >"$file"
+    for line in "$@"; do
+        key=${line%%:*}
+        if grep -q "^$key:" "$file"; then
+            awk -v key="$key:" -v line="$line" 'index($0, key) == 1 { $0 = line } { print }' "$file" >"$out/edited"
+            mv "$out/edited" "$file"
+        else
+            echo "$line" >>"$file"
+        fi
+    done
+}
+
+# scene WHAT WORDS LINE...: runs the good scene with these lines
+scene() {
+    local what=$1 words=$2
+    shift 2
+    write_scene case.yaml "$@"
+    bad scene "$what" "$words" "$scree" run case.yaml -o new --quiet
+}
+
+# data WHAT WORDS FORMAT TEXT: particles from a file of this text
+data() {
+    write_scene case.yaml "particles: {file: case.data, format: $3}"
+    printf "$4" >case.data
+    bad "$3" "$1" "$2" "$scree" run case.yaml -o new --quiet
+}
+
+# mesh WHAT WORDS: a wall from case.stl
+mesh() {
+    write_scene case.yaml 'walls: [{shape: mesh, file: case.stl}]'
+    bad mesh "$1" "$2" "$scree" run case.yaml -o new --quiet
+}
+
+# flip FILE BYTE BIT
+flip() {
+    local value
+    value=$(od -An -tu1 -j "$2" -N 1 "$1")
+    printf "\\$(printf %03o $((value ^ 1 << $3)))" | dd of="$1" bs=1 seek="$2" conv=notrunc 2>/dev/null
+}
+
+# an empty table would pass every case: the good scene must run, and leave what the cases below need
+write_scene good.yaml 'output: {trajectory: {every: 2}}'
+check 'the good scene runs' run_scene 1 good.yaml there
+ends_well() { run_scene 1 good.yaml there2 --resume there/checkpoint-4.h5 --set step.count=6 && rm -r there2; }
+check 'its checkpoint is good' ends_well
+
+echo '== scene'
+scene 'unknown key, a like one known' "case.yaml:8|gravty|did you mean|gravity" 'gravty: [0, 0, -9.81]'
+scene 'unknown key of a section' "case.yaml:4|contact|lav|law" 'contact: {lav: hertz}'
+scene 'a key twice' "case.yaml:4|twice|gravity|case.yaml:2" 'step: {count: 4}
+gravity: [0, 0, 0]'
+scene 'text for a number' "case.yaml:3|step.count|whole number" 'step: {count: many}'
+scene 'a fraction for a whole number' "case.yaml:3|step.count|whole number" 'step: {count: 2.5}'
+scene 'a list for a section' "case.yaml:4|contact|section" 'contact: [hertz]'
+scene 'two numbers for three' "case.yaml:2|gravity|three numbers" 'gravity: [0, 1]'
+scene 'wrong unit' "case.yaml:3|step.dt|kg|s" 'step: {count: 4, dt: 1 kg}'
+scene 'unknown unit' "case.yaml:3|step.dt|parsec" 'step: {count: 4, dt: 1 parsec}'
+scene 'a unit in a scene without units' "units" 'units: none'
+scene 'out of range' "case.yaml:6|restitution|1.5|from 0 to 1" 'material_pairs: [{restitution: 1.5, friction: 0.3}]'
+scene 'a negative density' "case.yaml:5|density|> 0" 'materials: [{name: glass, density: -1, young: 10 MPa, poisson: 0.2}]'
+scene 'not a number' "case.yaml:2|gravity|nan" 'gravity: [0, .nan, 0]'
+scene 'a required key is missing' "case.yaml|materials|density" 'materials: [{name: glass, young: 10 MPa, poisson: 0.2}]'
+scene 'no end' "duration|step.count" 'step: {dt: 1 us}'
+scene 'unknown index' "case.yaml:8|index.name|octree|brute, linkcell, multi, bytype, hgrid" 'index: {name: octree}'
+scene 'unknown law' "case.yaml:4|contact.law|jkr|hooke, hertz" 'contact: {law: jkr}'
+scene 'unknown integrator' "case.yaml:8|integrator|euler|synchronised_verlet, velocity_verlet" 'integrator: euler'
+scene 'unknown material' "case.yaml:7|material|steel|glass" \
+    'particles: {from: single, position: [5 mm, 5 mm, 5 mm], radius: 1 mm, material: steel}'
+scene 'a pair of materials is missing' "material_pairs|steel" \
+    'materials: [{name: glass, density: 2500, young: 10 MPa, poisson: 0.2}, {name: steel, density: 7800, young: 20 MPa, poisson: 0.3}]' \
+    'material_pairs: [{between: [glass, glass], restitution: 0.5}]' \
+    'particles: {from: single, position: [5 mm, 5 mm, 5 mm], radius: 1 mm, material: glass}'
+scene 'a key of the other law' "case.yaml:6|k_n|hooke" 'material_pairs: [{restitution: 0.5, friction: 0.3, k_n: 1e5}]'
+scene 'a step above the stable one' "case.yaml:3|step.dt|stable|step.force" 'step: {count: 4, dt: 1 ms}'
+scene 'step.dt and step.fraction both' "case.yaml:3|step.fraction|step.dt" 'step: {count: 4, dt: 1 us, fraction: 0.1}'
+scene 'gravity along z in two dimensions' "case.yaml:2|gravity|two-dimensional" \
+    'box: {dimension: 2, lower: [0, 0, 0], upper: [10 mm, 10 mm, 10 mm]}'
+scene 'reduced ghosts, newton off' "case.yaml:8|ghosts|newton: on" 'ghosts: reduced' 'newton: off'
+scene 'a periodic box too thin for its particles' "case.yaml:7|diameter|periodic box in x" \
+    'box: {lower: [0, 0, 0], upper: [1 mm, 10 mm, 10 mm], periodic: [true, false, false]}' \
+    'particles: {from: single, position: [0.5 mm, 5 mm, 5 mm], radius: 1 mm}'
+scene 'a plane across a periodic direction' "case.yaml:8|walls[0].normal|periodic" \
+    'box: {lower: [0, 0, 0], upper: [10 mm, 10 mm, 10 mm], periodic: true}' \
+    'walls: [{shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}]'
+scene 'a box turned inside out' "case.yaml:1|box.upper" 'box: {lower: [0, 0, 0], upper: [10 mm, -10 mm, 10 mm]}'
+scene 'no such file' "nowhere.data|No such file" 'particles: {file: nowhere.data, format: table}'
+scene 'no such mesh' "nowhere.stl|No such file" 'walls: [{shape: mesh, file: nowhere.stl}]'
+scene 'no room for the particles' "case.yaml:7|attempts" \
+    'particles: {from: random, count: 100000, sizes: 1 mm, attempts: 10}'
+scene 'a cut tabulator of YAML' "case.yaml:8" '	index: hgrid'
+scene 'a periodic box too thin for the search' "case.yaml:1|periodic x edge|skin" \
+    'box: {lower: [0, 0, 0], upper: [2.1 mm, 10 mm, 10 mm], periodic: [true, false, false]}' \
+    'particles: {from: single, position: [1 mm, 5 mm, 5 mm], radius: 1 mm}'
+scene 'an observable of an unknown wall' "case.yaml:8|observables|lid" \
+    'observables: {every: 1, list: [{name: wall_force, target: lid}]}'
+scene 'an observable of an absent particle' "case.yaml:8|observables.list[0].id|17" 'observables: {every: 1, list: [{name: position, id: 17}]}'
+scene 'a field that the scene does not have' "case.yaml:8|torque" 'contact: {law: hertz, tangential: none}' \
+    'material_pairs: [{restitution: 0.5}]' 'output: {trajectory: {every: 2, fields: [position, torque]}}'
+
+echo '== data files'
+head='LAMMPS\n\n2 atoms\n1 atom types\n0 0.01 xlo xhi\n0 0.01 ylo yhi\n0 0.01 zlo zhi\n\nAtoms # sphere\n\n'
+first='1 1 0.002 2500 0.002 0.005 0.005\n'
+data 'truncated' "case.data|2" lammps-data "$head$first"
+data 'a word for a number' "case.data:12|not a number" lammps-data "$head$first"'2 1 wide 2500 0.006 0.005 0.005\n'
+data 'too few columns' "case.data:12" lammps-data "$head$first"'2 1 0.002 2500\n'
+data 'more atoms than announced' "case.data" lammps-data \
+    "$head$first"'2 1 0.002 2500 0.006 0.005 0.005\n3 1 0.002 2500 0.008 0.005 0.005\n'
+data 'an id twice' "case.data|id 1|twice" lammps-data "$head$first"'1 1 0.002 2500 0.006 0.005 0.005\n'
+data 'another atom style' "case.data:9|molecular|sphere" lammps-data "${head/sphere/molecular}$first"
+data 'a type without material' "case.data|type" lammps-data "$head$first"'2 2 0.002 2500 0.006 0.005 0.005\n'
+data 'empty' "case.data" lammps-data ''
+data 'no such column' "case.data:1|colour" table 'radius x y z colour\n0.001 0.005 0.005 0.005 3\n'
+data 'a word for a number' "case.data:2|here" table 'radius x y z\n0.001 here 0.005 0.005\n'
+data 'truncated row' "case.data:3" table 'radius x y z\n0.001 0.002 0.005 0.005\n0.001 0.006\n'
+data 'coinciding centres' "case.data|coincide" table 'radius x y z\n0.001 0.002 0.005 0.005\n0.001 0.002 0.005 0.005\n'
+data 'an id twice' "case.data:3|particle 7|line 2" table 'id radius x y z\n7 0.001 0.002 0.005 0.005\n7 0.001 0.006 0.005 0.005\n'
+data 'a radius of zero' "case.data:2|radius" table 'radius x y z\n0 0.002 0.005 0.005\n'
+data 'infinite position' "case.data:2|x" table 'radius x y z\n0.001 inf 0.005 0.005\n'
+write_scene case.yaml 'box: {lower: [0, 0, 0], upper: [10 mm, 10 mm, 10 mm], leave: {all: error}}' \
+    'particles: {file: case.data, format: table}'
+printf 'radius x y z\n0.001 0.002 0.005 0.005\n0.001 0.02 0.005 0.005\n' >case.data
+bad table 'a centre outside of a closed box' "case.data|outside" "$scree" run case.yaml -o new --quiet
+write_scene case.yaml 'particles: {file: case.data, format: h5md}'
+h5md() { bad h5md "$1" "$2" "$scree" run case.yaml -o new --quiet; }
+size=$(stat -c %s there/trajectory.h5)
+head -c $((size / 2)) there/trajectory.h5 >case.data
+h5md 'truncated' "case.data"
+echo 'not HDF5' >case.data
+h5md 'a text file' "case.data|HDF5"
+cp there/checkpoint-4.h5 case.data
+h5md 'a checkpoint' "case.data"
+write_scene case.yaml 'particles: {file: there/trajectory.h5, format: h5md, frame: 99}'
+h5md 'a frame that is not there' "there/trajectory.h5|99"
+
+echo '== meshes'
+# stl COUNT HEX...: a binary STL that announces COUNT triangles, of the given floats (octal escapes, little endian)
+zero='\0\0\0\0' one='\0\0\200\77' nan='\0\0\300\177'
+stl() {
+    printf '%80s' ''
+    printf "\\$(printf %03o "$1")\\0\\0\\0"
+    shift
+    printf "$zero$zero$zero"
+    printf "$1"
+    printf '\0\0'
+}
+triangle="$zero$zero$zero$one$zero$zero$zero$one$zero"
+stl 1 "$triangle" | head -c 100 >case.stl
+mesh 'binary STL cut off' "case.stl|truncated"
+stl 3 "$triangle" >case.stl
+mesh 'binary STL with fewer triangles than it says' "case.stl|3 triangles"
+stl 1 "$zero$zero$nan$one$zero$zero$zero$one$zero" >case.stl
+mesh 'a corner that is no number' "case.stl|triangle 1|not finite"
+stl 1 "$one$one$one$one$one$one$one$one$one" >case.stl
+mesh 'all corners at one point' "case.stl|one point"
+stl 1 "$zero$zero$zero$one$zero$zero$one$zero$zero" >case.stl
+mesh 'a sliver and nothing else' "case.stl|degenerate"
+: >case.stl
+mesh 'empty' "case.stl|empty"
+printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0\n' >case.stl
+mesh 'ASCII STL with a vertex of two numbers' "case.stl:5|three numbers"
+printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n' >case.stl
+mesh 'ASCII STL cut off' "case.stl|truncated"
+
+echo '== checkpoints'
+resume() { bad checkpoint "$1" "$2" "$scree" run good.yaml -o new --quiet --set step.count=6 --resume case.h5; }
+checkpoint=there/checkpoint-4.h5
+size=$(stat -c %s $checkpoint)
+for length in 0 100 4096 $((size / 2)) $((size - 1)); do
+    head -c "$length" $checkpoint >case.h5
+    resume "cut to $length of $size bytes" "case.h5"
+done
+cp $checkpoint case.h5
+printf 'more' >>case.h5
+resume 'longer than it was' "case.h5|more"
+for byte in 9 300 $((size / 4)) $((size / 2)) $((3 * size / 4)) $((size - 1)); do
+    cp $checkpoint case.h5
+    flip case.h5 "$byte" $((byte % 8))
+    resume "bit $((byte % 8)) of byte $byte of $size flipped" "case.h5"
+done
+cp there/trajectory.h5 case.h5
+resume 'another HDF5 file' "case.h5|is not a checkpoint"
+cp good.yaml case.h5
+resume 'a text file' "case.h5|is not a checkpoint"
+rm case.h5
+resume 'no such file' "case.h5|No such file"
+cp $checkpoint case.h5
+bad checkpoint 'of another box' "case.h5|box" \
+    "$scree" run good.yaml -o new --quiet --set 'box.upper=[20 mm, 10 mm, 10 mm]' --resume case.h5
+bad checkpoint 'of another law' "case.h5|contact.law" \
+    "$scree" run good.yaml -o new --quiet --set contact.rolling=spring --resume case.h5
+rm case.h5
+bad checkpoint 'the last of a folder without any' "there2" "$scree" run good.yaml -o there2 --quiet --resume last
+
+echo '== command line'
+line() { local words=$2 what=$1; shift 2; bad 'command line' "$what" "command line|$words" "$scree" "$@"; }
+line 'unknown command' "walk|run, check" walk good.yaml
+line 'unknown flag' "--fast" run good.yaml -o new --fast
+line 'a flag of another command' "--frame" run good.yaml -o new --frame 1
+line 'no -o' "-o DIR" run good.yaml
+line 'no scene' "too few" run -o new
+line 'two scenes' "one argument too many" run good.yaml good.yaml -o new
+line '-o without a folder' "needs its DIR" run good.yaml -o
+line '--set without =' "KEY=VALUE" run good.yaml -o new --set step.count
+line '--set of an unknown key' "step.cuont" run good.yaml -o new --set step.cuont=3
+line '--set of a bad value' "step.count|many" run good.yaml -o new --set step.count=many
+line '--set of an empty key' "--set" run good.yaml -o new --set =3
+line 'ablate of an unknown index' "octree" ablate good.yaml -o new --index brute,octree
+line 'convert to an unknown format' "vtk|lammps-data" convert there/trajectory.h5 new --to vtk
+bad 'command line' 'no such scene' "nowhere.yaml|No such file" "$scree" run nowhere.yaml -o new
+bad 'command line' 'a folder for a scene' "there" "$scree" run there -o new
+bad 'command line' 'a folder that exists' "there|exists already|--overwrite" "$scree" run good.yaml -o there
+bad 'command line' 'a file in place of the folder' "good.yaml|not a directory" "$scree" run good.yaml -o good.yaml --overwrite
+bad 'command line' 'a folder in a folder that is missing' "no/where|No such file" "$scree" run good.yaml -o no/where
+bad 'command line' 'info of a foreign file' "good.yaml" "$scree" info good.yaml
+bad 'command line' 'convert over a file' "good.yaml|there already" "$scree" convert there/trajectory.h5 good.yaml --to lammps-data
+
+echo '== on two ranks'
+RANKS=2
+scene 'unknown key' "case.yaml:8|gravty" 'gravty: [0, 0, -9.81]'
+data 'coinciding centres' "case.data|coincide" table 'radius x y z\n0.001 0.002 0.005 0.005\n0.001 0.002 0.005 0.005\n'
+stl 1 "$triangle" | head -c 100 >case.stl
+mesh 'binary STL cut off' "case.stl|truncated"
+head -c $((size / 2)) $checkpoint >case.h5
+resume 'cut in the middle' "case.h5"
+line '--set without =' "KEY=VALUE" run good.yaml -o new --set step.count
+bad 'command line' 'a folder that exists' "there|exists already" "$scree" run good.yaml -o there
+
+finish

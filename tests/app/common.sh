@@ -1,0 +1,70 @@
+# Sourced by the tests of the whole program (bash): finds it, gives a folder that is removed at the end, and counts checks.
+#
+# Environment: top_builddir, LAUNCH (tests/launch sets both; started by hand: top_builddir=BUILD tests/launch SCRIPT).
+
+scree=${SCREE:-$top_builddir/scree}
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+export OMP_WAIT_POLICY=passive # there may be more threads than cores
+checks=0
+failures=0
+
+# check WHAT COMMAND...: a line; a failure is counted and the script goes on
+check() {
+    local what=$1
+    shift
+    checks=$((checks + 1))
+    if "$@"; then
+        echo "passed: $what"
+    else
+        echo "FAILED: $what"
+        failures=$((failures + 1))
+    fi
+}
+
+# finish: the count, and the exit status
+finish() {
+    echo "$checks checks, $failures failed"
+    [ "$failures" = 0 ] && [ "$checks" -gt 0 ]
+    exit
+}
+
+# on RANKS COMMAND...
+on() {
+    if [ "$1" = 1 ]; then
+        shift
+        timeout 120 "$@"
+    else
+        TEST_SECONDS=120 "$LAUNCH" -n "$@"
+    fi
+}
+
+# run_scene RANKS SCENE DIR [FLAG...]: quietly; what the program says is shown if it fails
+run_scene() {
+    local ranks=$1 scene=$2 dir=$3
+    shift 3
+    on "$ranks" "$scree" run "$scene" -o "$dir" --quiet "$@" >"$out/said" 2>&1 || { local status=$?; cat "$out/said"; return $status; }
+}
+
+# number FILE KEY: a number of a report.json
+number() {
+    sed -n 's/^ *"'"$2"'": \([-0-9.e+]*\),*$/\1/p' "$1" | head -n 1
+}
+
+# within A B BOUND: |A - B| <= BOUND, all of them numbers
+within() {
+    awk -v a="$1" -v b="$2" -v bound="$3" 'BEGIN {
+        good = a ~ /^[-+0-9.e]+$/ && b ~ /^[-+0-9.e]+$/ && a - b <= bound && b - a <= bound
+        if (!good) print "  " a " and " b " differ by more than " bound
+        exit !good }'
+}
+
+# holds FILE TEXT: the file has this text
+holds() {
+    grep -qF -e "$2" "$1" || { echo "  no '$2' in:"; head -n 5 "$1"; return 1; }
+}
+
+# lacks FILE TEXT
+lacks() {
+    ! grep -F -e "$2" "$1"
+}
