@@ -172,9 +172,13 @@ static void test_nearest(void **state) {
     for (int k = 0; k < 3000; k++) {
         struct law_vector x = {2.0 * hand_random(&seed) - 0.5, 2.0 * hand_random(&seed) - 0.5,
                                2.0 * hand_random(&seed) - 1.0};
-        struct wall_nearest near = wall_touch_nearest(mesh, 0, x);
+        struct wall_nearest near = wall_touch_nearest(mesh, 0, x, INFINITY);
         assert_near(near.distance, distance_by_hand(&mesh->triangle[0], x), 1e-4);
         assert_near(sqrt(law_dot(near.to, near.to)), near.distance, 1e-14);
+        double reach = 0.1 + hand_random(&seed);
+        struct wall_nearest bounded = wall_touch_nearest(mesh, 0, x, reach);
+        assert_true(near.distance < reach ? bounded.distance == near.distance && bounded.kind == near.kind
+                                          : bounded.distance >= reach);
         kinds[near.kind]++;
     }
     assert_true(kinds[0] > 100 && kinds[1] > 100 && kinds[2] > 100);
@@ -204,7 +208,7 @@ static void test_grid(void **state) {
         for (size_t f = 0; f < n; f++)
             assert_false(seen[found[f]]++);
         for (size_t i = 0; i < mesh->triangles; i++) {
-            bool near = wall_touch_nearest(mesh, (int32_t)i, x).distance < reach;
+            bool near = wall_touch_nearest(mesh, (int32_t)i, x, INFINITY).distance < reach;
             expected += near;
             assert_int_equal(near, seen[i]);
         }
@@ -225,7 +229,7 @@ static size_t touches(const struct wall_mesh *mesh, struct law_vector x, double 
     struct wall_nearest *near = memory_allocate(mesh->triangles, sizeof *near, "test");
     size_t count = 0;
     for (size_t t = 0; t < mesh->triangles; t++) {
-        near[count] = wall_touch_nearest(mesh, (int32_t)t, x);
+        near[count] = wall_touch_nearest(mesh, (int32_t)t, x, INFINITY);
         count += near[count].distance < radius;
     }
     count = wall_touch_resolve(mesh, near, count, radius, touch);

@@ -17,7 +17,7 @@ static struct law_vector direction_of(struct law_vector to, struct law_vector in
 /* The point of the triangle's rim nearest to a centre whose foot lies outside. */
 static void rim_nearest(const struct wall_triangle *triangle, struct law_vector x,
                         struct wall_nearest *near) {
-    near->distance = INFINITY;
+    double best = INFINITY;
     for (int k = 0; k < 3; k++) {
         struct law_vector from = difference(triangle->corner[k], x);
         struct law_vector along = difference(triangle->corner[(k + 1) % 3], triangle->corner[k]);
@@ -25,33 +25,40 @@ static void rim_nearest(const struct wall_triangle *triangle, struct law_vector 
         struct law_vector to = t <= 0.0   ? from
                                : t >= 1.0 ? difference(triangle->corner[(k + 1) % 3], x)
                                           : law_add(from, t, along);
-        double distance = sqrt(law_dot(to, to));
-        if (!(distance < near->distance))
+        double square = law_dot(to, to);
+        if (!(square < best))
             continue;
-        near->distance = distance;
+        best = square;
         near->to = to;
         near->kind = t > 0.0 && t < 1.0 ? WALL_TOUCH_EDGE : WALL_TOUCH_VERTEX;
         near->feature = t <= 0.0   ? triangle->vertex[k]
                         : t >= 1.0 ? triangle->vertex[(k + 1) % 3]
                                    : triangle->edge[k];
     }
+    near->distance = sqrt(best);
 }
 
-struct wall_nearest wall_touch_nearest(const struct wall_mesh *mesh, int32_t t, struct law_vector x) {
+struct wall_nearest wall_touch_nearest(const struct wall_mesh *mesh, int32_t t, struct law_vector x,
+                                       double reach) {
     const struct wall_triangle *triangle = &mesh->triangle[t];
     const struct wall_patch *patch = &mesh->patch[triangle->patch];
     double height = law_dot(patch->normal, difference(x, patch->point));
-    struct law_vector to = law_scale(-height, patch->normal), foot = law_add(x, 1.0, to);
-    bool inside = true;
+    struct wall_nearest near = {.kind = WALL_TOUCH_FACE, .feature = triangle->patch, .triangle = t};
+    near.distance = fabs(height);
+    /* corners lie within the tolerance of the patch's plane */
+    if (near.distance >= reach + mesh->tolerance)
+        return near;
+    near.to = law_scale(-height, patch->normal);
+    struct law_vector foot = law_add(x, 1.0, near.to);
+    double outside = 0.0;
     for (int k = 0; k < 3; k++)
-        inside =
-            inside && law_dot(triangle->inward[k], difference(foot, triangle->corner[k])) >= -mesh->slack;
-    struct wall_nearest near = {.kind = WALL_TOUCH_FACE,
-                                .feature = triangle->patch,
-                                .triangle = t,
-                                .distance = fabs(height),
-                                .to = to};
-    if (!inside)
+        outside = law_max(outside, -law_dot(triangle->inward[k], difference(foot, triangle->corner[k])));
+    if (outside <= mesh->slack)
+        return near;
+    double least = sqrt(height * height + outside * outside) - 2.0 * mesh->tolerance;
+    if (least >= reach)
+        near.distance = least;
+    else
         rim_nearest(triangle, x, &near);
     return near;
 }

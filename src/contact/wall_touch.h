@@ -42,8 +42,10 @@ struct wall_nearest {
     struct law_vector to; /* from the centre to the point; face: perpendicular to the patch */
 };
 
-/* The point of triangle t nearest to x, both in the body's frame. Any thread. */
-struct wall_nearest wall_touch_nearest(const struct wall_mesh *mesh, int32_t t, struct law_vector x);
+/* The point of triangle t nearest to x, both in the body's frame. Where that is farther than `reach`, only
+ * the distance is set, and may be anything from `reach` on. Any thread. */
+struct wall_nearest wall_touch_nearest(const struct wall_mesh *mesh, int32_t t, struct law_vector x,
+                                       double reach);
 
 /* Second stage: makes contacts of the `count` nearest points of triangles (all of those that may touch; order
  * is changed) that are nearer than the radius; `touch` has room for `count`. Normals are in the body's frame.

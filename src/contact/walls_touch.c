@@ -35,12 +35,20 @@ static size_t touch_mesh(const struct walls *walls, const struct wall_piece *pie
     const struct wall *wall = &walls->wall[piece->wall];
     struct law_vector here = x;
     size_t count = 0;
+    int32_t face = -1; /* a patch with a contact: the rest of it can have none */
     for (size_t k = 0; k < pieces; k++) {
-        if (k == 0 || piece[k].image != piece[k - 1].image)
+        if (k == 0 || piece[k].image != piece[k - 1].image) {
+            face = -1;
             here = walls_into_body(wall, law_add(x, -1.0, walls_shift(walls, piece->wall, piece[k].image)));
-        scratch->near[count] = wall_touch_nearest(wall->mesh, piece[k].triangle, here);
-        scratch->near[count].image = piece[k].image;
-        count += scratch->near[count].distance < radius;
+        }
+        if (wall->mesh->triangle[piece[k].triangle].patch == face)
+            continue;
+        struct wall_nearest near = wall_touch_nearest(wall->mesh, piece[k].triangle, here, radius);
+        if (!(near.distance < radius))
+            continue;
+        near.image = piece[k].image;
+        scratch->near[count++] = near;
+        face = near.kind == WALL_TOUCH_FACE ? near.feature : face;
     }
     count = wall_touch_resolve(wall->mesh, scratch->near, count, radius, scratch->touch);
     for (size_t k = 0; wall->moving && k < count; k++)
