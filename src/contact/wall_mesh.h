@@ -20,12 +20,11 @@
 #include <stdio.h>
 
 struct wall_triangle {
-    struct law_vector corner[3];
-    struct law_vector inward[3]; /* edge k runs from corner k to k + 1: unit vector in the patch's plane,
-                                    perpendicular to it, towards the inside */
     int32_t patch;
-    int32_t edge[3];   /* feature of edge k; -1: none */
-    int32_t vertex[3]; /* feature of corner k; -1: none */
+    int32_t edge[3];             /* feature of edge k, which runs from corner k to k + 1; -1: none */
+    int32_t vertex[3];           /* feature of corner k; -1: none */
+    struct law_vector inward[3]; /* unit vector in the patch's plane across edge k, towards the inside */
+    struct law_vector corner[3];
 };
 
 struct wall_patch {

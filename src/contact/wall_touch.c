@@ -117,7 +117,8 @@ size_t wall_touch_resolve(const struct wall_mesh *mesh, struct wall_nearest *nea
                           double radius, struct wall_touch *touch) {
     double tolerance = fmin(mesh->tolerance, 1e-3 * radius);
     size_t taken = 0;
-    nearest_sort(near, count);
+    if (count > 1)
+        nearest_sort(near, count);
     for (size_t k = 0; k < count; k++) {
         const struct wall_nearest *one = &near[k];
         if (!(one->distance < radius) || one->feature < 0 || hidden(touch, taken, one->to, tolerance))

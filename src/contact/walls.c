@@ -68,6 +68,7 @@ static void wall_find_images(struct wall *wall, const struct box *box) {
 static void wall_update(struct wall *wall) {
     wall->point_now = wall_transform_point(&wall->pose, wall->point);
     wall->axis_now = wall_turn(wall->pose.rotation, wall->axis);
+    wall->centre_now = wall_transform_point(&wall->pose, wall->centre);
 }
 
 static void wall_place(struct wall *wall, double t) {
@@ -267,16 +268,15 @@ double walls_displacement(const struct walls *walls) {
 
 void walls_pose(const struct walls *walls, int wall, struct wall_pose *pose) {
     const struct wall *w = &walls->wall[wall];
-    struct law_vector centre = wall_transform_point(&w->pose, w->centre);
     *pose = (struct wall_pose){.servo_speed = w->servo_speed, .servo_offset = w->servo_offset};
     memcpy(pose->rotation, w->pose.rotation, sizeof pose->rotation);
     memcpy(pose->translation, w->pose.translation, sizeof pose->translation);
     memcpy(pose->base_rotation, w->base.rotation, sizeof pose->base_rotation);
     memcpy(pose->base_translation, w->base.translation, sizeof pose->base_translation);
     memcpy(pose->force, walls->force[wall], sizeof pose->force);
-    put(pose->velocity, wall_twist_at(&w->twist, centre));
+    put(pose->velocity, wall_twist_at(&w->twist, w->centre_now));
     put(pose->omega, w->twist.omega);
-    put(pose->centre, centre);
+    put(pose->centre, w->centre_now);
 }
 
 void walls_set_pose(struct walls *walls, int wall, const struct wall_pose *pose) {

@@ -91,14 +91,13 @@ static void apply(const struct wall_task *task, int w, const struct wall_contact
     const struct wall *wall = &task->walls->wall[w];
     double *force = p->force + task->particle * (size_t)p->force_stride;
     double *on_wall = task->scratch->force[w];
-    struct law_vector centre = wall_transform_point(&wall->pose, wall->centre);
     add_to(force, -1.0, c->out.force);
     if (task->law.friction) {
         add_to(force + 4, c->lever, c->out.moment);
         add_to(force + 4, -1.0, c->out.rolling);
     }
     add_to(on_wall, 1.0, c->out.force);
-    add_to(on_wall + 3, 1.0, law_cross(law_add(c->at, -1.0, centre), c->out.force));
+    add_to(on_wall + 3, 1.0, law_cross(law_add(c->at, -1.0, wall->centre_now), c->out.force));
     add_to(on_wall + 3, 1.0, c->out.rolling);
 }
 
@@ -218,7 +217,7 @@ static void add_sums(struct force_sums *total, const struct force_sums *part) {
 
 /* Work on the particles in this step, with the mean of the forces before and after it. */
 static double wall_work(const struct wall *wall, const double before[6], const double now[6], double dt) {
-    struct law_vector velocity = wall_twist_at(&wall->twist, wall_transform_point(&wall->pose, wall->centre));
+    struct law_vector velocity = wall_twist_at(&wall->twist, wall->centre_now);
     struct law_vector force = law_add(wall_vector(before), 1.0, wall_vector(now));
     struct law_vector torque = law_add(wall_vector(before + 3), 1.0, wall_vector(now + 3));
     return -0.5 * dt * (law_dot(force, velocity) + law_dot(torque, wall->twist.omega));
@@ -248,6 +247,10 @@ void walls_forces(const struct walls *walls, double (*force_torque)[6]) {
 
 double walls_work(const struct walls *walls) {
     return walls->work;
+}
+
+void walls_set_work(struct walls *walls, double work) {
+    walls->work = work;
 }
 
 static struct force_contact contact_of(const struct wall_task *task, int w, const struct wall_contact *c) {

@@ -32,6 +32,7 @@ struct wall {
     bool resumed; /* the pose was set from outside: `base` has still to be found */
 
     struct law_vector point_now, axis_now; /* point and axis at the pose */
+    struct law_vector centre_now;          /* and the centre */
     struct wall_transform built;           /* the pose at the last walls_build */
     bool images;                           /* felt through periodic images */
     double wrap[3];                        /* brings the centre into the box, at the last walls_build */
