@@ -138,6 +138,7 @@ void walls_forces(const struct walls *walls, double (*force_torque)[6]);
 /* Work that walls did on particles since the start, this rank's part; energy. Mean of the forces at both ends
  * of a step times the motion in it. */
 double walls_work(const struct walls *walls);
+void walls_set_work(struct walls *walls, double work); /* for a resume */
 
 /* Contacts with walls now, for the contact list: id_j = -(wall + 1). Allocated (memory_free). */
 size_t walls_contacts(const struct walls *walls, const struct force_context *context,

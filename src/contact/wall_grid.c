@@ -127,7 +127,8 @@ static size_t query_cell(const struct wall_grid *grid, const struct cell_range *
     for (size_t k = grid->start[c]; k < grid->start[c + 1]; k++) {
         int32_t t = grid->triangle[k];
         struct cell_range range = triangle_range(grid, (size_t)t);
-        if (!first_shared(query, &range, cell) || !(wall_touch_nearest(grid->mesh, t, x, reach).distance < reach))
+        if (!first_shared(query, &range, cell) ||
+            !(wall_touch_nearest(grid->mesh, t, x, reach).distance < reach))
             continue;
         if (out)
             out[count] = t;
