@@ -4,11 +4,12 @@
 #include "app/simulation.h"
 #include "core/memory.h"
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* What the counters of a checkpoint mean; insertions follow, three numbers each. */
 enum { COUNTER_STEP_BASE, COUNTER_TIME_BASE, COUNTER_INSERTED, COUNTER_DELETED, COUNTER_INSERTION };
-enum { SUM_DISSIPATED };
+enum { SUM_DISSIPATED, SUM_WALL_WORK };
 enum { INSERTION_COUNTERS = 3 };
 
 _Static_assert((int)COUNTER_INSERTION + INSERTION_COUNTERS * (int)INSERTIONS_MAX <= (int)CHECKPOINT_COUNTERS,
@@ -40,6 +41,7 @@ static void numbers_put(const struct simulation *s, struct checkpoint_numbers *n
         counter[2] = bits_of(s->insertion_state[k].mass);
     }
     n->sum[SUM_DISSIPATED] = s->dissipated;
+    n->sum[SUM_WALL_WORK] = s->walls ? walls_work(s->walls) : 0;
 }
 
 static void numbers_take(struct simulation *s, const struct checkpoint_numbers *n) {
@@ -55,13 +57,42 @@ static void numbers_take(struct simulation *s, const struct checkpoint_numbers *
         s->insertion_state[k] = (struct insertion_state){counter[0], counter[1], double_of(counter[2])};
     }
     s->dissipated = n->sum[SUM_DISSIPATED];
+    if (s->walls)
+        walls_set_work(s->walls, n->sum[SUM_WALL_WORK]);
     s->resumed_dt = n->dt;
+}
+
+static int row_compare(const void *a, const void *b) {
+    const struct history_row *x = a, *y = b;
+    if (x->partner != y->partner)
+        return x->partner < y->partner ? -1 : 1;
+    return memcmp(x->separation, y->separation, sizeof x->separation);
+}
+
+/* Threads leave a particle's rows in any order; sorted, the same state gives the same file. */
+static void rows_sort(struct history_rows *rows, size_t owned) {
+    for (size_t i = 0; rows->start && i < owned; i++)
+        qsort(rows->row + rows->start[i], rows->start[i + 1] - rows->start[i], sizeof *rows->row,
+              row_compare);
+}
+
+/* A resume gives all forces on walls to the first rank; so does the run that goes on. */
+static void wall_forces_gather(struct simulation *s) {
+    double force[WALLS_MAX][6];
+    walls_forces(s->walls, force);
+    comm_sum(s->comm, force[0], 6 * walls_count(s->walls));
+    if (s->comm->rank > 0)
+        memset(force, 0, sizeof force);
+    walls_set_forces(s->walls, force);
 }
 
 bool resume_write(struct simulation *s, const struct output_run *run, const char *suffix,
                   struct error *error) {
     struct rebuild_rows rows;
     rebuild_detach(s, true, &rows); /* whoever reads it may divide the particles otherwise */
+    rows_sort(&rows.pairs, s->particles->owned);
+    if (s->walls && !s->alone)
+        wall_forces_gather(s);
     struct checkpoint checkpoint = {.particles = s->particles,
                                     .box = &s->scene->box,
                                     .history_components = s->law.history_components,

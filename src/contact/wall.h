@@ -134,6 +134,7 @@ void walls_finish(struct walls *walls, const struct force_context *context, stru
 /* Force and torque (about the wall's centre) of the particles on each wall in the last evaluation, this
  * rank's part: 6 doubles a wall. */
 void walls_forces(const struct walls *walls, double (*force_torque)[6]);
+void walls_set_forces(struct walls *walls, double (*force_torque)[6]); /* shares them out otherwise */
 
 /* Work that walls did on particles since the start, this rank's part; energy. Mean of the forces at both ends
  * of a step times the motion in it. */

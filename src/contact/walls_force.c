@@ -245,6 +245,10 @@ void walls_forces(const struct walls *walls, double (*force_torque)[6]) {
     memcpy(force_torque, walls->force, (size_t)walls->count * sizeof *walls->force);
 }
 
+void walls_set_forces(struct walls *walls, double (*force_torque)[6]) {
+    memcpy(walls->force, force_torque, (size_t)walls->count * sizeof *walls->force);
+}
+
 double walls_work(const struct walls *walls) {
     return walls->work;
 }
