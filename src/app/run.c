@@ -262,7 +262,9 @@ int run_scene(const struct comm *comm, const struct scene *scene, const struct r
         report_create(&own, comm->size);
         report_fill(&run, setup, &own);
         outputs_close(&run.outputs, comm, error);
-        report_out(&run, &own, error);
+        struct error unwritten = {0};
+        if (!report_out(&run, &own, &unwritten) && error->kind == ERROR_NONE)
+            *error = unwritten;
         if (report)
             *report = own;
         else
