@@ -1,0 +1,182 @@
+#!/usr/bin/env bash
+# Resuming from a checkpoint: bit for bit on the same layout, within rounding on another one; with other gravity and
+# duration; after SIGTERM and SIGKILL; files that go on where they stood.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+cd "$out" || exit 1
+
+# Friction, rolling, two materials, periodic sides, an oscillating floor, a lid that is pushed down, a mesh, a group
+printf 'solid step\nfacet normal 0 0 1\nouter loop\nvertex 1 1 1.5\nvertex 5 1 1.5\nvertex 3 5 1.5\nendloop\nendfacet\nendsolid\n' >step.stl
+cat >scene.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [6, 6, 9], periodic: [true, true, false]}
+gravity: [0, 0, -1]
+step: {dt: 0.001, count: 120}
+contact: {law: hooke, rolling: spring}
+materials: [{name: soft, density: 1}, {name: hard, density: 2}]
+material_pairs: [{restitution: 0.6, friction: 0.5, rolling_friction: 0.05, k_n: 1500}]
+walls:
+  - {name: floor, shape: plane, material: hard, point: [0, 0, 0.2], normal: [0, 0, 1],
+     motion: [{kind: oscillate, direction: [0, 0, 1], amplitude: 0.1, frequency: 5}]}
+  - {name: lid, shape: plane, material: hard, point: [0, 0, 8.2], normal: [0, 0, -1],
+     motion: [{kind: servo, direction: [0, 0, 1], force: 50, speed_max: 2}]}
+  - {name: step, shape: mesh, material: soft, file: step.stl}
+groups: [{name: stuck, motion: frozen, select: {ids: [12]}}]
+particles:
+  sources:
+    - {from: random, count: 12, material: hard, velocity_sigma: 4, sizes: 0.9, region: {shape: box, lower: [0, 0, 1.6], upper: [6, 6, 8]}}
+    - {from: random, count: 300, material: soft, velocity_sigma: 4, sizes: {law: uniform, min: 0.22, max: 0.35}, region: {shape: box, lower: [0, 0, 1.6], upper: [6, 6, 8]}}
+skin: {relative: 0.2}
+output: {checkpoint: {every: 80, keep: 9}}
+guards: {overlap_bound: 0.9}
+EOF
+
+# contacts with history in a checkpoint, or the tests below would test nothing
+rows() {
+    "$scree" info "$1" | awk -v name="$2" '$1 == name { print $2; found = 1 } END { exit !found }'
+}
+
+# contents CHECKPOINT: name, bytes and checksum of each dataset, from the table at its head (between the datasets HDF5 may
+# leave what it likes)
+contents() {
+    head -c 8192 "$1" | grep -a '^dataset ' | awk '{ print $2, $4, $6 } END { exit NR < 20 }'
+}
+
+# same_layout RANKS THREADS: whole: 120 steps; then again from step 80
+same_layout() {
+    local whole=whole-$1-$2 again=again-$1-$2
+    run_scene "$1" scene.yaml "$whole" --set threads="$2" || return 1
+    run_scene "$1" scene.yaml "$again" --set threads="$2" --resume "$whole/checkpoint-80.h5" || return 1
+    [ "$(number "$again/report.json" steps)" = 40 ] || { echo '  not 40 steps'; return 1; }
+    contents "$whole/checkpoint-120.h5" >whole.txt && contents "$again/checkpoint-120.h5" >again.txt || return 1
+    diff whole.txt again.txt
+}
+
+for layout in '1 1' '1 2' '2 1' '2 2'; do
+    check "resumed bit for bit on ranks x threads $layout" same_layout $layout
+done
+history_there() {
+    local pairs walls
+    pairs=$(rows whole-1-1/checkpoint-80.h5 /history/partner) && walls=$(rows whole-1-1/checkpoint-80.h5 /wall_history/wall_patch) &&
+        [ "$pairs" -gt 800 ] && [ "$walls" -ge 40 ]
+}
+check 'more than fifty contacts between particles, five with walls are remembered' history_there
+
+# other_layout FROM TO: the same 20 steps on other ranks
+other_layout() {
+    local bound=1e-11 from=whole-$1-1
+    [ -e "$from" ] || run_scene "$1" scene.yaml "$from" --set threads=1 || return 1
+    for ranks in "$1" "$2"; do
+        run_scene "$ranks" scene.yaml "other-$ranks" --overwrite --set threads=1 --set output.dump.every=20 --set step.count=100 \
+            --resume "$from/checkpoint-80.h5" || return 1
+    done
+    awk -f "$top_srcdir/examples/bidisperse/compare.awk" "other-$1/dump.lammpstrj" "other-$2/dump.lammpstrj" >difference || return 1
+    awk -v bound=$bound '{ for (k = 1; k < NF; k++) if ($k == "position" || $k == "velocity") { seen++; worse += !($(k + 1) <= bound) } }
+        END { if (seen < 2 || worse) { print "  " $0; exit 1 } }' difference
+}
+check 'resumed on 3 ranks what 1 rank wrote' other_layout 1 3
+check 'resumed on 2 ranks what 3 ranks wrote' other_layout 3 2
+
+# Frames every few steps: a run that stopped beyond its last checkpoint goes on in the same folder
+cat >frames.txt <<'EOF'
+--set output.trajectory.every=8 --set output.trajectory.contacts=16 --set output.dump.every=6 --set observables.every=4
+EOF
+files_go_on() {
+    local flags ranks=$1
+    flags=$(cat frames.txt)
+    run_scene "$ranks" scene.yaml "smooth$ranks" $flags || return 1
+    run_scene "$ranks" scene.yaml "broken$ranks" $flags --set step.count=110 --set output.checkpoint.at_end=false || return 1
+    run_scene "$ranks" scene.yaml "broken$ranks" $flags --resume last || return 1
+    for dir in "smooth$ranks" "broken$ranks"; do
+        "$scree" convert "$dir/trajectory.h5" "$dir/frames.lammpstrj" || return 1
+        sort "$dir/trajectory.xdmf" >"$dir/shown" # fields may change places
+        "$scree" info "$dir/trajectory.h5" | tail -n +2 >"$dir/told"
+    done
+    for file in dump.lammpstrj observables.csv frames.lammpstrj told shown; do
+        cmp "smooth$ranks/$file" "broken$ranks/$file" || return 1
+    done
+    [ "$(grep -c 'ITEM: TIMESTEP' "smooth$ranks/frames.lammpstrj")" = 16 ] && [ "$(wc -l <"smooth$ranks/observables.csv")" = 32 ]
+}
+check 'files of a run that stopped and went on equal those of one that did not' files_go_on 1
+check 'so on two ranks' files_go_on 2
+
+# A resume may change gravity and duration: a free fall that turns aside after 1 s
+cat >fall.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [100, 100, 100]}
+gravity: [0, 0, -2]
+duration: 1
+step: {dt: 0.001, force: true}
+contact: {law: hooke, tangential: none}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.6, k_n: 1000}]
+particles: {from: single, position: [50, 50, 50], radius: 1}
+observables: {every: {time: 1}, list: [{name: position, id: 1}]}
+EOF
+turned_aside() {
+    run_scene 1 fall.yaml fall && run_scene 1 fall.yaml fall --resume last --set 'gravity=[4, 0, 0]' --set duration=3 || return 1
+    # x = 50 + 4 2^2 / 2; z = 49 - 2 2; a step's share of either acceleration apart
+    [ "$(wc -l <fall/observables.csv)" = 5 ] &&
+        tail -n 1 fall/observables.csv | awk -F, '{ exit !($1 == 3 && $2 - 58 < 0.01 && 58 - $2 < 0.01 && $3 == 50 && $4 - 45 < 0.01 && 45 - $4 < 0.01) }' ||
+        { cat fall/observables.csv; return 1; }
+}
+check 'resumed with other gravity and duration' turned_aside
+
+# wait_for PATTERN: until there is such a file (30 s)
+wait_for() {
+    local k
+    for k in $(seq 300); do
+        compgen -G "$1" >/dev/null && return 0
+        sleep 0.1
+    done
+    echo "  no $1"
+    return 1
+}
+
+# newest DIR: the last checkpoint's step
+newest() {
+    find "$1" -name 'checkpoint-*.h5' | sed 's/.*checkpoint-\([0-9]*\)\.h5/\1/' | sort -n | tail -n 1
+}
+
+# goes_on DIR: its last checkpoint is whole, and ten more steps can be made
+goes_on() {
+    local step
+    step=$(newest "$1")
+    "$scree" info "$1/checkpoint-$step.h5" | grep -q 'checkpoint, whole' || { echo '  not whole'; return 1; }
+    run_scene 1 scene.yaml "$1" --resume last --set step.count=$((step + 10)) || return 1
+    [ -e "$1/checkpoint-$((step + 10)).h5" ] && [ "$(number "$1/report.json" steps)" = 10 ]
+}
+
+# stopped RANKS: SIGTERM to one rank
+stopped() {
+    local dir=stopped$1 status
+    on "$1" "$scree" run scene.yaml -o $dir --quiet --set step.count=100000000 --set output.checkpoint.every=1000000 \
+        --set output.dump.every=50 >"$out/said" 2>&1 &
+    local starter=$!
+    wait_for $dir/dump.lammpstrj || return 1
+    sleep 0.3
+    local child=$starter
+    while [ -n "$child" ] && [ "$(cat /proc/"$child"/comm)" != "$(basename "$scree")" ]; do
+        child=$(pgrep -P "$child" | tail -n 1)
+    done
+    kill -TERM "$child" || return 1
+    wait $starter
+    status=$?
+    [ $status = 143 ] || { echo "  status $status"; cat "$out/said"; return 1; }
+    [ "$(number $dir/report.json last_step)" = "$(newest $dir)" ] || { echo '  no checkpoint of the last step'; return 1; }
+    grep -q '"stopped": "signal 15"' $dir/report.json && goes_on $dir
+}
+check 'SIGTERM: a checkpoint, status 143, and it goes on' stopped 1
+check 'SIGTERM to one of two ranks' stopped 2
+
+killed() {
+    "$scree" run scene.yaml -o killed --quiet --set step.count=100000000 --set output.checkpoint.every=50 --set output.checkpoint.keep=2 &
+    local victim=$!
+    wait_for 'killed/checkpoint-*00.h5' || return 1
+    kill -KILL $victim
+    wait $victim 2>/dev/null
+    goes_on killed
+}
+check 'SIGKILL: the last checkpoint is whole, and it goes on' killed
+
+finish
