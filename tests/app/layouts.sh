@@ -1,0 +1,150 @@
+#!/usr/bin/env bash
+# The same forces on every layout: indexes, newton on and off, reduced ghosts, 1, 2, 3, 4 and 8 ranks (27 with
+# SCREE_LONG). After at least three rebuilds with migration all forces must agree with those of brute on one rank within
+# max(1e-12, 8 eps L / largest overlap) of the largest force, eps L being the rounding of a coordinate; the pairs and
+# contacts counted must be the same; momentum must be what it was where nothing acts from outside.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+cd "$out" || exit 1
+
+common='units: none
+guards: {overlap_bound: 1.5}
+materials: [{name: soft, density: 1}, {name: hard, density: 3}]
+material_pairs: [{restitution: 0.7, friction: 0.4, k_n: 1000}]
+contact: {law: hooke}
+output: {dump: {every: 40}, checkpoint: {at_end: false}}
+observables: {every: 40, list: [{name: momentum}, {name: overlap_max}]}
+'
+# Rebuilds at steps 10, 20, 30, 40, so that all layouts end with the pairs of the same step; particles are fast, so that some
+# migrate at each
+{
+    echo "$common"
+    cat <<'EOF'
+box: {lower: [0, 0, 0], upper: [8, 8, 8], periodic: true}
+step: {dt: 0.0005, count: 40, rebuild_every: 10}
+skin: {length: 0.6}
+particles:
+  sources:
+    - {from: random, count: 20, material: hard, sizes: 0.9, velocity_sigma: 6}
+    - {from: random, count: 700, material: soft, sizes: {law: uniform, min: 0.12, max: 0.2}, velocity_sigma: 6}
+EOF
+} >periodic.yaml
+{
+    echo "$common"
+    cat <<'EOF'
+box: {lower: [-1, 0, 0], upper: [9, 8, 8], periodic: [false, true, false]}
+gravity: [0, 0, -10]
+step: {dt: 0.0005, count: 40, rebuild_every: 10}
+skin: {length: 0.6}
+walls:
+  - {name: floor, shape: plane, material: hard, point: [0, 0, 0.4], normal: [0, 0, 1]}
+  - {name: left, shape: plane, material: soft, point: [-0.4, 0, 0], normal: [1, 0, 0],
+     motion: [{kind: translate, velocity: [2, 0, 0]}]}
+particles:
+  sources:
+    - {from: random, count: 15, material: hard, sizes: 0.8, velocity_sigma: 6, region: {shape: box, lower: [0, 0, 0.4], upper: [9, 8, 5]}}
+    - {from: random, count: 600, material: soft, sizes: {law: uniform, min: 0.12, max: 0.2}, velocity_sigma: 6, region: {shape: box, lower: [0, 0, 0.4], upper: [9, 8, 5]}}
+EOF
+} >open.yaml
+{
+    echo "$common"
+    cat <<'EOF'
+box: {dimension: 2, lower: [0, 0, 0], upper: [12, 12, 1], periodic: [true, false, false]}
+gravity: [0, -5, 0]
+step: {dt: 0.0005, count: 40, rebuild_every: 10}
+skin: {length: 0.6}
+walls: [{shape: plane, material: hard, point: [0, 0.2, 0], normal: [0, 1, 0]}]
+particles:
+  sources:
+    - {from: random, count: 12, material: hard, sizes: 0.8, velocity_sigma: 6, region: {shape: box, lower: [0, 0.3, 0], upper: [12, 8, 1]}}
+    - {from: random, count: 400, material: soft, sizes: {law: uniform, min: 0.1, max: 0.16}, velocity_sigma: 6, region: {shape: box, lower: [0, 0.3, 0], upper: [12, 8, 1]}}
+EOF
+} >plane.yaml
+{
+    echo "$common"
+    cat <<'EOF'
+box: {lower: [0, 0, 0], upper: [8, 8, 8], periodic: true}
+step: {dt: 0.0005, count: 40, rebuild_every: 10}
+skin: {length: 0.6}
+particles:
+  sources:
+    - {from: single, position: [3, 4, 4.5], radius: 2, material: hard, velocity: [5, 3, 1]}
+    - {from: random, count: 900, material: soft, sizes: {law: uniform, min: 0.08, max: 0.15}, velocity_sigma: 8}
+EOF
+} >boulder.yaml
+
+# bound_of CASE EDGE: from the largest overlap and the longest edge
+bound_of() {
+    awk -F, -v edge="$2" 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^overlap_max/) column = k }
+        END { bound = 8 * 2.2e-16 * edge / $column; if (bound < 1e-12) bound = 1e-12
+            printf "%.3g", bound }' "$1-first/observables.csv"
+}
+
+# last_frame DIR: the dump's last step alone
+last_frame() {
+    awk '/^ITEM: TIMESTEP/ { text = "" } { text = text $0 "\n" } END { printf "%s", text }' "$1/dump.lammpstrj" >"$1/last"
+}
+
+# momentum_kept DIR: the last row's momentum is the first one's
+momentum_kept() {
+    awk -F, 'NR == 2 { for (k = 2; k <= 4; k++) first[k] = $k }
+        END { for (k = 2; k <= 4; k++) { d = $k - first[k]; if (!(d < 1e-9 && d > -1e-9)) bad = 1 }
+            if (bad || NR < 3) print "  momentum changed"; exit bad || NR < 3 }' "$1/observables.csv"
+}
+
+# reference CASE: brute on one rank
+reference() {
+    run_scene 1 "$1.yaml" "$1-first" --set index=brute --set threads=1 && last_frame "$1-first" || return 1
+    local rebuilds contacts
+    rebuilds=$(number "$1-first/report.json" rebuilds)
+    contacts=$(number "$1-first/report.json" contacts)
+    echo "  $rebuilds rebuilds, $contacts contacts, bound $(bound_of "$1" 12)"
+    [ "$rebuilds" = 4 ] && [ "$contacts" -ge 10 ] && [ "$(number "$1-first/report.json" dangerous_rebuilds)" = 0 ]
+}
+
+# layout CASE RANKS INDEX NEWTON GHOSTS [SKIN]; with a skin rebuilds come when it is used up, on each layout at other steps
+layout() {
+    local dir=$1-other key force keys='particles contacts dangerous_rebuilds pairs rebuilds'
+    run_scene "$2" "$1.yaml" "$dir" --overwrite --set threads=1 --set index="$3" --set newton="$4" --set ghosts="$5" \
+        ${6:+--set skin.length="$6" --set step.rebuild_every=0} || return 1
+    last_frame "$dir"
+    if [ -n "${6:-}" ]; then
+        keys='particles contacts dangerous_rebuilds'
+        [ "$(number "$dir/report.json" rebuilds)" -ge 4 ] || { echo '  few rebuilds'; return 1; }
+    fi
+    for key in $keys; do
+        [ "$(number "$1-first/report.json" $key)" = "$(number "$dir/report.json" $key)" ] ||
+            { echo "  $key: $(number "$1-first/report.json" $key) and $(number "$dir/report.json" $key)"; return 1; }
+    done
+    force=$(awk -f "$top_srcdir/examples/bidisperse/compare.awk" "$1-first/last" "$dir/last") || return 1
+    within "$(echo "$force" | awk '{ print $2 }')" 0 "$(bound_of "$1" 12)" || return 1
+    case $1 in
+    periodic | boulder) momentum_kept "$dir" ;;
+    esac
+}
+
+for case in periodic open plane boulder; do
+    check "$case: the reference moves enough" reference $case
+    for setting in '1 linkcell on full' '1 multi off full' '1 bytype on full' '1 hgrid off full' \
+        '2 hgrid on full' '3 bytype on reduced' '4 hgrid off full' '8 hgrid on reduced' '4 hgrid on reduced 0.04' \
+        '2 bytype off full 0.04'; do
+        check "$case: ranks, index, newton, ghosts (, skin): $setting" layout $case $setting
+    done
+done
+# what is left of the product, on the case with everything
+for setting in '2 brute on full' '2 linkcell off full' '3 multi on reduced' '4 bytype on full' '4 linkcell on reduced' '8 multi off full'; do
+    check "open: ranks, index, newton, ghosts: $setting" layout open $setting
+done
+if [ -n "${SCREE_LONG:-}" ]; then
+    for case in periodic open plane boulder; do
+        for index in brute linkcell multi bytype hgrid; do
+            for setting in 'on full' 'on reduced' 'off full'; do
+                for ranks in 1 2 3 4 8 27; do
+                    check "$case: ranks, index, newton, ghosts: $ranks $index $setting" layout $case $ranks $index $setting
+                done
+            done
+        done
+    done
+fi
+
+finish
