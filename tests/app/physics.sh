@@ -1,0 +1,233 @@
+#!/usr/bin/env bash
+# Small scenes with a known outcome, through the whole program: plane against mesh, nothing of friction without friction,
+# particles that come and go, moving walls, guards, conversions, ablation.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+cd "$out" || exit 1
+
+# column FILE NAME: the last row's value of a column whose name begins so
+column() {
+    awk -F, -v name="$2" 'NR == 1 { for (k = 1; k <= NF; k++) if (index($k, name) == 1) at = k } END { if (at) print $at; else print "no column " name }' "$1"
+}
+
+echo '== plane against mesh'
+# mesh COLUMNS ROWS: a table of triangles that tile [-2, 6] x [-2, 4] at z = 0
+triangles() {
+    awk -v nx="$1" -v ny="$2" 'BEGIN { for (i = 0; i < nx; i++) for (j = 0; j < ny; j++) {
+        x = -2 + 8 * i / nx; X = -2 + 8 * (i + 1) / nx; y = -2 + 6 * j / ny; Y = -2 + 6 * (j + 1) / ny
+        printf "%.17g %.17g 0 %.17g %.17g 0 %.17g %.17g 0\n", x, y, X, y, X, Y
+        printf "%.17g %.17g 0 %.17g %.17g 0 %.17g %.17g 0\n", x, y, X, Y, x, Y } }'
+}
+triangles 1 1 >two.txt
+triangles 25 20 >thousand.txt
+cat >roll.yaml <<'EOF'
+units: none
+box: {lower: [-2, -2, -1], upper: [6, 4, 3]}
+gravity: [0.5, 0.2, -10]
+step: {dt: 0.0002, count: 10000}
+contact: {law: hertz}
+materials: [{name: soft, density: 1, young: 1e5, poisson: 0.25}]
+material_pairs: [{restitution: 0.6, friction: 0.4}]
+particles: {from: single, position: [0.1, 0.1, 0.7], radius: 0.5, velocity: [1, 0.3, 0], omega: [0, -3, 1]}
+observables: {every: 20, list: [{name: position, id: 1}, {name: energy_rotational}]}
+output: {checkpoint: {at_end: false}}
+EOF
+{ cat roll.yaml; echo 'walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}]'; } >plane.yaml
+for mesh in two thousand; do
+    { cat roll.yaml; echo "walls: [{name: floor, shape: mesh, file: $mesh.txt}]"; } >$mesh.yaml
+done
+# same_path A B: x, y, z within 1e-9 of the radius at all rows
+same_path() {
+    paste -d, "$1/observables.csv" "$2/observables.csv" | awk -F, 'NR > 1 { for (k = 2; k <= 4; k++) {
+        d = $k - $(k + NF / 2); d = d < 0 ? -d : d; if (!(d <= most)) most = d } }
+        END { printf "  %d rows, largest difference %.2g of the radius\n", NR - 1, most / 0.5; exit !(NR == 502 && most <= 1e-9 * 0.5) }'
+}
+for run in plane two thousand; do
+    check "$run runs" run_scene 1 $run.yaml $run
+done
+rolled() { # bounced, then rolls: in touch at the end, turned by friction, has come over several triangles
+    within "$(column plane/observables.csv particle1_z)" 0.5 0.01 && [ "$(number plane/report.json contacts)" = 1 ] &&
+        awk -v x="$(column plane/observables.csv particle1_x)" 'BEGIN { exit !(x > 1.5) }'
+}
+check 'the sphere bounced and rolls' rolled
+check 'plane and 2 triangles' same_path plane two
+check 'plane and 1,000 triangles' same_path plane thousand
+
+echo '== without friction nothing of friction'
+cat >smooth.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [10, 10, 10]}
+gravity: [0, 0, -10]
+step: {dt: 0.0005, count: 100}
+contact: {law: hooke, tangential: none}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.6, k_n: 1000}]
+walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}]
+particles: {from: random, count: 60, sizes: 0.6, velocity_sigma: 3}
+output: {trajectory: {every: 50}}
+EOF
+check 'the scene runs' run_scene 1 smooth.yaml smooth
+"$scree" check smooth.yaml >needs.txt 2>&1
+"$scree" info smooth/trajectory.h5 >inside.txt 2>&1
+"$scree" info smooth/checkpoint-100.h5 >kept.txt 2>&1
+not_needed() {
+    local field
+    for field in angular_velocity torque; do
+        grep -q "^ *$field  *-  *not needed" needs.txt || { echo "  $field is needed:"; cat needs.txt; return 1; }
+        lacks inside.txt $field && lacks kept.txt $field || return 1
+    done
+    holds needs.txt 'history: none' && lacks kept.txt /history && lacks kept.txt /wall_history && holds inside.txt velocity && holds kept.txt /particles/force
+}
+check 'no spin, torque and history in memory and files' not_needed
+
+echo '== particles come and go'
+cat >flow.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [4, 4, 10], leave: {z_lower: delete}}
+gravity: [0, 0, -10]
+step: {dt: 0.001, count: 3000}
+contact: {law: hooke}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.6, friction: 0.3, k_n: 1000}]
+insertions: [{region: {shape: box, lower: [0, 0, 8], upper: [4, 4, 10]}, sizes: 0.3, rate: 20, count: 25, velocity: [0, 0, -1]}]
+output: {checkpoint: {at_end: false}}
+EOF
+came_and_went() { # 25 in 1.25 s; a fall of 10 takes less than 1.5 s
+    run_scene "$1" flow.yaml flow$1 || return 1
+    [ "$(number flow$1/report.json inserted)" = 25 ] && [ "$(number flow$1/report.json deleted)" = 25 ] && [ "$(number flow$1/report.json particles)" = 0 ]
+}
+check 'inserted, and deleted where they leave' came_and_went 1
+check 'so on two ranks' came_and_went 2
+emptied() {
+    run_scene 1 smooth.yaml emptied --set step.count=1 --set 'deletions=[{region: {shape: box, lower: [0, 0, 0], upper: [10, 10, 5]}, every: 1}]' &&
+        run_scene 1 smooth.yaml full --set step.count=1 --set observables.every=1 --set 'observables.regions=[{name: low, shape: box, lower: [0, 0, 0], upper: [10, 10, 5]}]' \
+            --set 'observables.list=[{name: count, target: low}]' || return 1
+    local low
+    low=$(column full/observables.csv count)
+    [ "$low" -gt 5 ] && [ "$(number emptied/report.json deleted)" = "$low" ] && [ "$(number emptied/report.json particles)" = $((60 - low)) ]
+}
+check 'a deletion region takes those inside' emptied
+cat >leave.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [4, 4, 4]}
+step: {dt: 0.01, count: 150, force: true, rebuild_every: 10}
+contact: {law: hooke, tangential: none}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.6, k_n: 1000}]
+particles: {from: single, position: [2, 2, 2], radius: 0.5, velocity: [3, 0, 0]}
+observables: {every: 150, list: [{name: position, id: 1}]}
+EOF
+left_kept() {
+    run_scene "$1" leave.yaml left$1 && [ "$(number left$1/report.json particles)" = 1 ] && within "$(column left$1/observables.csv particle1_x)" 6.5 1e-9
+}
+check 'a particle that leaves is kept' left_kept 1
+check 'so on two ranks' left_kept 2
+left_deleted() {
+    run_scene "$1" leave.yaml gone$1 --set box.leave=delete && [ "$(number gone$1/report.json particles)" = 0 ] && [ "$(number gone$1/report.json deleted)" = 1 ]
+}
+check 'a particle that leaves is deleted' left_deleted 1
+
+# stops DIR WORDS COMMAND...: exit status 3, one message with the words, a checkpoint and a report to look at
+stops() {
+    local dir=$1 words=$2 status word
+    shift 2
+    on 1 "$@" >"$out/said" 2>&1
+    status=$?
+    [ $status = 3 ] && [ "$(wc -l <"$out/said")" = 1 ] || { echo "  status $status"; cat "$out/said"; return 1; }
+    for word in 'scree: ' $words; do
+        holds "$out/said" "$word" || return 1
+    done
+    "$scree" info "$dir"/checkpoint-*-stopped.h5 | grep -q whole && [ -e "$dir/report.json" ]
+}
+check 'a particle that leaves is an error' stops wrong 'particle upper box.leave' \
+    "$scree" run leave.yaml -o wrong --quiet --set box.leave=error
+
+echo '== guards'
+cat >guard.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [10, 10, 10]}
+step: {dt: 0.001, count: 2000, force: true}
+contact: {law: hooke, tangential: none}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.6, k_n: 0.1}]
+particles:
+  sources:
+    - {from: single, id: 71, position: [3, 5, 5], radius: 1, velocity: [2, 0, 0]}
+    - {from: single, id: 83, position: [7, 5, 5], radius: 1, velocity: [-2, 0, 0]}
+output: {trajectory: {every: 100}}
+EOF
+check 'an overlap beyond the bound stops' stops deep 'guards.overlap 71 83' "$scree" run guard.yaml -o deep --quiet
+readable() { "$scree" info deep/trajectory.h5 | grep -q position; }
+check 'the trajectory up to the stop is readable' readable
+check 'a particle that is too fast stops' stops fast 'guards.speed particle 71' "$scree" run guard.yaml -o fast --quiet \
+    --set guards.speed=stop --set 'particles.sources[0].velocity=[2000, 0, 0]'
+warned() {
+    run_scene 1 guard.yaml warned --set guards.overlap=warn && [ "$(grep -c 'scree: warning: guards.overlap' "$out/said")" = 1 ]
+}
+check 'a guard that warns does so once' warned
+
+echo '== moving walls'
+cat >oscillate.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [10, 10, 10]}
+step: {dt: 0.001, count: 250, force: true}
+contact: {law: hooke, tangential: none}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.6, k_n: 1000}]
+walls: [{name: floor, shape: plane, point: [0, 0, 1], normal: [0, 0, 1], motion: [{kind: oscillate, direction: [0, 0, 1], amplitude: 0.2, frequency: 1, start: 0}]}]
+particles: {from: single, position: [5, 5, 5], radius: 1}
+observables: {every: 250, list: [{name: wall_offset, target: floor}]}
+EOF
+oscillated() { # a quarter of a cycle
+    run_scene 1 oscillate.yaml oscillate && within "$(column oscillate/observables.csv floor_z)" 0.2 1e-9
+}
+check 'an oscillating wall stands at its amplitude after a quarter' oscillated
+cat >servo.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [10, 10, 10]}
+step: {dt: 0.0005, count: 20000}
+contact: {law: hooke, tangential: none}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.3, k_n: 1000}]
+walls:
+  - {name: floor, shape: plane, point: [0, 0, 1], normal: [0, 0, 1]}
+  - {name: lid, shape: plane, point: [0, 0, 3.1], normal: [0, 0, -1], motion: [{kind: servo, direction: [0, 0, 1], force: 20, speed_max: 0.1}]}
+particles: {from: single, position: [5, 5, 2], radius: 1}
+observables: {every: 20000, list: [{name: wall_force, target: lid}]}
+EOF
+pushed() {
+    run_scene "$1" servo.yaml servo$1 && within "$(column servo$1/observables.csv lid_fz)" 20 0.5
+}
+check 'a servo finds its force' pushed 1
+check 'so on two ranks' pushed 2
+
+echo '== conversions'
+shape() { # without title and image counts
+    tail -n +2 "$1" | cut -d ' ' -f 1-7
+}
+round_trip() { # H5MD -> LAMMPS data -> H5MD -> LAMMPS data
+    "$scree" convert smooth/trajectory.h5 a.data >said 2>&1 && "$scree" convert a.data b.h5 >>said 2>&1 && "$scree" convert b.h5 b.data >>said 2>&1 || { cat said; return 1; }
+    [ "$(grep -c . a.data)" -gt 60 ] && diff <(shape a.data) <(shape b.data)
+}
+check 'H5MD to LAMMPS data and back' round_trip
+dumped() {
+    "$scree" convert smooth/trajectory.h5 frames.lammpstrj >said 2>&1 && [ "$(grep -c 'ITEM: TIMESTEP' frames.lammpstrj)" = 3 ] && [ "$(wc -l <frames.lammpstrj)" = $((3 * 69)) ]
+}
+check 'H5MD to a dump, frame by frame' dumped
+again() { # what was converted is a source of particles
+    run_scene 1 smooth.yaml again --set step.count=1 --set 'particles={file: a.data, format: lammps-data}' && [ "$(number again/report.json particles)" = 60 ]
+}
+check 'the data file is a source of particles' again
+told() { holds inside.txt 60 && holds kept.txt 'step       100' && "$scree" info a.data | grep -q 60; }
+check 'info tells what is inside' told
+
+echo '== ablation'
+ablated() {
+    on 1 "$scree" ablate smooth.yaml -o table --threads 1 --steps 5 >said 2>&1 || { cat said; return 1; }
+    awk -F, 'NR == 1 { columns = NF; next } NF != columns || seen[$1 "," $2 "," $4]++ { bad = 1 } { pairs[$9]++; index_[$1]++; newton[$2]++ }
+        END { for (p in pairs) different++; for (i in index_) indexes++; for (n in newton) newtons++
+            exit !(NR == 11 && !bad && different == 1 && indexes == 5 && newtons == 2) }' table/*.csv || { cat table/*.csv; return 1; }
+}
+check 'a row a variant, the same pairs in each' ablated
+
+finish
