@@ -157,7 +157,7 @@ stopped() {
     sleep 0.3
     local child=$starter
     while [ -n "$child" ] && [ "$(cat /proc/"$child"/comm)" != "$(basename "$scree")" ]; do
-        child=$(pgrep -P "$child" | tail -n 1)
+        child=$(awk '{ print $NF }' /proc/"$child"/task/"$child"/children)
     done
     kill -TERM "$child" || return 1
     wait $starter
