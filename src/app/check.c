@@ -34,7 +34,7 @@ static void print_fields(const struct simulation *s) {
     for (int f = 0; f < fields_count(); f++) {
         const struct field *field = fields_get(f);
         if (!fields_present(s->particles, f))
-            printf("  %-18s %6s  not needed: no %s\n", field->name, "-", reason_of(field->needs));
+            printf("  %-18s %6s  not needed; it is for %s\n", field->name, "-", reason_of(field->needs));
     }
     printf("  stored: %zu bytes a particle (records padded to cache lines, second arrays for sorting "
            "included)\n",
