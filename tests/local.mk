@@ -31,14 +31,24 @@ tests_test_timer_LDADD = $(CORE_LIBS) $(TEST_LIBS)
 tests_test_version_SOURCES = tests/test_version.c
 tests_test_version_LDADD = $(CORE_LIBS) $(TEST_LIBS)
 
-check_PROGRAMS += tests/test_force tests/test_integrator tests/test_law tests/test_timestep
-EXTRA_DIST += tests/near.h tests/pairs_by_hand.h
+check_PROGRAMS += \
+	tests/test_force \
+	tests/test_force_loop \
+	tests/test_integrator \
+	tests/test_law \
+	tests/test_law_impact \
+	tests/test_timestep
+EXTRA_DIST += tests/forces_by_hand.h tests/laws_by_hand.h tests/near.h tests/pairs_by_hand.h
 tests_test_force_SOURCES = tests/test_force.c
 tests_test_force_LDADD = $(CONTACT_LIBS) $(TEST_LIBS)
+tests_test_force_loop_SOURCES = tests/test_force_loop.c
+tests_test_force_loop_LDADD = $(CONTACT_LIBS) $(TEST_LIBS)
 tests_test_integrator_SOURCES = tests/test_integrator.c
 tests_test_integrator_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_law_SOURCES = tests/test_law.c
 tests_test_law_LDADD = $(CONTACT_LIBS) $(TEST_LIBS)
+tests_test_law_impact_SOURCES = tests/test_law_impact.c
+tests_test_law_impact_LDADD = $(CONTACT_LIBS) $(TEST_LIBS)
 tests_test_timestep_SOURCES = tests/test_timestep.c
 tests_test_timestep_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 
@@ -117,8 +127,15 @@ CLEANFILES += tests/bench_force
 tests_bench_force_SOURCES = tests/bench_force.c
 tests_bench_force_LDADD = $(INTEGRATE_LIBS)
 
-check_PROGRAMS += tests/test_mesh tests/test_wall tests/test_wall_mesh tests/test_wall_motion
-EXTRA_DIST += tests/mesh_by_hand.h tests/walls_by_hand.h
+check_PROGRAMS += \
+	tests/test_mesh \
+	tests/test_wall \
+	tests/test_wall_history \
+	tests/test_wall_mesh \
+	tests/test_wall_motion \
+	tests/test_wall_moving \
+	tests/test_wall_touch
+EXTRA_DIST += tests/mesh_by_hand.h tests/surface_by_hand.h tests/walls_by_hand.h
 tests_test_mesh_SOURCES = tests/test_mesh.c
 tests_test_mesh_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_wall_SOURCES = tests/test_wall.c
@@ -127,3 +144,9 @@ tests_test_wall_mesh_SOURCES = tests/test_wall_mesh.c
 tests_test_wall_mesh_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_wall_motion_SOURCES = tests/test_wall_motion.c
 tests_test_wall_motion_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
+tests_test_wall_history_SOURCES = tests/test_wall_history.c
+tests_test_wall_history_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
+tests_test_wall_moving_SOURCES = tests/test_wall_moving.c
+tests_test_wall_moving_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
+tests_test_wall_touch_SOURCES = tests/test_wall_touch.c
+tests_test_wall_touch_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)

@@ -113,9 +113,11 @@ static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
     return marked;
 }
 
-/* Does a candidate touch an owned particle (periodic images counted)? */
+/* Does a candidate touch a wall or an owned particle (periodic images counted)? */
 static bool candidate_blocked(const struct simulation *s, const struct insertion_candidate *candidate) {
     const struct box *box = &s->scene->box;
+    if (s->walls && walls_overlap(s->walls, candidate->x, candidate->radius))
+        return true;
     for (size_t k = 0; k < s->particles->owned; k++) {
         const struct particle_state *p = &s->particles->state[k];
         double d2 = 0, reach = p->radius + candidate->radius;

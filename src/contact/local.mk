@@ -28,6 +28,7 @@ libcontact_la_SOURCES = \
 	src/contact/walls_force.c \
 	src/contact/walls_history.c \
 	src/contact/walls_near.c \
+	src/contact/walls_overlap.c \
 	src/contact/walls_parts.h \
 	src/contact/walls_touch.c
 libcontact_la_CPPFLAGS = $(AM_CPPFLAGS)

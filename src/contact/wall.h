@@ -117,6 +117,10 @@ bool walls_move(const struct walls *walls);
  * bound; a plane moving within itself and an infinite cylinder turning about its axis have not moved). */
 double walls_displacement(const struct walls *walls);
 
+/* True if a sphere at x (box-relative) would overlap a wall as it stands now, or be beyond a one-sided one.
+ * The room inside of a closed mesh is not solid: only its surface is. Any thread. */
+bool walls_overlap(const struct walls *walls, const double x[3], double radius);
+
 /* At a rebuild: for every owned particle the wall pieces nearer than r + margin(class, walls). Opens its own
  * team. */
 void walls_build(struct walls *walls, const struct particles *particles, const struct size_classes *classes);

@@ -133,11 +133,7 @@ void walls_destroy(struct walls **walls) {
         wall_mover_destroy(&w->wall[k].mover);
     }
     for (int t = 0; t < w->threads; t++) {
-        memory_free(w->scratch[t]->near);
-        memory_free(w->scratch[t]->touch);
-        memory_free(w->scratch[t]->from);
-        memory_free(w->scratch[t]->taken);
-        memory_free(w->scratch[t]->force);
+        walls_scratch_free(w->scratch[t]);
         memory_free(w->scratch[t]);
     }
     for (int b = 0; b < 2; b++) {

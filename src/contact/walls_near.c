@@ -50,9 +50,8 @@ static size_t near_mesh(const struct wall *wall, struct law_vector x, double rea
     return count;
 }
 
-/* The pieces of wall w near a sphere. */
-static size_t near_wall(const struct walls *walls, int w, struct law_vector x, double reach,
-                        struct wall_piece *out, int32_t *number) {
+size_t walls_near(const struct walls *walls, int w, struct law_vector x, double reach, struct wall_piece *out,
+                  int32_t *number) {
     const struct wall *wall = &walls->wall[w];
     size_t count = 0;
     for (int k = 0; k < wall->image_count; k++) {
@@ -82,7 +81,7 @@ static size_t near_particle(const struct walls *walls, const struct particles *p
     double reach = state->radius + classes->margin[particles->size_class[i]][classes->count];
     size_t count = 0;
     for (int w = 0; w < walls->count; w++)
-        count += near_wall(walls, w, wall_vector(state->x), reach, out ? out + count : NULL, number);
+        count += walls_near(walls, w, wall_vector(state->x), reach, out ? out + count : NULL, number);
     return count;
 }
 

@@ -108,6 +108,11 @@ static inline struct law_vector walls_into_body(const struct wall *wall, struct 
     return wall->moving ? wall_transform_back(&wall->pose, x) : x;
 }
 
+/* The pieces of wall w nearer than `reach` to x, sorted; returns how many. `out` has room for them, `number`
+ * for the triangles; both may be NULL: counts only. (walls_near.c) */
+size_t walls_near(const struct walls *walls, int w, struct law_vector x, double reach, struct wall_piece *out,
+                  int32_t *number);
+
 /* The contacts of a sphere at x with one wall, whose pieces these are; written to scratch->touch, normals in
  * space. Returns how many. (walls_touch.c) */
 size_t walls_touch(const struct walls *walls, const struct wall_piece *piece, size_t pieces,
@@ -124,8 +129,9 @@ struct law_vector walls_toward(const struct wall *wall, int32_t feature, struct 
 /* Number of features of a wall. */
 size_t walls_features(const struct wall *wall);
 
-/* Makes room in a thread's scratch. */
+/* Makes room in a thread's scratch; frees what it holds. */
 void walls_scratch_reserve(struct wall_scratch *scratch, size_t pieces);
+void walls_scratch_free(struct wall_scratch *scratch);
 
 /* For each of the `count` contacts with wall w in scratch->touch: which old record of candidate k it goes on
  * with, in scratch->from. (walls_history.c) */

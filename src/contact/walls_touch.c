@@ -138,3 +138,12 @@ void walls_scratch_reserve(struct wall_scratch *scratch, size_t pieces) {
     scratch->from = memory_resize(scratch->from, scratch->capacity, sizeof *scratch->from, "walls");
     scratch->taken = memory_resize(scratch->taken, scratch->capacity, sizeof *scratch->taken, "walls");
 }
+
+void walls_scratch_free(struct wall_scratch *scratch) {
+    memory_free(scratch->near);
+    memory_free(scratch->touch);
+    memory_free(scratch->from);
+    memory_free(scratch->taken);
+    memory_free(scratch->force);
+    *scratch = (struct wall_scratch){0};
+}

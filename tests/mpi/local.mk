@@ -41,8 +41,11 @@ tests_mpi_test_scene_ranks_LDADD = $(SCENE_LIBS) $(TEST_LIBS) $(MPI_LIBS)
 
 check_PROGRAMS += \
 	tests/mpi/test_checkpoint \
+	tests/mpi/test_checkpoint_damage \
 	tests/mpi/test_dump \
 	tests/mpi/test_h5md \
+	tests/mpi/test_h5md_read \
+	tests/mpi/test_h5md_run \
 	tests/mpi/test_observables \
 	tests/mpi/test_report
 
@@ -50,15 +53,24 @@ OUTPUT_TEST_SOURCES = tests/mpi/team.c tests/mpi/team.h tests/mpi/cloud.c tests/
 OUTPUT_TEST_FLAGS = $(MPI_TEST_FLAGS) $(HDF5_CFLAGS)
 OUTPUT_TEST_LIBS = $(OUTPUT_LIBS) $(TEST_LIBS) $(HDF5_LIBS) $(MPI_LIBS)
 
-tests_mpi_test_checkpoint_SOURCES = tests/mpi/test_checkpoint.c $(OUTPUT_TEST_SOURCES)
+tests_mpi_test_checkpoint_SOURCES = tests/mpi/test_checkpoint.c tests/mpi/state.h $(OUTPUT_TEST_SOURCES)
 tests_mpi_test_checkpoint_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
 tests_mpi_test_checkpoint_LDADD = $(OUTPUT_TEST_LIBS)
+tests_mpi_test_checkpoint_damage_SOURCES = tests/mpi/test_checkpoint_damage.c tests/mpi/state.h $(OUTPUT_TEST_SOURCES)
+tests_mpi_test_checkpoint_damage_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
+tests_mpi_test_checkpoint_damage_LDADD = $(OUTPUT_TEST_LIBS)
 tests_mpi_test_dump_SOURCES = tests/mpi/test_dump.c $(OUTPUT_TEST_SOURCES)
 tests_mpi_test_dump_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
 tests_mpi_test_dump_LDADD = $(OUTPUT_TEST_LIBS)
-tests_mpi_test_h5md_SOURCES = tests/mpi/test_h5md.c $(OUTPUT_TEST_SOURCES)
+tests_mpi_test_h5md_SOURCES = tests/mpi/test_h5md.c tests/mpi/trajectory.h $(OUTPUT_TEST_SOURCES)
 tests_mpi_test_h5md_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
 tests_mpi_test_h5md_LDADD = $(OUTPUT_TEST_LIBS)
+tests_mpi_test_h5md_read_SOURCES = tests/mpi/test_h5md_read.c tests/mpi/trajectory.h $(OUTPUT_TEST_SOURCES)
+tests_mpi_test_h5md_read_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
+tests_mpi_test_h5md_read_LDADD = $(OUTPUT_TEST_LIBS)
+tests_mpi_test_h5md_run_SOURCES = tests/mpi/test_h5md_run.c tests/mpi/trajectory.h $(OUTPUT_TEST_SOURCES)
+tests_mpi_test_h5md_run_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
+tests_mpi_test_h5md_run_LDADD = $(OUTPUT_TEST_LIBS)
 tests_mpi_test_observables_SOURCES = tests/mpi/test_observables.c $(OUTPUT_TEST_SOURCES)
 tests_mpi_test_observables_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
 tests_mpi_test_observables_LDADD = $(OUTPUT_TEST_LIBS)

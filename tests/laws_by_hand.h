@@ -1,0 +1,28 @@
+/* Laws for tests. Include after cmocka.h. */
+#ifndef SCREE_TESTS_LAWS_BY_HAND_H
+#define SCREE_TESTS_LAWS_BY_HAND_H
+
+#include "contact/law.h"
+#include "contact/law_kernel.h"
+#include "core/random.h"
+#include <string.h>
+#include "near.h"
+
+static const struct law_material glass[2] = {{"glass", 2500.0, 1e9, 0.2}, {"steel", 7200.0, 210e9, 0.2}};
+
+static struct law_pair pairs[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
+
+/* A law for materials m[0] and m[1] with the same coefficients for all pairs. */
+static inline struct law law_for(struct law_options options, const struct law_material m[2],
+                                 struct law_pair pair) {
+    struct law law;
+    struct error error = {0};
+    for (int a = 0; a < 2; a++)
+        for (int b = 0; b < 2; b++)
+            pairs[a][b] = pair;
+    if (!law_prepare(&law, &options, 2, m, pairs, &error))
+        fail_msg("%s", error.text);
+    return law;
+}
+
+#endif

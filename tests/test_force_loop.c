@@ -1,0 +1,167 @@
+/* What holds of the force loop by itself: kernels agree, momentum is conserved, springs mirror each other,
+ * contacts are listed, special cases do no harm. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+#include "forces_by_hand.h"
+
+/* All kernels give the same bits, forces and springs. */
+static void test_kernels_agree(void **state) {
+    (void)state;
+    for (int k = 0; k < LAWS; k++) {
+        struct law law = law_number(k, k % 2 ? 1 : MATERIALS);
+        struct rig first, other;
+        rig_make(&first, &law, (struct layout){2, 1.0, kernels[0]});
+        rig_run(&first);
+        for (size_t c = 1; c < sizeof kernels / sizeof kernels[0]; c++) {
+            if (!rig_make(&other, &law, (struct layout){2, 1.0, kernels[c]}))
+                continue;
+            assert_string_equal(force_loop_kernel(other.loop), kernels[c]);
+            rig_run(&other);
+            assert_memory_equal(first.particles->force, other.particles->force,
+                                COUNT * (size_t)first.particles->force_stride * sizeof(double));
+            assert_memory_equal(&first.sums, &other.sums, sizeof first.sums);
+            for (int t = 0; first.history && t < 2; t++) {
+                const struct history_part *a = &first.history->part[first.history->now][t];
+                const struct history_part *b = &other.history->part[other.history->now][t];
+                assert_int_equal(a->count, b->count);
+                assert_memory_equal(a->pair, b->pair, a->count * sizeof *a->pair);
+                assert_memory_equal(a->value, b->value,
+                                    a->count * (size_t)law.history_components * sizeof *a->value);
+            }
+            rig_free(&other);
+        }
+        rig_free(&first);
+    }
+}
+
+/* Momentum is conserved, and with levers that meet in the middle of the overlap (hertz) angular momentum too.
+ */
+static void test_conservation(void **state) {
+    (void)state;
+    for (int k = 0; k < LAWS; k++) {
+        struct law law = law_number(k, MATERIALS);
+        struct rig rig;
+        rig_make(&rig, &law, (struct layout){3, 1.0, NULL});
+        for (int code = 1; code < BOX_IMAGE_CODES; code++)
+            for (int c = 0; c < 3; c++)
+                rig.list.shift[code][c] = 100.0; /* no contact over the box's sides */
+        rig_run(&rig);
+        struct law_vector force = {0}, torque = {0};
+        double size = 0.0;
+        for (size_t i = 0; i < COUNT; i++) {
+            const double *f = rig.particles->force + i * (size_t)rig.particles->force_stride;
+            struct law_vector x = vector_of(rig.particles->state[i].x);
+            force = law_add(force, 1.0, vector_of(f));
+            torque = law_add(torque, 1.0, law_cross(x, vector_of(f)));
+            if (law.spin)
+                torque = law_add(torque, 1.0, vector_of(f + 4));
+            size += sqrt(law_dot(vector_of(f), vector_of(f)));
+        }
+        assert_true(sqrt(law_dot(force, force)) < 1e-14 * size);
+        if (!law.spin || law.options.normal == LAW_HERTZ)
+            assert_true(sqrt(law_dot(torque, torque)) < 1e-13 * size * edge);
+        rig_free(&rig);
+    }
+}
+
+/* Springs of a pair that two threads compute are opposite to the last bit. */
+static void test_mirrored_springs(void **state) {
+    (void)state;
+    struct law law = law_number(13, 1);
+    struct rig rig;
+    rig_make(&rig, &law, (struct layout){2, 0.0, NULL});
+    rig_run(&rig);
+    size_t found = 0;
+    for (int t = 0; t < 2; t++) {
+        const struct history_part *mine = &rig.history->part[rig.history->now][t];
+        const struct history_part *theirs = &rig.history->part[rig.history->now][1 - t];
+        for (size_t a = 0; a < mine->count; a++) {
+            size_t k = pairlist_thread_first(&rig.list, t) + mine->pair[a];
+            for (size_t b = 0; b < theirs->count; b++) {
+                size_t l = pairlist_thread_first(&rig.list, 1 - t) + theirs->pair[b];
+                unsigned code = pair_image(rig.list.j[k]);
+                if (rig.list.i[k] != pair_partner(rig.list.j[l]) ||
+                    rig.list.i[l] != pair_partner(rig.list.j[k]) ||
+                    pair_image(rig.list.j[l]) != box_image_opposite(code))
+                    continue;
+                for (int c = 0; c < 6; c++)
+                    assert_true(mine->value[6 * a + (size_t)c] == -theirs->value[6 * b + (size_t)c]);
+                found++;
+            }
+        }
+    }
+    assert_true(found > 100);
+    rig_free(&rig);
+}
+
+/* The contact list holds each contact once and gives the forces back. */
+static void test_contacts(void **state) {
+    (void)state;
+    for (int k = 0; k < 15; k++) {
+        struct law law = law_number(k, MATERIALS);
+        struct rig rig;
+        rig_make(&rig, &law, (struct layout){3, 1.0, NULL});
+        rig_run(&rig);
+        rig.context.dt = 0.0; /* evaluate again with springs at rest: what the list shows */
+        drift(rig.particles, 0.0);
+        force_loop_run(rig.loop, &rig.context, &rig.sums);
+        struct force_contact *contacts;
+        size_t count = force_loop_contacts(&rig.context, &contacts);
+        assert_int_equal(count, rig.sums.contacts);
+        double sum[COUNT + 1][3] = {{0}};
+        for (size_t c = 0; c < count; c++) {
+            assert_true(contacts[c].overlap > 0.0);
+            for (int d = 0; d < 3; d++) {
+                sum[contacts[c].id_i][d] -= contacts[c].force[d];
+                sum[contacts[c].id_j][d] += contacts[c].force[d];
+            }
+        }
+        for (size_t i = 0; i < COUNT; i++)
+            for (int d = 0; d < 3; d++)
+                assert_near(sum[rig.particles->id[i]][d],
+                            rig.particles->force[i * (size_t)rig.particles->force_stride + (size_t)d], 1e-8);
+        memory_free(contacts);
+        rig_free(&rig);
+    }
+}
+
+/* Prescribed particles, coincident centres and pairs that only touch do no harm. */
+static void test_degenerate(void **state) {
+    (void)state;
+    for (int k = 0; k < 15; k++) {
+        struct law law = law_number(k, 1);
+        struct rig rig;
+        rig_make(&rig, &law, (struct layout){1, 0.0, NULL});
+        struct particle_state *s = rig.particles->state;
+        for (size_t i = 0; i < COUNT; i++)
+            for (int c = 0; c < 3; c++)
+                s[i].x[c] = 10.0 * (double)i;
+        s[0].inverse_mass = s[1].inverse_mass = 0.0; /* a prescribed pair overlaps */
+        uint32_t i[3 + INDEX_SINK_PAD] = {0, 2, 4}, j[3 + INDEX_SINK_PAD] = {1, 3, 5};
+        struct pair_block block = {.one_sided = 3, .slotted = 3, .end_pair = 3};
+        rig.list = (struct pairlist){
+            .i = i, .j = j, .blocks = &block, .block_count = 1, .threads = 1, .thread_block = (int[]){0, 1}};
+        s[1].x[0] = s[0].x[0] + 0.5;
+        memcpy(s[3].x, s[2].x, sizeof s[3].x);             /* the same place */
+        s[5].x[0] = s[4].x[0] + s[4].radius + s[5].radius; /* touching */
+        s[5].x[1] = s[4].x[1], s[5].x[2] = s[4].x[2];
+        s[1].x[1] = s[0].x[1], s[1].x[2] = s[0].x[2];
+        rig.context.dt = 1e-3;
+        force_loop_run(rig.loop, &rig.context, &rig.sums);
+        assert_int_equal(rig.sums.contacts, 2);
+        for (size_t c = 0; c < 6 * (size_t)rig.particles->force_stride; c++)
+            assert_true(isfinite(rig.particles->force[c]));
+        assert_true(rig.particles->force[0] < 0.0);
+        rig_free(&rig);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kernels_agree),
+                                       cmocka_unit_test(test_conservation),
+                                       cmocka_unit_test(test_mirrored_springs),
+                                       cmocka_unit_test(test_contacts), cmocka_unit_test(test_degenerate)};
+    return cmocka_run_group_tests(tests, make_lists, free_lists);
+}

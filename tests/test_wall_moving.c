@@ -1,0 +1,211 @@
+/* Walls that move: piston, servo, drum, conveyor, bounds of displacements. */
+#include "contact/wall.h"
+#include "contact/law_kernel.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+#include "near.h"
+#include "mesh_by_hand.h"
+
+static const double no_force[1][3] = {{0.0, 0.0, 0.0}};
+
+/* A piston meets a sphere at rest elastically: it leaves at twice the speed; the work is its energy. */
+static void test_piston(void **state) {
+    (void)state;
+    struct wall_options plane = hand_plane(0, 0, 1, 0, 0, 1);
+    struct world w;
+    plane.motions = 1;
+    plane.motion[0] =
+        (struct wall_motion){.kind = WALL_TRANSLATE, .stop = INFINITY, .velocity = {0.0, 0.0, 0.5}};
+    world_open(&w, hand_box(4.0), hand_law(LAW_HOOKE, 1.0, 0.0), &plane, 1, 1);
+    world_add(&w, 2, 2, 1.51, 0.5, 3.0);
+    world_build(&w);
+    assert_true(walls_move(w.walls));
+    assert_false(walls_have_servo(w.walls));
+    for (int n = 0; n < 5000; n++)
+        world_step(&w, false, no_force);
+    assert_near(walls_displacement(w.walls), 0.25, 1e-12);
+    assert_near(w.particles->state[0].v[2], 1.0, 1e-4);
+    assert_near(walls_work(w.walls), 0.5 * 3.0, 1e-4);
+    struct wall_pose pose;
+    walls_pose(w.walls, 0, &pose);
+    assert_near(pose.translation[2], 0.25, 1e-12);
+    assert_near(pose.velocity[2], 0.5, 1e-12);
+    world_close(&w);
+}
+
+/* A plate with a servo lies down on a sphere and presses with the force that it should. */
+static void test_servo(void **state) {
+    (void)state;
+    struct wall_options wall[2] = {hand_plane(0, 0, 1, 0, 0, 1), hand_plane(0, 0, 2.1, 0, 0, -1)};
+    struct world w;
+    wall[1].motions = 1;
+    wall[1].motion[0] = (struct wall_motion){.kind = WALL_SERVO,
+                                             .stop = INFINITY,
+                                             .direction = {0.0, 0.0, 1.0},
+                                             .force = 25.0,
+                                             .speed_max = 0.2,
+                                             .gain = 0.05};
+    world_open(&w, hand_box(4.0), hand_law(LAW_HOOKE, 0.3, 0.5), wall, 2, 1);
+    world_add(&w, 2, 2, 1.5, 0.5, 1.0);
+    world_build(&w);
+    assert_true(walls_have_servo(w.walls));
+    for (int n = 0; n < 50000; n++) {
+        double force[2][6], servo[2][3];
+        walls_forces(w.walls, force);
+        for (int k = 0; k < 2; k++)
+            memcpy(servo[k], force[k], sizeof servo[k]);
+        world_step(&w, n % 100 == 0, servo);
+    }
+    double force[2][6];
+    struct wall_pose pose;
+    walls_forces(w.walls, force);
+    walls_pose(w.walls, 1, &pose);
+    assert_near(force[1][2], 25.0, 0.01);
+    assert_near(force[0][2], -25.0, 0.01);
+    assert_near(pose.translation[2], -0.1 - 2.0 * 25.0 / 1e4, 1e-5);
+    assert_near(pose.servo_offset, pose.translation[2], 1e-15);
+    world_close(&w);
+}
+
+/* The deepest overlap of a sphere of radius 1 mm inside of the drum's polygon of 100 sides that has turned by
+ * `turn`; x and z from the axis, `corner` the angle of one corner at the start. */
+static double drum_overlap(double x, double z, double corner, double turn) {
+    double rho = hypot(x, z), half = M_PI / 100.0, angle = atan2(x, z) - turn - corner;
+    double from_middle = remainder(angle - half, 2.0 * half);
+    return rho * cos(from_middle) - 0.1 * cos(half) + 1e-3;
+}
+
+/* The drum of the example at several angles: spheres feel the nearest of its 100 inner sides, and a full turn
+ * brings every triangle back. */
+static void test_drum(void **state) {
+    (void)state;
+    enum { SPHERES = 400 };
+    const char *folder = getenv("top_srcdir");
+    struct box box = {.dimension = 3, .origin = {-0.105, -0.035, -0.105}, .edge = {0.21, 0.07, 0.21}};
+    struct wall_options drum = hand_mesh("");
+    struct world w;
+    snprintf(drum.file, sizeof drum.file, "%s/examples/drum/walls.txt", folder ? folder : ".");
+    drum.motions = 1;
+    drum.motion[0] = (struct wall_motion){
+        .kind = WALL_ROTATE, .stop = INFINITY, .direction = {0.0, 1.0, 0.0}, .rate = 2.0};
+    world_open(&w, box, hand_law(LAW_HOOKE, 0.5, 0.3), &drum, 1, 1);
+    double(*before)[9], (*after)[9], corner_angle = 0.0;
+    assert_int_equal(walls_triangles(w.walls, 0, &before), 1200);
+    assert_near(before[0][0], 0.00158628, 1e-15); /* the user's coordinates */
+    for (int k = 0; k < 1200; k++)
+        if (fabs(hypot(before[k][0], before[k][2]) - 0.1) < 1e-4)
+            corner_angle = atan2(before[k][0], before[k][2]);
+    unsigned seed = 2;
+    for (int i = 0; i < SPHERES; i++) {
+        double angle = 2.0 * M_PI * hand_random(&seed), rho = 0.0985 + 0.0012 * hand_random(&seed);
+        world_add(&w, 0.105 + rho * sin(angle), 0.035 + 0.05 * (hand_random(&seed) - 0.5),
+                  0.105 + rho * cos(angle), 1e-3, 1e-5);
+    }
+    for (int turn = 1; turn <= 3; turn++) {
+        double t = turn == 3 ? M_PI : 0.37 * turn, overlap[SPHERES] = {0};
+        walls_advance(w.walls, t - 1e-6, 1e-6, NULL);
+        world_rebuild(&w, NULL);
+        world_forces(&w, 0.0);
+        struct force_contact *contact;
+        size_t n = walls_contacts(w.walls, &w.context, &contact);
+        for (size_t k = 0; k < n; k++) {
+            int i = (int)contact[k].id_i - 1;
+            overlap[i] = fmax(overlap[i], contact[k].overlap);
+        }
+        for (int i = 0; i < SPHERES; i++) {
+            const double *x = w.particles->state[i].x;
+            double expected = drum_overlap(x[0] - 0.105, x[2] - 0.105, corner_angle, 2.0 * t);
+            assert_near(overlap[i], fmax(expected, 0.0), 2e-6); /* the file has six digits */
+        }
+        assert_true(n > SPHERES / 2 && n < SPHERES * 5 / 4);
+        memory_free(contact);
+    }
+    walls_triangles(w.walls, 0, &after);
+    for (int k = 0; k < 1200; k++)
+        for (int c = 0; c < 9; c++)
+            assert_near(after[k][c], before[k][c], 1e-12);
+    struct wall_pose pose;
+    walls_pose(w.walls, 0, &pose);
+    assert_near(pose.omega[1], 2.0, 1e-12);
+    assert_near(pose.centre[0], 0.105, 1e-15);
+    memory_free(after);
+    memory_free(before);
+    world_close(&w);
+}
+
+/* A conveyor: the floor travels around the periodic box, and spheres on it come to its speed. */
+static void test_conveyor(void **state) {
+    (void)state;
+    char file[64];
+    struct hand_text t = text_new();
+    double o[3] = {0, 0, 1}, a[3] = {4, 0, 0}, b[3] = {0, 4, 0};
+    text_plate(&t, o, a, b, 4, 4, 0.5);
+    struct wall_options mesh = hand_mesh(text_file(&t, file, "conveyor"));
+    struct box box = hand_box(4.0);
+    box.periodic[0] = box.periodic[1] = true;
+    mesh.motions = 1;
+    mesh.motion[0] =
+        (struct wall_motion){.kind = WALL_TRANSLATE, .stop = INFINITY, .velocity = {20.0, 0.0, 0.0}};
+    struct world w;
+    world_open(&w, box, hand_law(LAW_HOOKE, 0.5, 1.0), &mesh, 1, 1);
+    remove(file);
+    for (int i = 0; i < 4; i++)
+        world_add(&w, 1.0 * i, 0.5 * i, 1.5 - 9.81e-4, 0.5, 1.0);
+    w.motion.gravity[2] = -9.81;
+    world_build(&w);
+    for (int n = 0; n < 20000; n++) {
+        world_step(&w, n % 50 == 0, NULL);
+        assert_int_equal(w.sums.contacts, 4);
+    }
+    /* 40 long: ten times around; a sphere that rolls takes 2/7 of the speed */
+    for (size_t i = 0; i < 4; i++) {
+        assert_near(w.particles->state[i].v[0], 20.0 * 2.0 / 7.0, 0.02);
+        assert_near(w.particles->state[i].v[2], 0.0, 1e-3);
+    }
+    world_close(&w);
+}
+
+/* How far walls have moved, for the decision to rebuild. */
+static void test_displacement(void **state) {
+    (void)state;
+    struct wall_options wall = hand_plane(1, 1, 1, 0, 0, 1), tube = {.name = "tube", .shape = WALL_CYLINDER};
+    struct law law = hand_law(LAW_HOOKE, 0.5, 0.5);
+    struct world w;
+    wall.motions = 1; /* within itself */
+    wall.motion[0] = (struct wall_motion){.kind = WALL_TRANSLATE, .stop = INFINITY, .velocity = {3, 4, 0}};
+    world_open(&w, hand_box(4.0), law, &wall, 1, 1);
+    walls_advance(w.walls, 0.0, 0.1, NULL);
+    assert_near(walls_displacement(w.walls), 0.0, 1e-15);
+    world_close(&w);
+    tube.axis[2] = 1.0;
+    tube.radius = 1.0;
+    tube.motions = 1; /* about its own axis */
+    tube.motion[0] =
+        (struct wall_motion){.kind = WALL_ROTATE, .stop = INFINITY, .direction = {0, 0, 1}, .rate = 3.0};
+    world_open(&w, hand_box(4.0), law, &tube, 1, 1);
+    walls_advance(w.walls, 0.0, 0.1, NULL);
+    assert_near(walls_displacement(w.walls), 0.0, 1e-15);
+    world_close(&w);
+    tube.point[0] = 0.5; /* about another */
+    world_open(&w, hand_box(4.0), law, &tube, 1, 1);
+    walls_advance(w.walls, 0.0, 0.1, NULL);
+    assert_near(walls_displacement(w.walls), 2.0 * 0.5 * sin(0.15), 1e-15);
+    world_rebuild(&w, NULL);
+    assert_near(walls_displacement(w.walls), 0.0, 1e-15);
+    world_close(&w);
+    wall.motion[0] = (struct wall_motion){
+        .kind = WALL_ROTATE, .stop = INFINITY, .direction = {0, 1, 0}, .point = {1, 1, 1}, .rate = 1.0};
+    world_open(&w, hand_box(4.0), law, &wall, 1, 1); /* a corner at x = 4: 3 away */
+    walls_advance(w.walls, 0.0, 1e-3, NULL);
+    assert_near(walls_displacement(w.walls), 3e-3, 2e-6);
+    world_close(&w);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_piston), cmocka_unit_test(test_servo),
+                                       cmocka_unit_test(test_drum), cmocka_unit_test(test_conveyor),
+                                       cmocka_unit_test(test_displacement)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
