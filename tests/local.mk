@@ -52,7 +52,9 @@ tests_test_law_impact_LDADD = $(CONTACT_LIBS) $(TEST_LIBS)
 tests_test_timestep_SOURCES = tests/test_timestep.c
 tests_test_timestep_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 
-check_PROGRAMS += tests/test_pairlist tests/test_particles
+check_PROGRAMS += tests/test_pairlist tests/test_particles tests/test_sweep
+tests_test_sweep_SOURCES = tests/test_sweep.c
+tests_test_sweep_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
 tests_test_pairlist_SOURCES = tests/test_pairlist.c
 tests_test_pairlist_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
 tests_test_particles_SOURCES = tests/test_particles.c

@@ -93,6 +93,16 @@ static void search(struct simulation *s) {
     timer_stop(&s->timers, TIMER_PAIRS);
 }
 
+static void plan(struct simulation *s) {
+    size_t count = 0;
+    if (s->sweep == NULL)
+        return;
+    timer_start(&s->timers, TIMER_PAIRS);
+    const uint32_t *originals = s->alone ? NULL : ghosts_originals(s->ghosts, &count);
+    sweep_build(s->sweep, s->list, s->particles->owned, originals, count);
+    timer_stop(&s->timers, TIMER_PAIRS);
+}
+
 void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
     timer_start(&s->timers, TIMER_MIGRATE);
     ghosts_drop(s->ghosts, s->particles);
@@ -119,6 +129,7 @@ void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
     skin_reset(s->skin, s->particles);
     timer_stop(&s->timers, TIMER_HISTORY);
     force_loop_prepare(s->loop, &s->contact);
+    plan(s);
 }
 
 void rebuild_run(struct simulation *s) {

@@ -166,6 +166,7 @@ static void parts_create(struct simulation *s) {
     s->list = pairlist_create(&(struct pairlist_options){.threads = s->threads});
     s->history = s->law.history_components ? history_create(s->law.history_components, s->threads) : NULL;
     s->skin = skin_create();
+    s->sweep = s->scene->step.fused ? sweep_create(s->threads) : NULL;
     s->loop = force_loop_create(s->threads);
     s->speed = memory_allocate_zero((size_t)s->threads, sizeof *s->speed, "speeds");
     s->contact = (struct force_context){.particles = s->particles,
@@ -282,6 +283,7 @@ void simulation_destroy(struct simulation **simulation) {
         return;
     force_loop_destroy(&s->loop);
     walls_destroy(&s->walls);
+    sweep_destroy(&s->sweep);
     skin_destroy(&s->skin);
     history_destroy(&s->history);
     pairlist_destroy(&s->list);

@@ -25,6 +25,7 @@
 #include "pairs/history_keep.h"
 #include "pairs/pairlist.h"
 #include "pairs/skin.h"
+#include "pairs/sweep.h"
 #include "particles/classes.h"
 #include "particles/particles.h"
 #include "scene/scene.h"
@@ -40,6 +41,12 @@ struct step_pass {
     enum timer_stage stage;
     bool (*needed)(const struct simulation *simulation);
     void (*run)(struct simulation *simulation);
+};
+
+/* The passes of a step in the order in which they run. */
+struct step_order {
+    int passes;
+    struct step_pass pass[SIMULATION_PASSES_MAX];
 };
 
 /* What all ranks must know of a step before they go on; one reduction. */
@@ -96,8 +103,10 @@ struct simulation {
     double (*speed)[CLASS_MAX]; /* [thread][class]: largest squared speed of the last drift */
     double servo_force[WALLS_MAX][3];
 
-    int passes;
-    struct step_pass pass[SIMULATION_PASSES_MAX];
+    struct step_order plain, fused;
+    struct sweep *sweep;          /* the plan of the fused order; NULL: the scene wants the plain one alone */
+    double agreed[CLASS_MAX + 4]; /* bounds of the skin and signals, on their way through all ranks */
+    struct comm_reduction reduction;
     struct step_signals signals; /* in: this rank's; out of step_run: everybody's */
     struct error error;          /* of a guard or of particles that left; checked after each step */
     struct timers timers;

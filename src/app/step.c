@@ -1,5 +1,7 @@
 /* THE STEP. State at its start: positions x(n), velocities v(n-1/2), forces f(n).
  *
+ * In plain order, pass after pass:
+ *
  *     servo      forces on walls summed over ranks, where a servo wants them
  *     advance    v(n+1/2) = v(n-1/2) + dt (f/m + g);  x(n+1) = x(n) + dt v(n+1/2);  forces to zero
  *     walls      walls move to n+1
@@ -10,7 +12,19 @@
  *     finish     sums over threads, histories change places
  *     reverse    forces of copies go home (newton on, several ranks)
  *
- * The list is made once from the scene: what a scene does not need is not in it. */
+ * Fused, the particles of a block move just before the first pair that looks at them, while they are in the
+ * cache:
+ *
+ *     servo, walls
+ *     early      the particles that others look at move (pairs/sweep.h); their values leave for the copies
+ *     sweep      block by block: late particles move, then the block's forces; meanwhile values travel
+ *     copies     values of copies arrive; forces of pairs with them; meanwhile the ranks agree
+ *     verify     did a particle leave its skin after all? Then these forces go, and a rebuild makes them anew
+ *     wall, finish, reverse
+ *
+ * Both give the same bits. A step is fused unless a rebuild must come or is to be expected
+ * (docs/architecture.md). The lists are made once from the scene: what a scene does not need is not in them.
+ */
 #include "app/simulation.h"
 #include <assert.h>
 #include <math.h>
@@ -25,6 +39,13 @@ static void servo_run(struct simulation *s) {
     comm_sum(s->comm, s->servo_force[0], 3 * walls_count(s->walls));
 }
 
+/* Moves a range of particles of one class. */
+static void advance(struct simulation *s, int thread, size_t first, size_t last, int size_class) {
+    double v2 = integrator_advance(s->particles, &s->motion, first, last);
+    if (!(v2 <= s->speed[thread][size_class]))
+        s->speed[thread][size_class] = v2;
+}
+
 static void advance_run(struct simulation *s) {
     const struct pairlist *list = s->list;
 #pragma omp parallel num_threads(list->threads)
@@ -33,16 +54,11 @@ static void advance_run(struct simulation *s) {
         memset(s->speed[t], 0, sizeof s->speed[t]);
         for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
             const struct pair_block *block = &list->blocks[b];
-            if (block->kind != PAIR_BLOCK_ROWS)
-                continue;
-            double v2 = integrator_advance(s->particles, &s->motion, block->first_row, block->last_row);
-            if (!(v2 <= s->speed[t][block->size_class]))
-                s->speed[t][block->size_class] = v2;
+            if (block->kind == PAIR_BLOCK_ROWS)
+                advance(s, t, block->first_row, block->last_row, block->size_class);
         }
     }
     s->particles->force_clear = true;
-    s->step++;
-    s->time = s->time_base + (double)(s->step - s->step_base) * s->dt;
 }
 
 static void walls_run(struct simulation *s) {
@@ -63,10 +79,11 @@ static void decide_skin(struct simulation *s) {
     skin_moved(s->skin, speed, classes, s->dt, s->walls ? walls_displacement(s->walls) : 0);
 }
 
-/* Makes bounds, signals and errors the same on all ranks. */
-static void decide_agree(struct simulation *s) {
-    double value[CLASS_MAX + 4];
+/* Bounds, signals and errors on their way to being the same on all ranks. */
+static void agree_begin(struct simulation *s) {
+    double *value = s->agreed;
     int n = s->classes.count;
+    decide_skin(s);
     if (s->alone)
         return;
     memcpy(value, s->skin->bound, (size_t)n * sizeof *value);
@@ -74,19 +91,26 @@ static void decide_agree(struct simulation *s) {
     value[n + 1] = s->signals.stop;
     value[n + 2] = s->signals.checkpoint;
     value[n + 3] = s->signals.error;
-    comm_max(s->comm, value, n + 4);
-    memcpy(s->skin->bound, value, (size_t)n * sizeof *value);
-    s->signals.rebuild = value[n] > 0;
-    s->signals.stop = value[n + 1] > 0;
-    s->signals.checkpoint = value[n + 2] > 0;
-    s->signals.error = value[n + 3] > 0;
-    memcpy(s->skin->second, s->skin->bound, (size_t)n * sizeof *value);
+    comm_max_begin(s->comm, value, n + 4, &s->reduction);
 }
 
-static void decide_run(struct simulation *s) {
-    decide_skin(s);
-    decide_agree(s);
-    s->signals.rebuild = s->signals.rebuild || sources_due(s);
+static void agree_end(struct simulation *s) {
+    const double *value = s->agreed;
+    int n = s->classes.count;
+    if (!s->alone) {
+        comm_max_end(&s->reduction);
+        memcpy(s->skin->bound, value, (size_t)n * sizeof *value);
+        memcpy(s->skin->second, value, (size_t)n * sizeof *value);
+        s->signals.rebuild = value[n] > 0;
+        s->signals.stop = value[n + 1] > 0;
+        s->signals.checkpoint = value[n + 2] > 0;
+        s->signals.error = value[n + 3] > 0;
+    }
+    skin_settle(s->skin, n);
+}
+
+/* Where the bounds say that a rebuild may be due, displacements are measured. */
+static void measure(struct simulation *s) {
     if (s->signals.rebuild || !skin_due(s->skin, &s->classes))
         return;
     skin_measure(s->skin, s->particles, s->classes.count);
@@ -95,6 +119,19 @@ static void decide_run(struct simulation *s) {
         memcpy(s->skin->second, s->skin->bound, (size_t)s->classes.count * sizeof(double));
     }
     s->signals.rebuild = skin_due(s->skin, &s->classes);
+}
+
+static void decide_run(struct simulation *s) {
+    agree_begin(s);
+    agree_end(s);
+    measure(s);
+}
+
+/* Copies carry no force yet. */
+static void copies_clear(struct simulation *s) {
+    size_t stride = (size_t)s->particles->force_stride;
+    memset(s->particles->force + s->particles->owned * stride, 0,
+           s->particles->ghosts * stride * sizeof(double));
 }
 
 static void exchange_run(struct simulation *s) {
@@ -106,9 +143,7 @@ static void exchange_run(struct simulation *s) {
         return;
     ghosts_forward_begin(s->ghosts, s->particles);
     ghosts_forward_end(s->ghosts, s->particles);
-    size_t stride = (size_t)s->particles->force_stride;
-    memset(s->particles->force + s->particles->owned * stride, 0,
-           s->particles->ghosts * stride * sizeof(double));
+    copies_clear(s);
 }
 
 static void contact_run(struct simulation *s) {
@@ -119,6 +154,59 @@ static void contact_run(struct simulation *s) {
         for (int b = s->list->thread_block[t]; b < s->list->thread_block[t + 1]; b++)
             force_loop_block(s->loop, &s->contact, t, b);
     }
+}
+
+static void early_run(struct simulation *s) {
+#pragma omp parallel num_threads(s->threads)
+    {
+        int t = omp_get_thread_num();
+        const struct sweep_thread *plan = &s->sweep->thread[t];
+        memset(s->speed[t], 0, sizeof s->speed[t]);
+        for (size_t r = 0; r < plan->early_count; r++)
+            advance(s, t, plan->early[r].first, plan->early[r].last, plan->early[r].size_class);
+    }
+    if (!s->alone)
+        ghosts_forward_begin(s->ghosts, s->particles);
+}
+
+static void sweep_run(struct simulation *s) {
+    const struct pairlist *list = s->list;
+#pragma omp parallel num_threads(s->threads)
+    {
+        int t = omp_get_thread_num(), first = list->thread_block[t];
+        const struct sweep_thread *plan = &s->sweep->thread[t];
+        for (int b = first; b < list->thread_block[t + 1]; b++) {
+            for (size_t r = plan->start[b - first]; r < plan->start[b - first + 1]; r++)
+                advance(s, t, plan->late[r].first, plan->late[r].last, plan->late[r].size_class);
+            if (list->blocks[b].kind != PAIR_BLOCK_GHOST)
+                force_loop_block(s->loop, &s->contact, t, b);
+        }
+    }
+    agree_begin(s);
+}
+
+static void copies_run(struct simulation *s) {
+    const struct pairlist *list = s->list;
+    ghosts_forward_end(s->ghosts, s->particles);
+    copies_clear(s);
+#pragma omp parallel num_threads(s->threads)
+    {
+        int t = omp_get_thread_num();
+        force_loop_block(s->loop, &s->contact, t, list->thread_block[t + 1] - 1);
+    }
+}
+
+static void verify_run(struct simulation *s) {
+    agree_end(s);
+    measure(s);
+    if (!s->signals.rebuild)
+        return;
+    size_t doubles = (s->particles->owned + s->particles->ghosts) * (size_t)s->particles->force_stride;
+    force_loop_abandon(s->loop, &s->contact);
+    memset(s->particles->force, 0, doubles * sizeof(double));
+    s->particles->force_clear = true;
+    rebuild_run(s);
+    contact_run(s);
 }
 
 static void wall_run(struct simulation *s) {
@@ -159,7 +247,11 @@ static bool needs_reverse(const struct simulation *s) {
     return !s->alone && s->view.newton;
 }
 
-static const struct step_pass step_passes[] = {
+static bool needs_copies(const struct simulation *s) {
+    return !s->alone;
+}
+
+static const struct step_pass plain_passes[] = {
     {"servo", "a wall driven to a force", TIMER_COMM, needs_servo, servo_run},
     {"advance", NULL, TIMER_ADVANCE, NULL, advance_run},
     {"walls", "walls that move", TIMER_WALL, needs_motion, walls_run},
@@ -169,29 +261,59 @@ static const struct step_pass step_passes[] = {
     {"wall", "walls", TIMER_WALL, needs_walls, wall_run},
     {"finish", NULL, TIMER_CONTACT, NULL, finish_run},
     {"reverse", "newton on, several ranks", TIMER_COMM, needs_reverse, reverse_run},
+    {0},
 };
 
-enum { PASSES = sizeof step_passes / sizeof step_passes[0] };
+static const struct step_pass fused_passes[] = {
+    {"servo", "a wall driven to a force", TIMER_COMM, needs_servo, servo_run},
+    {"walls", "walls that move", TIMER_WALL, needs_motion, walls_run},
+    {"early", NULL, TIMER_ADVANCE, NULL, early_run},
+    {"sweep", NULL, TIMER_SWEEP, NULL, sweep_run},
+    {"copies", "several ranks", TIMER_COMM, needs_copies, copies_run},
+    {"verify", NULL, TIMER_DECIDE, NULL, verify_run},
+    {"wall", "walls", TIMER_WALL, needs_walls, wall_run},
+    {"finish", NULL, TIMER_CONTACT, NULL, finish_run},
+    {"reverse", "newton on, several ranks", TIMER_COMM, needs_reverse, reverse_run},
+    {0},
+};
+
+static void order_make(const struct simulation *s, const struct step_pass *all, struct step_order *order) {
+    order->passes = 0;
+    for (const struct step_pass *pass = all; pass->run; pass++)
+        if (pass->needed == NULL || pass->needed(s))
+            order->pass[order->passes++] = *pass;
+}
 
 void step_plan(struct simulation *s) {
-    s->passes = 0;
-    for (int p = 0; p < PASSES; p++)
-        if (step_passes[p].needed == NULL || step_passes[p].needed(s))
-            s->pass[s->passes++] = step_passes[p];
+    order_make(s, plain_passes, &s->plain);
+    order_make(s, fused_passes, &s->fused);
+}
+
+static void order_print(const struct step_order *order, FILE *file) {
+    for (int p = 0; p < order->passes; p++)
+        fprintf(file, "  %-10s %s%s\n", order->pass[p].name, order->pass[p].why ? "for " : "always",
+                order->pass[p].why ? order->pass[p].why : "");
 }
 
 void step_plan_print(const struct simulation *s, FILE *file) {
-    for (int p = 0; p < s->passes; p++)
-        fprintf(file, "  %-10s %s%s\n", s->pass[p].name, s->pass[p].why ? "for " : "always",
-                s->pass[p].why ? s->pass[p].why : "");
+    if (s->scene->step.fused) {
+        fprintf(file, " fused:\n");
+        order_print(&s->fused, file);
+        fprintf(file, " at rebuilds:\n");
+    }
+    order_print(&s->plain, file);
 }
 
 void step_run(struct simulation *s, bool rebuild) {
-    s->signals.rebuild = rebuild;
-    for (int p = 0; p < s->passes; p++) {
-        timer_start(&s->timers, s->pass[p].stage);
-        s->pass[p].run(s);
-        timer_stop(&s->timers, s->pass[p].stage);
+    s->step++;
+    s->time = s->time_base + (double)(s->step - s->step_base) * s->dt;
+    s->signals.rebuild = rebuild || sources_due(s);
+    bool fused = s->scene->step.fused && !s->signals.rebuild && !skin_nearly_due(s->skin, &s->classes);
+    const struct step_order *order = fused ? &s->fused : &s->plain;
+    for (int p = 0; p < order->passes; p++) {
+        timer_start(&s->timers, order->pass[p].stage);
+        order->pass[p].run(s);
+        timer_stop(&s->timers, order->pass[p].stage);
     }
 }
 

@@ -164,6 +164,10 @@ void force_loop_finish(struct force_loop *loop, const struct force_context *cont
     force_loop_reset(loop, context->history);
 }
 
+void force_loop_abandon(struct force_loop *loop, const struct force_context *context) {
+    force_loop_reset(loop, context->history);
+}
+
 void force_loop_run(struct force_loop *loop, const struct force_context *context, struct force_sums *sums) {
     const struct pairlist *list = context->list;
 #pragma omp parallel num_threads(loop->threads)

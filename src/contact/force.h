@@ -64,6 +64,10 @@ void force_loop_block(struct force_loop *loop, const struct force_context *conte
  * thread after all have finished their blocks. */
 void force_loop_finish(struct force_loop *loop, const struct force_context *context, struct force_sums *sums);
 
+/* Forgets an evaluation instead of ending it: histories and sums are those before it; the caller clears the
+ * forces. One thread. */
+void force_loop_abandon(struct force_loop *loop, const struct force_context *context);
+
 /* All blocks, all threads: the plain order. */
 void force_loop_run(struct force_loop *loop, const struct force_context *context, struct force_sums *sums);
 

@@ -5,10 +5,10 @@
 
 static const char *const stage_names[TIMER_STAGES] = {
     [TIMER_SETUP] = "setup",     [TIMER_ADVANCE] = "advance", [TIMER_CONTACT] = "contact",
-    [TIMER_WALL] = "wall",       [TIMER_COMM] = "comm",       [TIMER_DECIDE] = "decide",
-    [TIMER_MIGRATE] = "migrate", [TIMER_REORDER] = "reorder", [TIMER_GHOSTS] = "ghosts",
-    [TIMER_INDEX] = "index",     [TIMER_PAIRS] = "pairs",     [TIMER_HISTORY] = "history",
-    [TIMER_OUTPUT] = "output",   [TIMER_OTHER] = "other",
+    [TIMER_SWEEP] = "sweep",     [TIMER_WALL] = "wall",       [TIMER_COMM] = "comm",
+    [TIMER_DECIDE] = "decide",   [TIMER_MIGRATE] = "migrate", [TIMER_REORDER] = "reorder",
+    [TIMER_GHOSTS] = "ghosts",   [TIMER_INDEX] = "index",     [TIMER_PAIRS] = "pairs",
+    [TIMER_HISTORY] = "history", [TIMER_OUTPUT] = "output",   [TIMER_OTHER] = "other",
 };
 
 double timer_now(void) {

@@ -9,6 +9,7 @@
 enum timer_stage {
     TIMER_SETUP,   /* reading the scene and making particles */
     TIMER_ADVANCE, /* kick and drift */
+    TIMER_SWEEP,   /* fused: drift and particle-particle forces, block by block */
     TIMER_CONTACT, /* particle-particle forces */
     TIMER_WALL,    /* wall forces and wall motion */
     TIMER_COMM,    /* values of copies sent, forces sent back */

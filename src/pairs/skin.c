@@ -30,12 +30,18 @@ void skin_reset(struct skin *skin, const struct particles *particles) {
 }
 
 void skin_moved(struct skin *skin, const double *speed, int classes, double dt, double walls) {
+    memcpy(skin->before, skin->bound, sizeof skin->before);
     for (int c = 0; c < classes; c++) {
         skin->bound[c] += speed[c] * dt;
         skin->second[c] += speed[c] * dt;
     }
     skin->bound[classes] = walls;
     skin->second[classes] = 0;
+}
+
+void skin_settle(struct skin *skin, int classes) {
+    for (int c = 0; c <= classes; c++)
+        skin->growth[c] = skin->bound[c] - skin->before[c];
 }
 
 /* The two largest squared displacements of each class. */
@@ -79,17 +85,27 @@ void skin_measure(struct skin *skin, const struct particles *particles, int clas
     skin->measured++;
 }
 
-bool skin_due(const struct skin *skin, const struct size_classes *classes) {
+/* Do the bounds, each grown by `more` x its last growth, exceed a skin? */
+static bool exceeded(const struct skin *skin, const struct size_classes *classes, double more) {
     for (int a = 0; a < classes->count; a++) {
         for (int b = a; b <= classes->count;
              b++) { /* the last is walls; walls among themselves do not matter */
-            double moved = skin->bound[a] + (a == b ? skin->second[b] : skin->bound[b]);
+            double moved = skin->bound[a] + (a == b ? skin->second[b] : skin->bound[b]) +
+                           more * (skin->growth[a] + skin->growth[b]);
             bool still = skin->bound[a] == 0 && skin->bound[b] == 0;
             if (!still && moved > classes->skin[a][b])
                 return true;
         }
     }
     return false;
+}
+
+bool skin_due(const struct skin *skin, const struct size_classes *classes) {
+    return exceeded(skin, classes, 0);
+}
+
+bool skin_nearly_due(const struct skin *skin, const struct size_classes *classes) {
+    return exceeded(skin, classes, 1);
 }
 
 size_t skin_memory(const struct skin *skin) {

@@ -13,6 +13,8 @@ struct skin {
     double bound[CLASS_MAX + 1];  /* no particle of the class has moved farther since the rebuild; the last
                                      entry is walls; length */
     double second[CLASS_MAX + 1]; /* the same for all but one particle of the class */
+    double before[CLASS_MAX + 1]; /* bound before the last step */
+    double growth[CLASS_MAX + 1]; /* of the bound in the last step */
     double (*anchor)[3];          /* position at the rebuild, owned particles */
     size_t capacity;
     uint64_t rebuilds,
@@ -34,8 +36,14 @@ void skin_moved(struct skin *skin, const double *speed, int classes, double dt, 
  */
 void skin_measure(struct skin *skin, const struct particles *particles, int classes);
 
+/* Ends what skin_moved began, once the bounds are those of all ranks: notes by how much they have grown. */
+void skin_settle(struct skin *skin, int classes);
+
 /* True if some class pair may have used up its skin. */
 bool skin_due(const struct skin *skin, const struct size_classes *classes);
+
+/* True if the skin is to be expected used up after one more step like the last. */
+bool skin_nearly_due(const struct skin *skin, const struct size_classes *classes);
 
 size_t skin_memory(const struct skin *skin);
 

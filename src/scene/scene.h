@@ -36,6 +36,7 @@ struct scene_step {
     double fraction;       /* of the stable step; set where dt is 0 */
     int64_t count;         /* steps; -1: by duration */
     bool force;            /* run although dt is above the stable step */
+    bool fused;            /* particles move just before their first contact, instead of all at once */
     int64_t rebuild_every; /* rebuild at least every so many steps; 0: when the skin is used up */
     int contacts;     /* simultaneous contacts counted for the stable step; 0: the default of timestep.h */
     double speed_max; /* largest impact speed expected for the stable step; 0: from the particles */

@@ -65,6 +65,9 @@ static const struct schema_row step_rows[] = {
     {.key = "speed_max", .type = SCHEMA_REAL, .unit = "m/s", .fallback = "0", .range = "[0, inf)",
      AT(struct scene_step, speed_max),
      .help = "largest impact speed expected, for the stable step; 0: from the particles at the start"},
+    {.key = "fused", .type = SCHEMA_BOOL, .fallback = "true", AT(struct scene_step, fused),
+     .help = "move particles just before their first contact, while they are in the cache; off: pass after pass, with the "
+             "same results"},
     {.key = "rebuild_every", .type = SCHEMA_LONG, .fallback = "0", .range = "[0, inf)",
      AT(struct scene_step, rebuild_every),
      .help = "rebuild the pair list at least every so many steps; 0: only when the skin is used up"},

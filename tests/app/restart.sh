@@ -55,6 +55,16 @@ same_layout() {
 for layout in '1 1' '1 2' '2 1' '2 2'; do
     check "resumed bit for bit on ranks x threads $layout" same_layout $layout
 done
+# The fused order of the step against pass after pass
+fused_or_plain() {
+    local plain=plain-$1-$2
+    run_scene "$1" scene.yaml "$plain" --set threads="$2" --set step.fused=false || return 1
+    contents "$plain/checkpoint-120.h5" >plain.txt && contents "whole-$1-$2/checkpoint-120.h5" >whole.txt || return 1
+    diff <(grep -v '^/scene ' plain.txt) <(grep -v '^/scene ' whole.txt)
+}
+for layout in '1 1' '1 2' '2 1' '2 2'; do
+    check "the fused step gives the bits of the plain one on ranks x threads $layout" fused_or_plain $layout
+done
 history_there() {
     local pairs walls
     pairs=$(rows whole-1-1/checkpoint-80.h5 /history/partner) && walls=$(rows whole-1-1/checkpoint-80.h5 /wall_history/wall_patch) &&

@@ -1,0 +1,226 @@
+#include "pairs/sweep.h"
+#include "core/memory.h"
+#include <omp.h>
+#include <stdio.h>
+#include <string.h>
+
+static const uint32_t grain_unused = UINT32_MAX;
+
+struct sweep *sweep_create(int threads) {
+    struct sweep *sweep = memory_allocate_zero(1, sizeof *sweep, "plan of the sweep");
+    sweep->threads = threads;
+    sweep->thread = memory_allocate_zero((size_t)threads, sizeof *sweep->thread, "plan of the sweep");
+    return sweep;
+}
+
+void sweep_destroy(struct sweep **sweep) {
+    if (*sweep == NULL)
+        return;
+    for (int t = 0; t < (*sweep)->threads; t++) {
+        struct sweep_thread *thread = &(*sweep)->thread[t];
+        memory_free(thread->early);
+        memory_free(thread->late);
+        memory_free(thread->unsorted);
+        memory_free(thread->start);
+        memory_free(thread->use);
+    }
+    memory_free((*sweep)->thread);
+    memory_free((*sweep)->early);
+    memory_free(*sweep);
+    *sweep = NULL;
+}
+
+size_t sweep_memory(const struct sweep *sweep) {
+    size_t bytes = sweep->early_capacity;
+    for (int t = 0; t < sweep->threads; t++) {
+        const struct sweep_thread *thread = &sweep->thread[t];
+        bytes += (thread->early_capacity + 2 * thread->late_capacity) * sizeof *thread->late +
+                 thread->start_capacity * sizeof *thread->start + thread->use_capacity * sizeof *thread->use;
+    }
+    return bytes;
+}
+
+/* Marks what other threads read in a block of kind MIRROR or GHOST. */
+static void early_mark_block(struct sweep *sweep, const struct pairlist *list, const struct pair_block *block,
+                             size_t owned) {
+    bool mirror = block->kind == PAIR_BLOCK_MIRROR;
+    for (size_t k = block->first_pair; k < block->end_pair; k++) {
+        uint32_t i = list->i[k], j = pair_partner(list->j[k]);
+        if (mirror)
+            sweep->early[i] = sweep->early[j] = 1;
+        else if (i >= owned)
+            sweep->early[j] = 1; /* the mirror image of a pair of another thread */
+    }
+}
+
+static void early_mark(struct sweep *sweep, const struct pairlist *list, size_t owned,
+                       const uint32_t *originals, size_t originals_count) {
+    if (owned > sweep->early_capacity) {
+        sweep->early_capacity = owned + owned / 8;
+        memory_free(sweep->early);
+        sweep->early = memory_allocate(sweep->early_capacity, 1, "early particles");
+    }
+    if (owned > 0)
+        memset(sweep->early, 0, owned);
+    for (int b = 0; b < list->block_count; b++)
+        if (list->blocks[b].kind != PAIR_BLOCK_ROWS)
+            early_mark_block(sweep, list, &list->blocks[b], owned);
+    for (size_t s = 0; s < list->slot_count; s++)
+        if (list->busy[s] < owned)
+            sweep->early[list->busy[s]] = 1;
+    for (size_t k = 0; k < originals_count; k++)
+        sweep->early[originals[k]] = 1;
+}
+
+static void *grown(void *array, size_t *capacity, size_t count, size_t size) {
+    if (count <= *capacity)
+        return array;
+    *capacity = count + count / 4 + 64;
+    return memory_resize(array, *capacity, size, "plan of the sweep");
+}
+
+static inline void grain_use(uint32_t *use, uint32_t particle, uint32_t block) {
+    uint32_t *first = &use[particle / SWEEP_GRAIN];
+    if (*first == grain_unused)
+        *first = block;
+}
+
+/* Notes for each grain which block of thread t looks at it first. */
+static void uses_find(struct sweep_thread *thread, const struct pairlist *list, int t, size_t owned) {
+    size_t grains = owned / SWEEP_GRAIN + 1;
+    thread->use = grown(thread->use, &thread->use_capacity, grains, sizeof *thread->use);
+    memset(thread->use, 0xff, grains * sizeof *thread->use);
+    for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
+        const struct pair_block *block = &list->blocks[b];
+        uint32_t number = (uint32_t)(b - list->thread_block[t]);
+        for (uint32_t row = block->first_row; row < block->last_row; row += SWEEP_GRAIN)
+            grain_use(thread->use, row, number);
+        if (block->last_row > block->first_row)
+            grain_use(thread->use, block->last_row - 1, number);
+        for (size_t k = block->first_pair; k < block->end_pair; k++) {
+            uint32_t j = pair_partner(list->j[k]);
+            if (j < owned)
+                grain_use(thread->use, j, number);
+        }
+    }
+}
+
+static void range_add(struct sweep_thread *thread, bool early, struct sweep_range range) {
+    if (early) {
+        thread->early = grown(thread->early, &thread->early_capacity, thread->early_count + 1, sizeof range);
+        thread->early[thread->early_count++] = range;
+        return;
+    }
+    size_t capacity = thread->late_capacity;
+    thread->late = grown(thread->late, &thread->late_capacity, thread->late_count + 1, sizeof range);
+    if (thread->late_capacity != capacity)
+        thread->unsorted =
+            memory_resize(thread->unsorted, thread->late_capacity, sizeof range, "plan of the sweep");
+    thread->unsorted[thread->late_count++] = range;
+}
+
+/* Cuts the rows of a block into ranges of one grain, early or late. */
+static void ranges_cut(struct sweep_thread *thread, const uint8_t *early, const struct pair_block *block) {
+    for (uint32_t first = block->first_row; first < block->last_row;) {
+        uint32_t grain_end = (first / SWEEP_GRAIN + 1) * SWEEP_GRAIN;
+        uint32_t end = grain_end < block->last_row ? grain_end : block->last_row, last = first + 1;
+        while (last < end && early[last] == early[first])
+            last++;
+        range_add(thread, early[first], (struct sweep_range){first, last, block->size_class});
+        first = last;
+    }
+}
+
+/* Sorts the late ranges by the block that moves them. */
+static void ranges_sort(struct sweep_thread *thread, size_t blocks) {
+    thread->start = grown(thread->start, &thread->start_capacity, blocks + 2, sizeof *thread->start);
+    memset(thread->start, 0, (blocks + 2) * sizeof *thread->start);
+    size_t *at = thread->start + 1;
+    for (size_t r = 0; r < thread->late_count; r++)
+        at[thread->use[thread->unsorted[r].first / SWEEP_GRAIN] + 1]++;
+    for (size_t b = 0; b < blocks; b++)
+        at[b + 1] += at[b];
+    for (size_t r = 0; r < thread->late_count; r++)
+        thread->late[at[thread->use[thread->unsorted[r].first / SWEEP_GRAIN]]++] = thread->unsorted[r];
+}
+
+void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned, const uint32_t *originals,
+                 size_t originals_count) {
+    early_mark(sweep, list, owned, originals, originals_count);
+#pragma omp parallel for num_threads(sweep->threads) schedule(static, 1)
+    for (int t = 0; t < sweep->threads; t++) {
+        struct sweep_thread *thread = &sweep->thread[t];
+        uses_find(thread, list, t, owned);
+        thread->early_count = thread->late_count = 0;
+        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
+            ranges_cut(thread, sweep->early, &list->blocks[b]);
+        ranges_sort(thread, (size_t)(list->thread_block[t + 1] - list->thread_block[t]));
+    }
+}
+
+/* For sweep_valid: when each particle moves, and whose it is. */
+struct sweep_moves {
+    uint32_t *when; /* 0: early; b + 1: before block b of its thread; UINT32_MAX: never */
+    int *thread;
+};
+
+static bool moves_note(const struct sweep *sweep, const struct pairlist *list, struct sweep_moves *moves,
+                       uint32_t *twice) {
+    for (int t = 0; t < sweep->threads; t++) {
+        const struct sweep_thread *thread = &sweep->thread[t];
+        size_t blocks = (size_t)(list->thread_block[t + 1] - list->thread_block[t]);
+        for (size_t b = 0; b <= blocks; b++) {
+            const struct sweep_range *range = b == 0 ? thread->early : thread->late;
+            size_t first = b == 0 ? 0 : thread->start[b - 1];
+            size_t last = b == 0 ? thread->early_count : thread->start[b];
+            for (size_t r = first; r < last; r++)
+                for (uint32_t k = range[r].first; k < range[r].last; k++) {
+                    *twice = k;
+                    if (moves->when[k] != UINT32_MAX)
+                        return false;
+                    moves->when[k] = (uint32_t)b;
+                    moves->thread[k] = t;
+                }
+        }
+    }
+    return true;
+}
+
+static bool moves_precede(const struct pairlist *list, const struct sweep_moves *moves, size_t owned,
+                          uint32_t *late) {
+    for (int t = 0; t < list->threads; t++)
+        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
+            for (size_t k = list->blocks[b].first_pair; k < list->blocks[b].end_pair; k++)
+                for (int side = 0; side < 2; side++) {
+                    uint32_t p = side ? pair_partner(list->j[k]) : list->i[k];
+                    *late = p;
+                    if (p < owned && moves->when[p] > 0 &&
+                        (moves->thread[p] != t || moves->when[p] > (uint32_t)(b - list->thread_block[t]) + 1))
+                        return false;
+                }
+    return true;
+}
+
+bool sweep_valid(const struct sweep *sweep, const struct pairlist *list, size_t owned, char *why,
+                 size_t why_size) {
+    struct sweep_moves moves = {memory_allocate(owned, sizeof *moves.when, "check of the sweep"),
+                                memory_allocate(owned, sizeof *moves.thread, "check of the sweep")};
+    uint32_t wrong = 0;
+    for (size_t k = 0; k < owned; k++)
+        moves.when[k] = UINT32_MAX;
+    bool good = moves_note(sweep, list, &moves, &wrong);
+    if (!good)
+        snprintf(why, why_size, "particle %u moves twice", wrong);
+    for (size_t k = 0; good && k < owned; k++)
+        if (moves.when[k] == UINT32_MAX) {
+            snprintf(why, why_size, "particle %zu does not move", k);
+            good = false;
+        }
+    if (good && !moves_precede(list, &moves, owned, &wrong)) {
+        snprintf(why, why_size, "particle %u moves after it is read", wrong);
+        good = false;
+    }
+    memory_free(moves.when);
+    memory_free(moves.thread);
+    return good;
+}
