@@ -19,8 +19,10 @@ static const struct flag flags[] = {
      "overrides a key of the scene, e.g. --set index.name=hgrid or --set walls[0].radius=0.2; may be "
      "repeated"},
     {"resume", "FILE",
-     "goes on from a checkpoint, on any number of ranks and threads; 'last' is the newest in the directory"},
-    {"overwrite", NULL, "an existing directory is used and its files replaced"},
+     "goes on from a checkpoint, on any number of ranks and threads; 'last' is the newest in the directory; "
+     "what a run wrote there after that step is replaced"},
+    {"overwrite", NULL,
+     "an existing directory is used; files of an earlier run in it, checkpoints too, are deleted"},
     {"quiet", NULL, "no progress and no report on the terminal"},
     {"to", "FORMAT", "lammps-data, lammps-dump, h5md or xdmf; else by the output's name"},
     {"frame", "N", "one frame only, from 0, negative from the end"},

@@ -3,6 +3,7 @@ libapp_la_SOURCES = \
 	src/app/ablate.c \
 	src/app/check.c \
 	src/app/command.c src/app/command.h \
+	src/app/folder.c src/app/folder.h \
 	src/app/guards.c \
 	src/app/library.c src/scree.h \
 	src/app/outputs.c src/app/outputs.h \

@@ -1,4 +1,5 @@
 #include "app/run.h"
+#include "app/folder.h"
 #include "app/outputs.h"
 #include "core/memory.h"
 #include "output/checkpoint.h"
@@ -41,6 +42,7 @@ struct run {
     bool checkpoint_due;    /* decided in the step before */
     double particle_steps;  /* sum over steps of the particles moved */
     int stopped;            /* signal that ended it */
+    int lock;               /* of the folder */
 };
 
 bool run_directory(const struct comm *comm, const struct run_options *options, struct error *error) {
@@ -211,8 +213,16 @@ static void stopped_checkpoint(struct run *run, const struct error *why) {
     struct error second = {0};
     if (run->options->directory == NULL || why->kind != ERROR_PHYSICS)
         return;
-    if (!resume_write(run->s, &run->output, "-stopped", &second) && run->s->comm->rank == 0)
+    if (!resume_write(run->s, &run->output, CHECKPOINT_STOPPED, &second) && run->s->comm->rank == 0)
         fprintf(stderr, "scree: the state at the stop could not be written: %s\n", second.text);
+}
+
+/* Takes away what an earlier run left that would be taken for this one's. */
+static bool folder_prepare(const struct run *run, struct error *error) {
+    const struct comm *comm = run->s->comm;
+    const char *directory = run->options->directory;
+    return run->options->resume ? folder_rewind(comm, directory, run->s->step, error)
+                                : folder_clear(comm, directory, error);
 }
 
 static bool run_open(struct run *run, struct error *error) {
@@ -220,7 +230,8 @@ static bool run_open(struct run *run, struct error *error) {
     if (run->options->directory == NULL)
         return true;
     if (!outputs_create(&run->outputs, s, &run->output, error) ||
-        !run_directory(s->comm, run->options, error))
+        !run_directory(s->comm, run->options, error) ||
+        !folder_lock(s->comm, run->options->directory, &run->lock, error) || !folder_prepare(run, error))
         return false;
     if (!outputs_open(run->outputs, s, run->options->resume != NULL, error))
         return false;
@@ -250,7 +261,7 @@ static void run_loop(struct run *run, struct error *error) {
 
 int run_scene(const struct comm *comm, const struct scene *scene, const struct run_options *options,
               struct report *report, struct error *error) {
-    struct run run = {.options = options};
+    struct run run = {.options = options, .lock = -1};
     struct report own;
     double start = timer_now();
     run.s = simulation_create(comm, scene, options->resume, error);
@@ -282,6 +293,7 @@ int run_scene(const struct comm *comm, const struct scene *scene, const struct r
     }
     comm_agree(comm, error);
     outputs_close(&run.outputs, comm, error);
+    folder_unlock(&run.lock);
     simulation_destroy(&run.s);
     memory_free(echo);
     return error->kind != ERROR_NONE ? (int)error->kind : run.stopped ? 128 + run.stopped : 0;

@@ -247,15 +247,15 @@ static uint64_t estimate_bytes(const struct writing *w) {
     return (uint64_t)bytes + strlen(c->scene) + (1 << 16);
 }
 
-/* STEP of "checkpoint-STEP.h5"; -1 for other names. */
-static int64_t step_of_name(const char *name) {
+/* STEP of "checkpoint-STEPending"; -1 for other names. */
+static int64_t step_of_name(const char *name, const char *ending) {
     static const char lead[] = "checkpoint-";
     size_t skip = sizeof lead - 1, digits = 0;
     if (strncmp(name, lead, skip) != 0)
         return -1;
     while (name[skip + digits] >= '0' && name[skip + digits] <= '9')
         digits++;
-    if (digits == 0 || digits > 18 || strcmp(name + skip + digits, ".h5") != 0)
+    if (digits == 0 || digits > 18 || strcmp(name + skip + digits, ending) != 0)
         return -1;
     return strtoll(name + skip, NULL, 10);
 }
@@ -273,7 +273,7 @@ static int64_t *list_steps(const char *directory, size_t *count) {
     if (!open_directory)
         return NULL;
     for (const struct dirent *entry; (entry = readdir(open_directory)) != NULL;) {
-        int64_t found = step_of_name(entry->d_name);
+        int64_t found = step_of_name(entry->d_name, ".h5");
         if (found < 0)
             continue;
         step = memory_resize(step, *count + 1, sizeof *step, "checkpoints in a directory");
@@ -306,6 +306,22 @@ bool checkpoint_find_newest(const char *directory, char *path) {
         snprintf(path, OUTPUT_PATH_MAX, "%s/checkpoint-%" PRId64 ".h5", directory, step[0]);
     memory_free(step);
     return count > 0;
+}
+
+bool checkpoint_discard(const char *directory, int64_t step, struct error *error) {
+    static const char *const endings[] = {".h5", ".h5.part", CHECKPOINT_STOPPED ".h5",
+                                          CHECKPOINT_STOPPED ".h5.part"};
+    char path[OUTPUT_PATH_MAX];
+    DIR *open_directory = opendir(directory);
+    if (!open_directory)
+        return error_set_errno(error, "%s: cannot be listed", directory);
+    for (const struct dirent *entry; (entry = readdir(open_directory)) != NULL;)
+        for (size_t k = 0; k < sizeof endings / sizeof endings[0]; k++)
+            if (step_of_name(entry->d_name, endings[k]) > step &&
+                file_join(path, directory, entry->d_name, error) && unlink(path) != 0)
+                error_set_errno(error, "%s: cannot be deleted", path);
+    closedir(open_directory);
+    return error->kind == ERROR_NONE;
 }
 
 /* Writes everything into the temporary file and compares what lies there with what was meant. */

@@ -15,6 +15,9 @@
 
 enum { CHECKPOINT_COUNTERS = 128 };
 
+/* Suffix of the state that a guard stopped at. */
+#define CHECKPOINT_STOPPED "-stopped"
+
 /* Numbers of the run that a resume needs. */
 struct checkpoint_numbers {
     uint64_t step;
@@ -86,5 +89,9 @@ bool checkpoint_read_head(const struct comm *comm, const char *path, struct chec
 /* The path of the newest checkpoint in a directory (OUTPUT_PATH_MAX bytes); false if there is none. One rank.
  */
 bool checkpoint_find_newest(const char *directory, char *path);
+
+/* Deletes the checkpoints in a directory of steps after `step` (-1: all), also stopped and unfinished ones.
+ * One rank. */
+bool checkpoint_discard(const char *directory, int64_t step, struct error *error);
 
 #endif

@@ -46,7 +46,7 @@ static bool cut_file(const char *path, int64_t step, struct error *error) {
             left--;
         if (left > 0 || !lines.whole)
             break;
-        end = ftell(lines.file);
+        end = lines_place(&lines);
     }
     lines_close(&lines);
     return truncate(path, end) == 0 || error_set_errno(error, "%s: cannot be cut to go on with it", path);

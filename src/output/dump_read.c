@@ -117,6 +117,13 @@ static bool read_layout(struct lines *lines, struct layout *layout, struct error
     return (layout->present & ROWS_POSITION) || lines_refuse(lines, error, "there are no columns x y z");
 }
 
+/* A count that the file cannot hold is a damaged file, not a reason to run out of memory. */
+static bool read_count(struct lines *lines, int64_t *count, struct error *error) {
+    return read_integer(lines, "a number of particles", count, error) &&
+           ((*count >= 0 && *count <= lines_bytes_most(lines) / 2) ||
+            lines_refuse(lines, error, "%" PRId64 " particles cannot be in this file", *count));
+}
+
 /* Reads up to the line before the particles. False at the end of the file (no error) or on an error. */
 static bool read_head(struct lines *lines, struct head *head, struct error *error) {
     *head = (struct head){.count = -1};
@@ -132,7 +139,7 @@ static bool read_head(struct lines *lines, struct head *head, struct error *erro
             if (!expect(lines, "a system of units", error))
                 return false;
         } else if (strncmp(text, "ITEM: NUMBER OF ATOMS", 21) == 0) {
-            if (!read_integer(lines, "a number of particles", &head->count, error))
+            if (!read_count(lines, &head->count, error))
                 return false;
         } else if (strncmp(text, "ITEM: BOX BOUNDS", 16) == 0) {
             if (!read_box(lines, head, error))
@@ -143,6 +150,8 @@ static bool read_head(struct lines *lines, struct head *head, struct error *erro
             return lines_refuse(lines, error, "\"%.60s\" is not what a LAMMPS dump holds here", text);
         }
     }
+    if (lines->damaged)
+        lines_refuse(lines, error, "the file does not end here");
     return false;
 }
 

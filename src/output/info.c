@@ -10,6 +10,7 @@
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>
+#include <zlib.h>
 
 enum { BINS = 10, BAR = 40 };
 
@@ -17,14 +18,16 @@ bool info_kind(const char *path, enum info_kind *kind, struct error *error) {
     static const char hdf5_mark[] = "\211HDF\r\n\032\n";
     char head[4096] = {0};
     *kind = INFO_UNKNOWN;
-    FILE *file = fopen(path, "rb");
+    gzFile file = gzopen(path, "rb");
     if (!file)
         return error_set(error, ERROR_USER, "%s: cannot be opened: %s", path, strerror(errno));
-    size_t size = fread(head, 1, sizeof head - 1, file);
-    bool readable = !ferror(file);
+    int size = gzread(file, head, sizeof head - 1), status = Z_OK;
+    const char *why = gzerror(file, &status);
+    bool readable = size >= 0;
     if (!readable)
-        error_set(error, ERROR_USER, "%s: cannot be read: %s", path, strerror(errno));
-    fclose(file);
+        error_set(error, ERROR_USER, "%s: cannot be read: %s", path,
+                  status == Z_ERRNO ? strerror(errno) : why);
+    gzclose(file);
     if (size >= 8 && memcmp(head, hdf5_mark, 8) == 0)
         *kind = INFO_H5MD;
     else if (strncmp(head, "scree checkpoint ", 17) == 0)

@@ -240,6 +240,8 @@ static bool read_sections(struct reading *r, struct error *error) {
         memory_free(rows->angular_velocity);
         rows->velocity = rows->angular_velocity = NULL;
     }
+    if (r->lines.damaged)
+        return lines_refuse(&r->lines, error, "the file does not end here");
     return atoms || lines_refuse(&r->lines, error, "the file has no section Atoms");
 }
 
@@ -260,7 +262,7 @@ bool lammps_data_read(const char *path, struct rows *rows, struct error *error) 
     bool good = read_head(&r, error);
     /* a line takes 14 bytes at least: a count that the file cannot hold is a damaged file, not a reason to
      * run out of memory */
-    if (good && r.atoms > file_size(path) / 14 + 1)
+    if (good && r.atoms > lines_bytes_most(&r.lines) / 14 + 1)
         good = error_set(error, ERROR_USER, "%s: says %" PRId64 " atoms, for which it is too short", path,
                          r.atoms);
     if (good) {

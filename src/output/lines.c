@@ -1,5 +1,8 @@
 #include "output/lines.h"
 
+#include "core/memory.h"
+#include "output/file.h"
+
 #include <ctype.h>
 #include <errno.h>
 #include <math.h>
@@ -9,26 +12,49 @@
 
 bool lines_open(struct lines *lines, const char *path, struct error *error) {
     *lines = (struct lines){.path = path};
-    lines->file = fopen(path, "r");
+    lines->file = gzopen(path, "rb");
     return lines->file || error_set(error, ERROR_USER, "%s: cannot be opened: %s", path, strerror(errno));
 }
 
 void lines_close(struct lines *lines) {
     if (lines->file)
-        fclose(lines->file);
-    free(lines->text);
+        gzclose(lines->file);
+    memory_free(lines->text);
     *lines = (struct lines){0};
 }
 
 bool lines_next(struct lines *lines) {
-    ssize_t length = getline(&lines->text, &lines->room, lines->file);
-    if (length < 0)
+    size_t length = 0;
+    int character = -1, status = Z_OK;
+    do {
+        if (length + 1 >= lines->room) {
+            lines->room = 2 * lines->room + 256;
+            lines->text = memory_resize(lines->text, lines->room, 1, "a line of a file");
+        }
+        character = gzgetc(lines->file);
+        if (character >= 0)
+            lines->text[length++] = (char)character;
+    } while (character >= 0 && character != '\n');
+    if (character < 0)
+        gzerror(lines->file, &status);
+    lines->damaged = lines->damaged || status != Z_OK;
+    lines->whole = character == '\n';
+    if (length == 0)
         return false;
     lines->number++;
-    lines->whole = length > 0 && lines->text[length - 1] == '\n';
     while (length > 0 && isspace((unsigned char)lines->text[length - 1]))
-        lines->text[--length] = '\0';
+        length--;
+    lines->text[length] = '\0';
     return true;
+}
+
+int64_t lines_place(const struct lines *lines) {
+    return (int64_t)gztell(lines->file);
+}
+
+int64_t lines_bytes_most(const struct lines *lines) {
+    enum { DEFLATE_MOST = 1032 }; /* to so many times its size can deflated data grow */
+    return file_size(lines->path) * (gzdirect(lines->file) ? 1 : DEFLATE_MOST);
 }
 
 bool lines_next_filled(struct lines *lines) {
@@ -72,7 +98,8 @@ bool lines_refuse(const struct lines *lines, struct error *error, const char *fo
     va_start(list, format);
     vsnprintf(text, sizeof text, format, list);
     va_end(list);
-    return error_set(error, ERROR_USER, "%s:%llu: %s", lines->path, (unsigned long long)lines->number, text);
+    return error_set(error, ERROR_USER, "%s:%llu: %s%s", lines->path, (unsigned long long)lines->number, text,
+                     lines->damaged ? "; the file cannot be unpacked further: it is cut off or damaged" : "");
 }
 
 bool lines_integer(const char *word, int64_t *value) {

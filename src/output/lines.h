@@ -1,18 +1,19 @@
-/* Text files line by line, with the place for messages. */
+/* Text files line by line, with the place for messages. Files packed by gzip are unpacked on the way. */
 #ifndef SCREE_OUTPUT_LINES_H
 #define SCREE_OUTPUT_LINES_H
 
 #include "core/error.h"
 #include <stdint.h>
-#include <stdio.h>
+#include <zlib.h>
 
 struct lines {
     const char *path; /* borrowed */
-    FILE *file;
+    gzFile file;
     char *text; /* the line, without its end; owned by lines */
     size_t room;
     uint64_t number; /* of the line, from 1 */
     bool whole;      /* it ended with a newline */
+    bool damaged;    /* the file could not be read, or not unpacked, to its end */
 };
 
 bool lines_open(struct lines *lines, const char *path, struct error *error);
@@ -20,6 +21,12 @@ void lines_close(struct lines *lines);
 
 /* Reads the next line; false at the end of the file. */
 bool lines_next(struct lines *lines);
+
+/* Bytes of text up to the end of this line. */
+int64_t lines_place(const struct lines *lines);
+
+/* The most bytes of text that a file of this size can hold. */
+int64_t lines_bytes_most(const struct lines *lines);
 
 /* The next line that holds more than blanks and a comment (# to the end, cut off). */
 bool lines_next_filled(struct lines *lines);

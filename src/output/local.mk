@@ -54,5 +54,5 @@ liboutput_la_SOURCES = \
 	src/output/rows.h \
 	src/output/xdmf.c \
 	src/output/xdmf.h
-liboutput_la_CPPFLAGS = $(AM_CPPFLAGS) $(HDF5_CFLAGS) $(MPI_CFLAGS)
-liboutput_la_LIBADD = $(HDF5_LIBS)
+liboutput_la_CPPFLAGS = $(AM_CPPFLAGS) $(HDF5_CFLAGS) $(MPI_CFLAGS) $(ZLIB_CFLAGS)
+liboutput_la_LIBADD = $(HDF5_LIBS) $(ZLIB_LIBS)

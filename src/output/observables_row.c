@@ -109,7 +109,7 @@ static bool cut_file(struct observables *o, double time, struct error *error) {
     struct lines lines;
     if (!lines_open(&lines, o->path, error))
         return false;
-    long end = 0;
+    int64_t end = 0;
     if (lines_next(&lines)) {
         if (!same_header(o, lines.text)) {
             error_set(error, ERROR_USER,
@@ -117,13 +117,13 @@ static bool cut_file(struct observables *o, double time, struct error *error) {
             lines_close(&lines);
             return false;
         }
-        end = lines.whole ? ftell(lines.file) : 0;
+        end = lines.whole ? lines_place(&lines) : 0;
     }
     double row;
     while (lines_next(&lines) && lines.whole && sscanf(lines.text, "%lf", &row) == 1 &&
            row <= time + 1e-12 * fabs(time)) {
         o->last_time = row;
-        end = ftell(lines.file);
+        end = lines_place(&lines);
     }
     lines_close(&lines);
     return truncate(o->path, end) == 0 ||

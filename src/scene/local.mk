@@ -37,7 +37,7 @@ libscene_la_SOURCES = \
 	src/scene/units.c \
 	src/scene/units.h
 libscene_la_CPPFLAGS = $(AM_CPPFLAGS) $(YAML_CFLAGS) $(MPI_CFLAGS)
-libscene_la_LIBADD = $(YAML_LIBS)
+libscene_la_LIBADD = $(YAML_LIBS) $(ZLIB_LIBS)
 
 EXTRA_DIST += docs/scene.md
 

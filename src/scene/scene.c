@@ -8,27 +8,36 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+#include <zlib.h>
 
 struct tree {
     struct tree_node *root;
 };
 
+/* What zlib says of a file. */
+static const char *reading_error(gzFile file) {
+    int status = Z_OK;
+    const char *why = gzerror(file, &status);
+    return status == Z_OK ? NULL : status == Z_ERRNO ? strerror(errno) : why;
+}
+
 bool scene_read_text(const char *path, char **text, size_t *length, struct error *error) {
     *text = NULL;
-    FILE *file = fopen(path, "rb");
+    gzFile file = gzopen(path, "rb");
     if (!file)
         return error_set(error, ERROR_USER, "%s: cannot be read: %s", path, strerror(errno));
-    size_t have = 0, room = 65536;
+    enum { PART = 65536 };
+    size_t have = 0, room = PART + 1;
     char *data = memory_allocate(room, 1, "scene text");
-    size_t got;
-    while ((got = fread(data + have, 1, room - have - 1, file)) > 0) {
-        have += got;
-        if (have + 1 == room)
+    int got;
+    while ((got = gzread(file, data + have, PART)) > 0) {
+        have += (size_t)got;
+        if (room - have <= PART)
             data = memory_resize(data, room *= 2, 1, "scene text");
     }
-    bool good =
-        !ferror(file) || error_set(error, ERROR_USER, "%s: cannot be read: %s", path, strerror(errno));
-    fclose(file);
+    const char *why = reading_error(file);
+    bool good = why == NULL || error_set(error, ERROR_USER, "%s: cannot be read: %s", path, why);
+    gzclose(file);
     if (good && memchr(data, '\0', have))
         good = error_set(error, ERROR_USER, "%s: not a text file", path);
     if (!good) {

@@ -185,7 +185,7 @@ check 'an oscillating wall stands at its amplitude after a quarter' oscillated
 cat >servo.yaml <<'EOF'
 units: none
 box: {lower: [0, 0, 0], upper: [10, 10, 10]}
-step: {dt: 0.0005, count: 20000}
+step: {dt: 0.0005, count: 6000}
 contact: {law: hooke, tangential: none}
 materials: [{name: soft, density: 1}]
 material_pairs: [{restitution: 0.3, k_n: 1000}]
@@ -193,7 +193,7 @@ walls:
   - {name: floor, shape: plane, point: [0, 0, 1], normal: [0, 0, 1]}
   - {name: lid, shape: plane, point: [0, 0, 3.1], normal: [0, 0, -1], motion: [{kind: servo, direction: [0, 0, 1], force: 20, speed_max: 0.1}]}
 particles: {from: single, position: [5, 5, 2], radius: 1}
-observables: {every: 20000, list: [{name: wall_force, target: lid}]}
+observables: {every: 6000, list: [{name: wall_force, target: lid}]}
 EOF
 pushed() {
     run_scene "$1" servo.yaml servo$1 && within "$(column servo$1/observables.csv lid_fz)" 20 0.5
