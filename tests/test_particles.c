@@ -50,11 +50,14 @@ static void test_append_and_remove_keep_order(void **state) {
     assert_null(p);
 }
 
-static void test_reorder_moves_every_field(void **state) {
-    (void)state;
+/* Forces are zero where `clear`. */
+static void check_reorder(bool clear) {
     for (unsigned features = 0; features <= PARTICLE_FEATURES_ALL; features++) {
         struct particles *p = sample(features, 257), *q = sample(features, 257);
         uint32_t order[257];
+        p->force_clear = clear;
+        for (size_t k = 0; clear && k < 257 * (size_t)p->force_stride; k++)
+            p->force[k] = q->force[k] = 0;
         for (uint32_t k = 0; k < 257; k++)
             order[k] = (k * 100 + 7) % 257;
         particles_reorder(p, order);
@@ -70,6 +73,16 @@ static void test_reorder_moves_every_field(void **state) {
         particles_destroy(&p);
         particles_destroy(&q);
     }
+}
+
+static void test_reorder_moves_every_field(void **state) {
+    (void)state;
+    check_reorder(false);
+}
+
+static void test_reorder_while_forces_are_zero(void **state) {
+    (void)state;
+    check_reorder(true);
 }
 
 static void test_pack_and_unpack_are_inverse(void **state) {
@@ -173,6 +186,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_append_and_remove_keep_order),
         cmocka_unit_test(test_reorder_moves_every_field),
+        cmocka_unit_test(test_reorder_while_forces_are_zero),
         cmocka_unit_test(test_pack_and_unpack_are_inverse),
         cmocka_unit_test(test_scene_without_friction_carries_nothing_of_it),
         cmocka_unit_test(test_wrap_counts_images),

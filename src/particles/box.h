@@ -25,6 +25,14 @@ static inline unsigned box_image_code(int sx, int sy, int sz) {
     return (unsigned)((sx + 1) + 3 * (sy + 1) + 9 * (sz + 1) + 14) % 27u;
 }
 
+/* The image vector of a code. */
+static inline void box_image_vector(unsigned code, int image[3]) {
+    int place = (int)(code + 13) % 27;
+    image[0] = place % 3 - 1;
+    image[1] = place / 3 % 3 - 1;
+    image[2] = place / 9 - 1;
+}
+
 /* The opposite of an image code. */
 static inline unsigned box_image_opposite(unsigned code) {
     return (27u - code) % 27u;

@@ -15,9 +15,9 @@ static void arrays_resize(struct particles *particles, size_t capacity) {
         size_t stride = storage_stride(a, particles->features);
         void *old = storage_get(particles, a);
         storage_set(particles, a, memory_resize(old, capacity, stride, "particles"));
-        memory_free(particles->spare[a]);
-        particles->spare[a] = NULL;
     }
+    memory_free(particles->spare);
+    particles->spare = NULL;
     particles->capacity = capacity;
 }
 
@@ -32,10 +32,9 @@ struct particles *particles_create(unsigned features, size_t capacity) {
 void particles_destroy(struct particles **particles) {
     if (*particles == NULL)
         return;
-    for (int a = 0; a < STORAGE_ARRAYS; a++) {
+    for (int a = 0; a < STORAGE_ARRAYS; a++)
         memory_free(storage_get(*particles, a));
-        memory_free((*particles)->spare[a]);
-    }
+    memory_free((*particles)->spare);
     memory_free(*particles);
     *particles = NULL;
 }
@@ -108,22 +107,52 @@ static void gather(char *restrict to, const char *restrict from, const uint32_t 
     }
 }
 
+/* Copies, or (`from` NULL) clears, by all threads. */
+static void copy(char *to, const char *from, size_t bytes) {
+    enum { PIECE = 1 << 16 };
+#pragma omp parallel for schedule(static)
+    for (size_t first = 0; first < bytes; first += PIECE) {
+        size_t length = bytes - first < PIECE ? bytes - first : PIECE;
+        if (from)
+            memcpy(to + first, from + first, length);
+        else
+            memset(to + first, 0, length);
+    }
+}
+
+/* The widest arrays gather into the spare one and change places with it; narrower ones are copied back from
+ * it. Where forces are zero and as wide, their array serves as the spare one. */
 void particles_reorder(struct particles *particles, const uint32_t *order) {
     assert(particles->ghosts == 0);
+    const size_t widest = sizeof(struct particle_state), n = particles->owned;
+    const size_t force_stride = storage_stride(STORAGE_FORCE, particles->features);
+    const bool lend = particles->force_clear && force_stride == widest;
+    if (!lend && particles->spare == NULL)
+        particles->spare = memory_allocate(particles->capacity, widest, "particles, second array");
+    void *spare = lend ? (void *)particles->force : particles->spare;
     for (int a = 0; a < STORAGE_ARRAYS; a++) {
         if (!storage_present(a, particles->features) || (a == STORAGE_FORCE && particles->force_clear))
             continue;
         size_t stride = storage_stride(a, particles->features);
         void *now = storage_get(particles, a);
-        void *spare = particles->spare[a];
-        if (spare == NULL)
-            spare = memory_allocate(particles->capacity, stride, "particles, second array");
-        gather(spare, now, order, particles->owned, stride);
-        storage_set(particles, a, spare);
-        particles->spare[a] = now;
+        gather(spare, now, order, n, stride);
+        if (stride == widest) {
+            storage_set(particles, a, spare);
+            spare = now;
+        } else {
+            copy(now, spare, n * stride);
+        }
     }
+    if (lend)
+        particles->force = spare;
+    else
+        particles->spare = spare;
     if (particles->force_clear)
-        memset(particles->force, 0, particles->owned * storage_stride(STORAGE_FORCE, particles->features));
+        copy((char *)particles->force, NULL, n * force_stride);
+    if (force_stride == widest) { /* the next time the forces lend theirs */
+        memory_free(particles->spare);
+        particles->spare = NULL;
+    }
     particles->revision++;
 }
 
@@ -169,13 +198,10 @@ double particles_mass(const struct particles *particles, size_t i) {
 }
 
 size_t particles_bytes_each(const struct particles *particles) {
-    size_t bytes = 0;
-    for (int a = 0; a < STORAGE_ARRAYS; a++) {
-        if (!storage_present(a, particles->features))
-            continue;
-        size_t stride = storage_stride(a, particles->features);
-        bytes += particles->spare[a] ? 2 * stride : stride;
-    }
+    size_t bytes = particles->spare ? sizeof(struct particle_state) : 0;
+    for (int a = 0; a < STORAGE_ARRAYS; a++)
+        if (storage_present(a, particles->features))
+            bytes += storage_stride(a, particles->features);
     return bytes;
 }
 

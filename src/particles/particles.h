@@ -32,9 +32,6 @@ struct particle_state {
     double inverse_mass; /* 1/mass; 0 for particles whose motion is prescribed (frozen or moving groups) */
 } __attribute__((aligned(64)));
 
-/* At most so many arrays hold the fields. */
-enum { PARTICLE_ARRAYS_MAX = 16 };
-
 /* Local number of a particle. Pair lists give 27 bits to it (pairlist.h). */
 enum { PARTICLE_INDEX_BITS = 27 };
 
@@ -55,8 +52,8 @@ struct particles {
     uint8_t *group;      /* GROUP: index into the scene's groups, 0 = free */
     double *density;     /* GROUP: mass / volume, kept because inverse_mass is 0 while motion is prescribed */
     int32_t (*image)[3]; /* IMAGE: box crossings; unwrapped position = x + image * edge */
-    void *spare[PARTICLE_ARRAYS_MAX]; /* second arrays that a reorder gathers into and then exchanges;
-                                         allocated at first use */
+    void *spare; /* what a reorder gathers into, 64 bytes a particle, where forces cannot lend their array;
+                    allocated at first use */
 };
 
 /* Makes an empty set with room for `capacity` particles. Destroy frees it and nulls the pointer. One thread.

@@ -20,8 +20,6 @@ static const struct storage_row storage_rows[STORAGE_ARRAYS] = {
     [STORAGE_IMAGE] = {offsetof(struct particles, image), 3 * sizeof(int32_t), PARTICLE_IMAGE},
 };
 
-_Static_assert((int)STORAGE_ARRAYS <= (int)PARTICLE_ARRAYS_MAX, "too many particle arrays");
-
 bool storage_present(enum storage_array array, unsigned features) {
     unsigned needs = storage_rows[array].needs;
     return (features & needs) == needs;

@@ -11,6 +11,7 @@
 #include "scene/unique.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <string.h>
 
 enum { SHARE_BLOCK = 1024 };
@@ -89,6 +90,15 @@ static bool check_unique(const struct walk *walk, struct unique *list, const cha
     return sphere_fail(walk, (int)second->source, &sphere, text);
 }
 
+/* Writes a text; always false. */
+static __attribute__((format(printf, 3, 4))) bool because(char *why, size_t room, const char *format, ...) {
+    va_list list;
+    va_start(list, format);
+    vsnprintf(why, room, format, list);
+    va_end(list);
+    return false;
+}
+
 /* Puts a position into the box: box-relative, wrapped, images counted. False with a text if it cannot be
  * there. */
 static bool place_in_box(const struct scene *scene, struct source_sphere *sphere, double x[3], char *why,
@@ -102,28 +112,25 @@ static bool place_in_box(const struct scene *scene, struct source_sphere *sphere
         }
         int side = x[d] < 0 ? 0 : 1;
         bool inside = x[d] >= 0 && x[d] <= box->edge[d];
-        snprintf(
-            why, room,
-            "%c = %g lies outside of the box (%g to %g); allowed only with box.periodic or box.leave: keep",
-            "xyz"[d], sphere -> x[d], scene -> box_lower[d], scene -> box_upper[d]);
         if (!box->periodic[d] && !inside && box->leave[d][side] != BOX_KEEP)
-            return false;
+            return because(why, room,
+                           "%c = %g lies outside of the box (%g to %g); allowed only with box.periodic or "
+                           "box.leave: keep",
+                           "xyz"[d], sphere -> x[d], scene -> box_lower[d], scene -> box_upper[d]);
         if (!box->periodic[d])
             continue;
         double images = floor(x[d] / box->edge[d]);
-        snprintf(why, room, "%c = %g lies too many box lengths away", "xyz"[d], sphere -> x[d]);
         if (fabs(images) > 1e6)
-            return false;
+            return because(why, room, "%c = %g lies too many box lengths away", "xyz"[d], sphere -> x[d]);
         x[d] -= images * box->edge[d];
         if (x[d] >= box->edge[d]) {
             x[d] = 0;
             images++;
         }
         sphere->image[d] += (int32_t)images;
-        snprintf(why, room, "the diameter (%g) is not smaller than the periodic box in %c (%g)",
-                 2 * sphere->radius, "xyz"[d], box -> edge[d]);
         if (2 * sphere->radius >= box->edge[d])
-            return false;
+            return because(why, room, "the diameter (%g) is not smaller than the periodic box in %c (%g)",
+                           2 * sphere->radius, "xyz"[d], box -> edge[d]);
     }
     return true;
 }
@@ -155,10 +162,11 @@ static bool complete(const struct walk *walk, int source, const struct source_ba
     if (options->material >= 0)
         sphere->material = options->material;
     else if (typed && options->type_count > 0) {
-        snprintf(text, sizeof(text), "type %d, but `types` names %d materials", sphere->material + 1,
-                 options->type_count);
-        if (sphere->material < 0 || sphere->material >= options->type_count)
+        if (sphere->material < 0 || sphere->material >= options->type_count) {
+            because(text, sizeof(text), "type %d, but `types` names %d materials", sphere->material + 1,
+                    options->type_count);
             return sphere_fail(walk, source, sphere, text);
+        }
         sphere->material = options->type_material[sphere->material];
     } else if (!batch->rows.material && scene->materials > 1) {
         return sphere_fail(walk, source, sphere,
@@ -166,11 +174,12 @@ static bool complete(const struct walk *walk, int source, const struct source_ba
     } else if (!batch->rows.material) {
         sphere->material = 0;
     }
-    snprintf(text, sizeof(text),
-             "type %d, but the scene has %d materials (`types` or `material` of the source maps them)",
-             sphere->material + 1, scene->materials);
-    if (sphere->material < 0 || sphere->material >= scene->materials)
+    if (sphere->material < 0 || sphere->material >= scene->materials) {
+        because(text, sizeof(text),
+                "type %d, but the scene has %d materials (`types` or `material` of the source maps them)",
+                sphere->material + 1, scene->materials);
         return sphere_fail(walk, source, sphere, text);
+    }
     if (options->density > 0)
         sphere->density = options->density;
     else if (!(sphere->density > 0))
