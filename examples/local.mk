@@ -13,6 +13,8 @@ nobase_dist_pkgdata_DATA = \
 	examples/bidisperse/scene.yaml \
 	examples/bidisperse/step0.dump.gz \
 	examples/bidisperse/step200.dump.gz \
+	examples/column/README.md \
+	examples/column/scene.yaml \
 	examples/drum/README.md \
 	examples/drum/compare.awk \
 	examples/drum/lammps-1.csv \

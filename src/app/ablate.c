@@ -1,7 +1,6 @@
 /* `scree ablate`: one scene over indexes, threads and newton settings; a table of stage times, pairs and
  * memory. */
-#include "app/command.h"
-#include "app/run.h"
+#include "app/ablate.h"
 #include "core/memory.h"
 #include <omp.h>
 #include <stdio.h>
@@ -43,9 +42,10 @@ static bool variants_read(struct variants *v, const struct command_line *line, s
         snprintf(v->threads.word[v->threads.count++], WORD_MAX, "%d", t);
     strcpy(v->newton.word[v->newton.count++], "on");
     strcpy(v->newton.word[v->newton.count++], "off");
-    if ((line->list[0] && !words_cut(&v->index, line->list[0], "index", error)) ||
-        (line->list[1] && !words_cut(&v->threads, line->list[1], "threads", error)) ||
-        (line->list[2] && !words_cut(&v->newton, line->list[2], "newton", error)))
+    if ((line->list[ABLATE_INDEX] && !words_cut(&v->index, line->list[ABLATE_INDEX], "index", error)) ||
+        (line->list[ABLATE_THREADS] &&
+         !words_cut(&v->threads, line->list[ABLATE_THREADS], "threads", error)) ||
+        (line->list[ABLATE_NEWTON] && !words_cut(&v->newton, line->list[ABLATE_NEWTON], "newton", error)))
         return false;
     for (int k = 0; k < v->index.count; k++)
         if (index_registry_find(v->index.word[k]) == NULL)
@@ -53,8 +53,8 @@ static bool variants_read(struct variants *v, const struct command_line *line, s
                 error, ERROR_USER,
                 "command line: --index: there is no index '%s' (scree help index.name lists them)",
                 v->index.word[k]);
-    if (line->list[3])
-        snprintf(v->steps, sizeof v->steps, "%s", line->list[3]);
+    if (line->list[ABLATE_STEPS])
+        snprintf(v->steps, sizeof v->steps, "%s", line->list[ABLATE_STEPS]);
     return true;
 }
 
@@ -90,18 +90,23 @@ static void print_row(const struct report *r) {
     fflush(stdout);
 }
 
+bool ablate_run(const struct comm *comm, const struct scene *scene, const struct run_watch *watch,
+                struct report *report, struct error *error) {
+    struct run_options options = {.quiet = true, .watch = watch};
+    memory_peak_reset();
+    return run_scene(comm, scene, &options, report, error) == 0;
+}
+
 /* One run of the scene with these settings. */
 static bool variant_run(const struct comm *comm, const struct command_line *line, const char *const *setting,
                         int settings, struct report *report, struct error *error) {
     struct scene_setting extra[8];
-    struct run_options options = {.quiet = true};
     for (int k = 0; k < settings; k++)
         extra[k].text = setting[k];
     struct scene *scene = command_scene(comm, line, extra, settings, error);
     if (scene == NULL)
         return false;
-    memory_peak_reset();
-    bool good = run_scene(comm, scene, &options, report, error) == 0;
+    bool good = ablate_run(comm, scene, NULL, report, error);
     scene_free(&scene);
     return good;
 }
@@ -140,25 +145,45 @@ static bool variants_run(const struct comm *comm, const struct command_line *lin
     return true;
 }
 
-int command_ablate(const struct comm *comm, const struct command_line *line, struct error *error) {
-    struct variants *v = memory_allocate(1, sizeof *v, "variants");
-    struct run_options options = {.directory = line->directory, .overwrite = line->overwrite};
+static bool table_make(const struct comm *comm, const struct command_line *line, const struct variants *v,
+                       struct error *error) {
     char path[OUTPUT_PATH_MAX];
     FILE *table = NULL;
-    if (line->directory == NULL)
-        error_set(error, ERROR_USER, "command line: scree ablate needs -o DIR for its table");
-    if (error->kind == ERROR_NONE && variants_read(v, line, error) && run_directory(comm, &options, error)) {
-        snprintf(path, sizeof path, "%s/ablate.csv", line->directory);
-        if (comm->rank == 0 && (table = fopen(path, "w")) == NULL)
-            error_set_errno(error, "%s", path);
-        if (comm_agree(comm, error)) {
-            if (table)
-                table_head(table);
-            variants_run(comm, line, v, table, error);
-        }
+    snprintf(path, sizeof path, "%s/ablate.csv", line->directory);
+    if (comm->rank == 0 && (table = fopen(path, "w")) == NULL)
+        error_set_errno(error, "%s", path);
+    if (comm_agree(comm, error)) {
+        if (table)
+            table_head(table);
+        variants_run(comm, line, v, table, error);
     }
     if (table && fclose(table) != 0)
         error_set_errno(error, "%s", path);
+    return error->kind == ERROR_NONE;
+}
+
+/* Flags that belong to the other of the two kinds of table. */
+static bool flags_fit(const struct command_line *line, struct error *error) {
+    for (int k = 0; k < ABLATE_FLAGS; k++)
+        if (line->list[k] && line->errors != (k >= ABLATE_DURATION))
+            return error_set(error, ERROR_USER,
+                             "command line: scree ablate %s --error does not take '%s' (scree help ablate)",
+                             line->errors ? "with" : "without", line->list[k]);
+    return true;
+}
+
+int command_ablate(const struct comm *comm, const struct command_line *line, struct error *error) {
+    struct run_options options = {.directory = line->directory, .overwrite = line->overwrite};
+    struct variants *v = memory_allocate(1, sizeof *v, "variants");
+    if (line->directory == NULL)
+        error_set(error, ERROR_USER, "command line: scree ablate needs -o DIR for its table");
+    if (error->kind == ERROR_NONE && flags_fit(line, error) && variants_read(v, line, error) &&
+        run_directory(comm, &options, error)) {
+        if (line->errors)
+            ablate_error(comm, line, error);
+        else
+            table_make(comm, line, v, error);
+    }
     memory_free(v);
     return error->kind;
 }

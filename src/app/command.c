@@ -30,6 +30,18 @@ static const struct flag flags[] = {
     {"threads", "1,2,...", "the thread counts to compare; default: powers of two up to all cores"},
     {"newton", "on,off", "the newton settings to compare; default: both"},
     {"steps", "N", "steps of each run; default: those of the scene"},
+    {"error", NULL,
+     "compares settings by time and by error against a reference that is run first: speed_error.csv, "
+     "speed_error.svg, and advice"},
+    {"duration", "T", "with --error: simulated time of each run, s; default: that of the scene"},
+    {"samples", "N", "with --error: how often runs are compared; default: 40"},
+    {"repeat", "N", "with --error: each run is timed so often, the fastest counts; default: 2"},
+    {"members", "N", "with --error: runs that the statistical spread is from; default: 3"},
+    {"tolerance", "X", "with --error: relative error that the advice allows; default: 0.01"},
+    {"judge", "A,B,...",
+     "with --error: columns of the scene's observables, or trajectory, that count; default: those that are "
+     "no "
+     "energies"},
 };
 
 enum { FLAGS = sizeof flags / sizeof flags[0] };
@@ -43,8 +55,12 @@ static const struct command commands[] = {
     {"check", "SCENE.yaml", "validates a scene and prints what it needs; runs nothing", 1, 1, "set",
      command_check},
     {"ablate", "SCENE.yaml -o DIR",
-     "runs a scene over all indexes, threads and newton settings; a table of times", 1, 1,
-     "output set overwrite index threads newton steps", command_ablate},
+     "runs a scene over all indexes, threads and newton settings, a table of times; with --error over all "
+     "that "
+     "has a price in time and in error",
+     1, 1,
+     "output set overwrite index threads newton steps error duration samples repeat members tolerance judge",
+     command_ablate},
     {"info", "FILE", "tells what is in a trajectory, checkpoint, LAMMPS data file or dump", 1, 1, "",
      run_info},
     {"convert", "IN OUT", "converts LAMMPS data, dumps and H5MD into each other", 2, 2, "to frame overwrite",
@@ -106,7 +122,11 @@ static bool setting_add(struct command_line *line, const char *text, struct erro
 }
 
 static bool flag_store(struct command_line *line, const char *name, const char *value, struct error *error) {
-    static const char *const lists[] = {"index", "threads", "newton", "steps"};
+    static const char *const lists[ABLATE_FLAGS] = {
+        [ABLATE_INDEX] = "index",   [ABLATE_THREADS] = "threads",   [ABLATE_NEWTON] = "newton",
+        [ABLATE_STEPS] = "steps",   [ABLATE_DURATION] = "duration", [ABLATE_SAMPLES] = "samples",
+        [ABLATE_REPEAT] = "repeat", [ABLATE_MEMBERS] = "members",   [ABLATE_TOLERANCE] = "tolerance",
+        [ABLATE_JUDGE] = "judge"};
     const struct {
         const char *name;
         const char **to;
@@ -116,6 +136,7 @@ static bool flag_store(struct command_line *line, const char *name, const char *
         return setting_add(line, value, error);
     line->overwrite = line->overwrite || strcmp(name, "overwrite") == 0;
     line->quiet = line->quiet || strcmp(name, "quiet") == 0;
+    line->errors = line->errors || strcmp(name, "error") == 0;
     for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++)
         if (strcmp(texts[k].name, name) == 0)
             *texts[k].to = value;

@@ -9,18 +9,34 @@
 
 enum { COMMAND_SETTINGS_MAX = 256, COMMAND_FILES_MAX = 2 };
 
+/* Flags of ablate that take a word or a list. */
+enum {
+    ABLATE_INDEX,
+    ABLATE_THREADS,
+    ABLATE_NEWTON,
+    ABLATE_STEPS,
+    ABLATE_DURATION,
+    ABLATE_SAMPLES,
+    ABLATE_REPEAT,
+    ABLATE_MEMBERS,
+    ABLATE_TOLERANCE,
+    ABLATE_JUDGE,
+    ABLATE_FLAGS
+};
+
 /* What the command line said. Texts are borrowed from argv. */
 struct command_line {
     int files;
     const char *file[COMMAND_FILES_MAX]; /* in order: SCENE.yaml, or the input and output of convert */
     int settings;
     struct scene_setting setting[COMMAND_SETTINGS_MAX];
-    const char *directory; /* -o */
-    const char *resume;    /* --resume */
-    const char *to;        /* --to */
-    const char *frame;     /* --frame */
-    const char *list[4];   /* --index, --threads, --newton, --steps (ablate) */
+    const char *directory;          /* -o */
+    const char *resume;             /* --resume */
+    const char *to;                 /* --to */
+    const char *frame;              /* --frame */
+    const char *list[ABLATE_FLAGS]; /* of ablate */
     bool overwrite, quiet;
+    bool errors; /* --error (ablate) */
 };
 
 struct command {

@@ -1,6 +1,7 @@
 noinst_LTLIBRARIES += libapp.la
 libapp_la_SOURCES = \
-	src/app/ablate.c \
+	src/app/ablate.c src/app/ablate.h \
+	src/app/ablate_error.c \
 	src/app/check.c \
 	src/app/command.c src/app/command.h \
 	src/app/folder.c src/app/folder.h \
@@ -11,10 +12,14 @@ libapp_la_SOURCES = \
 	src/app/rebuild.c \
 	src/app/resume.c \
 	src/app/run.c src/app/run.h \
+	src/app/sample.c src/app/sample.h \
 	src/app/simulation.c src/app/simulation.h \
 	src/app/sources.c \
+	src/app/speed_error.c src/app/speed_error.h \
+	src/app/speed_write.c \
 	src/app/step.c \
-	src/app/timing.c
+	src/app/timing.c \
+	src/app/variant.c src/app/variant.h
 
 libapp_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 

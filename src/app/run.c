@@ -93,15 +93,19 @@ static bool step_once(struct run *run, struct error *error) {
     int64_t every = s->scene->step.rebuild_every;
     bool checkpoint = checkpoint_step(run, s->step + 1);
     bool rebuild = checkpoint || (every > 0 && (s->step + 1) % (uint64_t)every == 0);
+    const struct run_watch *watch = run->options->watch;
+    bool watched = watch && watch->due(watch->context, s->step + 1);
     signals_ask(run);
     s->contact.want_sums =
-        s->sums_each_step || (run->outputs && outputs_want_sums(run->outputs, s, s->step + 1));
+        s->sums_each_step || watched || (run->outputs && outputs_want_sums(run->outputs, s, s->step + 1));
     step_run(s, rebuild);
     run->particle_steps += (double)s->total;
     if (s->step % POSITIONS_EVERY == 0)
         guards_check_positions(s);
     timer_start(&s->timers, TIMER_OUTPUT);
     bool good = run->outputs == NULL || outputs_write(run->outputs, s, error);
+    if (good && watched)
+        good = watch->look(watch->context, s, error);
     if (good && checkpoint) {
         good = resume_write(s, &run->output, "", error);
         run->checkpoint_last = timer_now();
@@ -239,6 +243,11 @@ static bool run_open(struct run *run, struct error *error) {
     return run->options->resume != NULL || outputs_write(run->outputs, s, error);
 }
 
+static bool watch_begin(const struct run *run, struct error *error) {
+    const struct run_watch *watch = run->options->watch;
+    return watch == NULL || watch->begin(watch->context, run->s, error);
+}
+
 static void run_loop(struct run *run, struct error *error) {
     struct simulation *s = run->s;
     struct progress_options progress = s->scene->output.progress;
@@ -277,7 +286,7 @@ int run_scene(const struct comm *comm, const struct scene *scene, const struct r
                                      .materials = scene->materials,
                                      .material = scene->material};
     signals_catch();
-    if (run_open(&run, error)) {
+    if (run_open(&run, error) && watch_begin(&run, error)) {
         double setup = timer_now() - start;
         run_loop(&run, error);
         report_create(&own, comm->size);

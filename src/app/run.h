@@ -5,11 +5,23 @@
 #include "app/simulation.h"
 #include "output/report.h"
 
+/* Somebody who looks on while a scene runs (NULL where not needed). All calls are collective. */
+struct run_watch {
+    void *context;
+    /* Before the first step, when particles, pairs and forces are there. May ask for sums at each step. */
+    bool (*begin)(void *context, struct simulation *simulation, struct error *error);
+    /* True if the state after step number `step` is to be looked at. */
+    bool (*due)(const void *context, uint64_t step);
+    /* Looks at the state after a step that was due. */
+    bool (*look)(void *context, const struct simulation *simulation, struct error *error);
+};
+
 struct run_options {
-    const char *directory; /* NULL: no files at all (ablate) */
-    const char *resume;    /* a checkpoint, or NULL */
-    bool overwrite;        /* a directory that exists is used, its files replaced */
-    bool quiet;            /* neither progress nor report on the terminal */
+    const char *directory;         /* NULL: no files at all (ablate) */
+    const struct run_watch *watch; /* borrowed; NULL: nobody looks on */
+    const char *resume;            /* a checkpoint, or NULL */
+    bool overwrite;                /* a directory that exists is used, its files replaced */
+    bool quiet;                    /* neither progress nor report on the terminal */
 };
 
 /* Runs a scene to its end. Fills `report` where it is not NULL (report_destroy is the caller's). Returns the

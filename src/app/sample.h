@@ -1,0 +1,62 @@
+/* What `scree ablate --error` remembers of a run: at even times the scene's own observables, the energies and
+ * momentum, and where some of the particles are. Two runs with samples at the same times can be compared. */
+#ifndef SCREE_APP_SAMPLE_H
+#define SCREE_APP_SAMPLE_H
+
+#include "app/run.h"
+#include "output/observables.h"
+
+enum { SAMPLE_COLUMNS_MAX = 256, SAMPLE_TRACKED_MAX = 20000 };
+
+/* The record of a run. Every rank holds the same numbers, but for `position`, which rank 0 alone holds. */
+struct sample_record {
+    int samples;      /* taken, the start included */
+    int columns;      /* the scene's own, then those of energies and momentum */
+    int own;          /* the scene's own columns */
+    char (*name)[64]; /* [columns] */
+    char (*unit)[16]; /* [columns] */
+    double *time;     /* [samples] */
+    double *value;    /* [samples][columns] */
+    size_t tracked;   /* particles whose places are kept: ids 1, 1 + stride, 1 + 2 stride ... */
+    int64_t stride;
+    float *present;         /* [samples][tracked]: 1 where there is such a particle */
+    double (*position)[3];  /* [samples][tracked], not wrapped; length unit */
+    double radius_min;      /* of all particles at the start; length unit */
+    double mass, speed_max; /* of all free particles at the start; the largest speed over the samples */
+    bool closed;            /* no particle comes or goes, or is moved by order: energy must balance */
+};
+
+/* A recorder: give `watch` to run_scene. */
+struct sampler {
+    struct run_watch watch;
+    struct sample_record *record; /* filled */
+    uint64_t steps_each;          /* steps between samples */
+    int samples_max;
+    double perturbation; /* particles are put aside by up to this part of their radius at the start; 0: not */
+    uint64_t seed;       /* of the perturbation */
+    struct observables *own, *whole;
+};
+
+/* Makes a recorder that samples every `steps_each` steps up to `samples` times beside the start, into
+ * `record`. */
+void sampler_create(struct sampler *sampler, struct sample_record *record, uint64_t steps_each, int samples);
+
+/* Frees the recorder, not the record. */
+void sampler_destroy(struct sampler *sampler);
+
+/* Frees what a record holds; it may have been zero. */
+void sample_free(struct sample_record *record);
+
+/* Number of a column of the record by name among the columns from `first` on, or -1. */
+int sample_column(const struct sample_record *record, const char *name, int first);
+
+/* Number in `other` of what is column `column` of `record`, or -1: a scene without friction has no column for
+ * spin, say. */
+int sample_column_like(const struct sample_record *other, const struct sample_record *record, int column);
+
+/* Value of a column at a sample. */
+static inline double sample_value(const struct sample_record *record, int sample, int column) {
+    return record->value[(size_t)sample * (size_t)record->columns + (size_t)column];
+}
+
+#endif

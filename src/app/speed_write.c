@@ -1,0 +1,216 @@
+/* Tables, plot and words of speed against error. */
+#include "app/speed_error.h"
+#include <errno.h>
+#include <math.h>
+#include <spawn.h>
+#include <string.h>
+#include <sys/wait.h>
+
+extern char **environ;
+
+#define PLOT_LEAST 1e-16 /* errors of 0 on a logarithmic axis */
+
+static const struct sample_record *finest(const struct speed_reference *reference) {
+    return &reference->fine[SPEED_FINE - 1];
+}
+
+static const char *column_of(const struct speed_reference *reference, int column) {
+    return column < 0 ? "trajectory" : finest(reference)->name[column];
+}
+
+static FILE *file_open(const char *directory, const char *name, char *path, struct error *error) {
+    snprintf(path, OUTPUT_PATH_MAX, "%s/%s", directory, name);
+    FILE *file = fopen(path, "w");
+    if (file == NULL)
+        error_set_errno(error, "%s", path);
+    return file;
+}
+
+static bool file_close(FILE *file, const char *path, struct error *error) {
+    return fclose(file) == 0 || error_set_errno(error, "%s", path);
+}
+
+static bool rows_write(const struct speed_row *row, int rows, const struct speed_reference *reference,
+                       const char *directory, struct error *error) {
+    char path[OUTPUT_PATH_MAX];
+    FILE *file = file_open(directory, "speed_error.csv", path, error);
+    if (file == NULL)
+        return false;
+    fprintf(file, "group,settings,dt,dt_of_stable,steps,seconds,speedup,trajectory_error,energy_drift,"
+                  "momentum_error");
+    for (int c = 0; c < finest(reference)->own; c++)
+        fprintf(file, ",%s_error", finest(reference)->name[c]);
+    fprintf(file, ",judged_error,on_front,outcome\n");
+    for (int k = 0; k < rows; k++) {
+        const struct speed_row *r = &row[k];
+        fprintf(file, "%s,%s,%.9g,%.4g,%llu,%.6g,%.4g,%.6g,%.6g,%.6g", r->variant.group, r->variant.settings,
+                r->dt, r->dt / r->stable, (unsigned long long)r->steps, r->seconds,
+                row[0].seconds / r->seconds, r->trajectory, r->drift, r->momentum);
+        for (int c = 0; c < finest(reference)->own; c++)
+            fprintf(file, ",%.6g", r->stopped[0] ? NAN : r->error[c]);
+        fprintf(file, ",%.6g,%d,\"%s\"\n", r->judged, r->on_front, r->stopped[0] ? r->stopped : "done");
+    }
+    return file_close(file, path, error);
+}
+
+static bool reference_write(const struct speed_reference *reference, const char *directory,
+                            struct error *error) {
+    const struct sample_record *record = finest(reference);
+    char path[OUTPUT_PATH_MAX];
+    FILE *file = file_open(directory, "speed_error_reference.csv", path, error);
+    if (file == NULL)
+        return false;
+    fprintf(file, "observable,unit,judged,start,end,scale,reference_error,order,spread\n");
+    fprintf(file, "trajectory,smallest radius,%d,0,0,1,%.6g,%.3g,%.6g\n", reference->judge_trajectory,
+            reference->trajectory_uncertain, reference->trajectory_order, reference->trajectory_spread);
+    for (int c = 0; c < record->own; c++)
+        fprintf(file, "%s,%s,%d,%.9g,%.9g,%.6g,%.6g,%.3g,%.6g\n", record->name[c], record->unit[c],
+                reference->judged[c], sample_value(record, 0, c),
+                sample_value(record, record->samples - 1, c), reference->scale[c], reference->uncertain[c],
+                reference->order[c], reference->spread[c]);
+    return file_close(file, path, error);
+}
+
+/* The points of a group as a block of data; returns whether there are any. */
+static bool points_write(FILE *file, const struct speed_row *row, int rows, const char *group, bool front) {
+    bool any = false;
+    for (int k = 0; k < rows; k++) {
+        const struct speed_row *r = &row[k];
+        if (r->stopped[0] || (front ? !r->on_front : strcmp(r->variant.group, group) != 0))
+            continue;
+        if (!any)
+            fprintf(file, "$%s << END\n", front ? "front" : group);
+        any = true;
+        fprintf(file, "%.6g %.6g \"%s\"\n", r->seconds, fmax(r->judged, PLOT_LEAST), r->variant.settings);
+    }
+    if (any)
+        fprintf(file, "END\n");
+    return any;
+}
+
+static bool is_first(const struct speed_row *row, int k) {
+    for (int other = 0; other < k; other++)
+        if (strcmp(row[other].variant.group, row[k].variant.group) == 0)
+            return false;
+    return true;
+}
+
+static void quote(FILE *file, const char *text) {
+    fputc('\'', file);
+    for (; *text; text++)
+        fputs(*text == '\'' ? "''" : (char[]){*text, 0}, file);
+    fputc('\'', file);
+}
+
+static void plot_say(FILE *file, const struct speed_row *row, int rows,
+                     const struct speed_reference *reference, const char *directory) {
+    char path[OUTPUT_PATH_MAX + 32], data[4096] = "";
+    bool front = points_write(file, row, rows, NULL, true);
+    for (int k = 0; k < rows; k++) {
+        size_t used = strlen(data);
+        if (is_first(row, k) && points_write(file, row, rows, row[k].variant.group, false))
+            snprintf(data + used, sizeof data - used, ", \\\n  $%s using 1:2 with points ps 0.9 title '%s'",
+                     row[k].variant.group, row[k].variant.group);
+    }
+    snprintf(path, sizeof path, "%s/speed_error.svg", directory);
+    fprintf(file, "set terminal svg size 860,560 font 'sans,12' background 'white'\nset output ");
+    quote(file, path);
+    fprintf(file,
+            "\nset logscale xy\nset format y '10^{%%T}'\nset xlabel 'time of a run, s'\n"
+            "set ylabel 'error of what is judged, relative'\nset key outside right\nset grid\n"
+            "floor = %.6g\nset title 'speed against error'\n"
+            "plot floor with lines dt 2 lc 'grey' title 'cannot be told apart below'",
+            fmax(reference->floor, PLOT_LEAST));
+    if (front)
+        fprintf(file, ", \\\n  $front using 1:2 smooth unique with linespoints pt 6 ps 2 lw 2 lc 'black' "
+                      "title 'front', "
+                      "\\\n  $front using 1:2:3 with labels offset 0,1.2 font ',9' notitle");
+    fprintf(file, "%s\n", data);
+}
+
+/* Runs gnuplot on the script; its absence is told, no failure. */
+static void plot_run(const char *script) {
+    char *argument[] = {"gnuplot", (char *)script, NULL};
+    pid_t child;
+    int status = 0;
+    if (posix_spawnp(&child, "gnuplot", NULL, NULL, argument, environ) != 0) {
+        fprintf(stderr, "scree: warning: gnuplot was not found; it makes the plot from %s\n", script);
+        return;
+    }
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+        ;
+    if (status != 0)
+        fprintf(stderr, "scree: warning: gnuplot made no plot from %s\n", script);
+}
+
+bool speed_write(const struct speed_row *row, int rows, const struct speed_reference *reference,
+                 const char *directory, struct error *error) {
+    char path[OUTPUT_PATH_MAX];
+    if (!rows_write(row, rows, reference, directory, error) || !reference_write(reference, directory, error))
+        return false;
+    FILE *file = file_open(directory, "speed_error.gp", path, error);
+    if (file == NULL)
+        return false;
+    plot_say(file, row, rows, reference, directory);
+    if (!file_close(file, path, error))
+        return false;
+    plot_run(path);
+    return true;
+}
+
+void speed_print_reference(const struct speed_reference *reference, FILE *file) {
+    const struct sample_record *record = finest(reference);
+    fprintf(
+        file,
+        "reference: dt = %.4g; error of the reference by the step twice as long, order, spread of %d runs\n",
+        reference->dt, reference->members);
+    fprintf(file, "  %-26s %10.2g  order %5.2f  spread %.2g  (until t = %.4g, then chaos decides)\n",
+            "trajectory", reference->trajectory_uncertain, reference->trajectory_order,
+            reference->trajectory_spread, record->time[reference->horizon]);
+    for (int c = 0; c < record->own; c++)
+        fprintf(file, "  %-26s %10.2g  order %5.2f  spread %.2g%s\n", record->name[c],
+                reference->uncertain[c], reference->order[c], reference->spread[c],
+                reference->judged[c] ? "" : "  (not judged)");
+    fprintf(file, "differences below %.2g cannot be told apart\n\n", reference->floor);
+    fprintf(file, "  %-10s %-36s %10s %10s %10s %10s %10s\n", "", "", "seconds", "trajectory", "energy",
+            "momentum", "judged");
+}
+
+void speed_print_row(const struct speed_row *row, const struct speed_reference *reference, FILE *file) {
+    if (row->stopped[0])
+        fprintf(file, "  %-10s %-36s %s\n", row->variant.group, row->variant.settings, row->stopped);
+    else
+        fprintf(file, "%s %-10s %-36s %10.4f %10.2g %10.2g %10.2g %10.2g  %s\n", row->on_front ? "*" : " ",
+                row->variant.group, row->variant.settings, row->seconds, row->trajectory, row->drift,
+                row->momentum, row->judged, column_of(reference, row->worst));
+}
+
+/* A row in words, against the scene as it is. */
+static void row_say(const struct speed_row *r, const struct speed_row *first,
+                    const struct speed_reference *reference, const struct variant_facts *facts, FILE *file) {
+    double error = r->worst >= 0 ? r->error[r->worst] : r->trajectory;
+    double spread = r->worst >= 0 ? reference->spread[r->worst] : reference->trajectory_spread;
+    fprintf(file, "%s, dt = %.3g (%.2g of the stable step",
+            r == first ? "the scene as it is" : r->variant.settings, r->dt, r->dt / r->stable);
+    if (facts->rayleigh > 0 && !variant_scales_step(&r->variant))
+        fprintf(file, ", %.2g of Rayleigh's", r->dt / facts->rayleigh);
+    fprintf(file, ")");
+    if (r != first)
+        fprintf(file, ": %.2f times as fast as the scene as it is (which is off by %.2g %%)",
+                first->seconds / r->seconds, 100 * first->judged);
+    fprintf(file, "; %s off by %.2g %%, spread %.2g %%", column_of(reference, r->worst), 100 * error,
+            100 * spread);
+}
+
+void speed_print_advice(struct speed_rows rows, const struct speed_reference *reference, double tolerance,
+                        const struct variant_facts *facts, FILE *file) {
+    double allowed = fmax(tolerance, reference->floor);
+    int best = speed_best(rows.row, rows.count, allowed);
+    fprintf(file, "advice: ");
+    if (best < 0) {
+        best = speed_most_exact(rows.row, rows.count);
+        fprintf(file, "nothing tried is within %.2g %%; the nearest is ", 100 * allowed);
+    }
+    row_say(&rows.row[best], &rows.row[0], reference, facts, file);
+    fprintf(file, "\n");
+}

@@ -1,0 +1,229 @@
+#include "app/variant.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Every pair of particles is looked at by brute force, so it is left out above so many. */
+enum { BRUTE_PARTICLES_MAX = 20000 };
+
+/* The step is tried up to this part of the stable one. */
+#define VARIANT_STEP_MOST 0.95
+
+static void means_take(const struct simulation *s, struct variant_facts *facts) {
+    double sum[LAW_MATERIALS_MAX][3] = {{0}};
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        const struct particle_state *p = &s->particles->state[k];
+        if (p->inverse_mass == 0)
+            continue;
+        double *of = sum[particles_material(s->particles, k)];
+        of[0] += 1;
+        of[1] += p->radius;
+        of[2] += 1 / p->inverse_mass;
+    }
+    comm_sum(s->comm, sum[0], 3 * LAW_MATERIALS_MAX);
+    for (int m = 0; m < LAW_MATERIALS_MAX; m++) {
+        facts->radius[m] = sum[m][0] > 0 ? sum[m][1] / sum[m][0] : INFINITY;
+        facts->mass[m] = sum[m][0] > 0 ? sum[m][2] / sum[m][0] : INFINITY;
+    }
+}
+
+bool variant_probe(const struct comm *comm, const struct scene *scene, struct variant_facts *facts,
+                   struct error *error) {
+    struct simulation *s = simulation_create(comm, scene, NULL, error);
+    if (s == NULL)
+        return false;
+    *facts = (struct variant_facts){.dt = s->dt,
+                                    .stable = s->limits.stable,
+                                    .rayleigh = s->limits.rayleigh,
+                                    .particles = s->total,
+                                    .classes = s->classes.count,
+                                    .materials = scene->materials};
+    means_take(s, facts);
+    for (int a = 0; a < scene->materials; a++)
+        for (int b = 0; b < scene->materials; b++) {
+            facts->stiffness[a][b][0] = s->law.pair[a][b].k_n;
+            facts->stiffness[a][b][1] = s->law.pair[a][b].k_t;
+        }
+    simulation_destroy(&s);
+    return true;
+}
+
+struct list {
+    struct variant *variant;
+    int count;
+};
+
+static void put(struct list *list, const char *group, enum variant_kind kind, double value,
+                const char *settings) {
+    if (list->count == VARIANTS_MAX)
+        return;
+    struct variant *v = &list->variant[list->count++];
+    *v = (struct variant){.group = group, .changes = 1, .change = {{kind, value}}};
+    snprintf(v->settings, sizeof v->settings, "%s", settings);
+}
+
+static void put_steps(struct list *list, const struct variant_facts *facts) {
+    static const double factor[] = {0.5, 1.5, 2, 3, 4, 5, 6};
+    char text[VARIANT_TEXT_MAX];
+    for (size_t k = 0; k < sizeof factor / sizeof factor[0]; k++) {
+        if (factor[k] * facts->dt > VARIANT_STEP_MOST * facts->stable)
+            continue;
+        snprintf(text, sizeof text, "dt x %g", factor[k]);
+        put(list, "step", VARIANT_STEP, factor[k], text);
+    }
+}
+
+static void put_laws(struct list *list, const struct scene *scene) {
+    if (scene->law.normal == LAW_HERTZ)
+        put(list, "law", VARIANT_HOOKE, 0, "hooke for hertz");
+    if (scene->law.tangential != LAW_FRICTIONLESS)
+        put(list, "law", VARIANT_FRICTIONLESS, 0, "no friction");
+    if (scene->law.rolling != LAW_ROLLING_NONE)
+        put(list, "law", VARIANT_NO_ROLLING, 0, "no rolling resistance");
+    if (scene->law.damping == LAW_DAMPING_RESTITUTION) {
+        put(list, "stiffness", VARIANT_SOFT, 0.1, "stiffness / 10");
+        put(list, "stiffness", VARIANT_SOFT, 0.01, "stiffness / 100");
+    }
+}
+
+static void put_searches(struct list *list, const struct scene *scene, const struct variant_facts *facts) {
+    char text[VARIANT_TEXT_MAX];
+    put(list, "skin", VARIANT_SKIN, 0.5, "skin / 2");
+    put(list, "skin", VARIANT_SKIN, 2, "skin x 2");
+    for (int k = 0; k < index_registry_count(); k++) {
+        const char *name = index_registry_get(k)->name;
+        if (strcmp(name, scene->index.name) == 0 ||
+            (strcmp(name, "brute") == 0 && facts->particles > BRUTE_PARTICLES_MAX))
+            continue;
+        snprintf(text, sizeof text, "index %s", name);
+        put(list, "index", VARIANT_INDEX, k, text);
+    }
+    if (facts->classes > 2)
+        put(list, "classes", VARIANT_CLASSES, 2, "2 size classes");
+    if (facts->classes > 1)
+        put(list, "classes", VARIANT_CLASSES, 1, "1 size class");
+    put(list, "order", VARIANT_FUSED, scene->step.fused ? 0 : 1,
+        scene->step.fused ? "plain step" : "fused step");
+}
+
+int variant_list(struct variant *variant, const struct scene *scene, const struct variant_facts *facts) {
+    struct list list = {variant, 1};
+    char text[VARIANT_TEXT_MAX];
+    variant[0] = (struct variant){.group = "scene", .settings = "as it is"};
+    put_steps(&list, facts);
+    for (int k = 0; k < integrator_count(); k++)
+        if (strcmp(integrator_get(k)->name, scene->integrator) != 0) {
+            snprintf(text, sizeof text, "%s", integrator_get(k)->name);
+            put(&list, "integrator", VARIANT_INTEGRATOR, k, text);
+        }
+    put_laws(&list, scene);
+    put_searches(&list, scene, facts);
+    return list.count;
+}
+
+void variant_add(struct variant *to, const struct variant *from) {
+    size_t used = strlen(to->settings);
+    for (int k = 0; k < from->changes && to->changes < VARIANT_CHANGES_MAX; k++)
+        to->change[to->changes++] = from->change[k];
+    snprintf(to->settings + used, sizeof to->settings - used, "%s%s", used ? "; " : "", from->settings);
+}
+
+/* Hooke's stiffness that stores as much energy as Hertz's at the overlap that the largest speed reaches:
+ * with F = K d^(3/2), d = (5 m* v^2 / (4 K))^(2/5), that is k = 4/5 K sqrt(d). The tangential one keeps
+ * Mindlin's ratio to the tangent stiffness, 3/2 K sqrt(d). */
+static void hooke_set(const struct variant_facts *facts, int a, int b, struct law_pair *pair) {
+    double radius = 1 / (1 / facts->radius[a] + 1 / facts->radius[b]);
+    double mass = 1 / (1 / facts->mass[a] + 1 / facts->mass[b]);
+    if (!isfinite(radius) || !isfinite(mass)) { /* two materials of walls never touch */
+        radius = 1;
+        mass = 1;
+    }
+    double hertz = facts->stiffness[a][b][0] * sqrt(radius);
+    double overlap = pow(1.25 * mass * facts->speed * facts->speed / hertz, 0.4);
+    overlap = fmax(overlap, 1e-6 * radius);
+    pair->k_n = 0.8 * hertz * sqrt(overlap);
+    pair->k_t = pair->k_n * facts->stiffness[a][b][1] / (1.5 * facts->stiffness[a][b][0]);
+}
+
+static void soften(struct scene *scene, double factor) {
+    for (int a = 0; a < scene->materials; a++) {
+        scene->material[a].young *= factor;
+        for (int b = a; b < scene->materials; b++) {
+            scene->law_pair[a][b].k_n *= factor;
+            scene->law_pair[a][b].k_t *= factor;
+        }
+    }
+}
+
+static void classes_set(struct scene *scene, int count) {
+    scene->classes.method = count == 1 ? CLASSES_ONE : CLASSES_GEOMETRIC;
+    scene->classes.count = count;
+}
+
+/* As the reader leaves a scene that says so. */
+static void frictionless(struct scene *scene) {
+    scene->law.tangential = LAW_FRICTIONLESS;
+    scene->law.rolling = LAW_ROLLING_NONE;
+}
+
+static double change_apply(const struct variant_change *change, const struct variant_facts *facts,
+                           struct scene *scene) {
+    switch (change->kind) {
+    case VARIANT_STEP:
+        return change->value;
+    case VARIANT_INTEGRATOR:
+        snprintf(scene->integrator, sizeof scene->integrator, "%s", integrator_get((int)change->value)->name);
+        break;
+    case VARIANT_HOOKE:
+        scene->law.normal = LAW_HOOKE;
+        for (int a = 0; a < scene->materials; a++)
+            for (int b = a; b < scene->materials; b++)
+                hooke_set(facts, a, b, &scene->law_pair[a][b]);
+        break;
+    case VARIANT_SOFT:
+        soften(scene, change->value);
+        break;
+    case VARIANT_FRICTIONLESS:
+        frictionless(scene);
+        break;
+    case VARIANT_NO_ROLLING:
+        scene->law.rolling = LAW_ROLLING_NONE;
+        break;
+    case VARIANT_SKIN:
+        scene->classes.skin *= change->value;
+        scene->classes.skin_relative *= change->value;
+        break;
+    case VARIANT_INDEX:
+        snprintf(scene->index.name, sizeof scene->index.name, "%s",
+                 index_registry_get((int)change->value)->name);
+        break;
+    case VARIANT_CLASSES:
+        classes_set(scene, (int)change->value);
+        break;
+    case VARIANT_FUSED:
+        scene->step.fused = change->value > 0;
+        break;
+    }
+    return 1;
+}
+
+double variant_apply(const struct variant *variant, const struct variant_facts *facts, struct scene *scene) {
+    double factor = 1;
+    for (int k = 0; k < variant->changes; k++)
+        factor *= change_apply(&variant->change[k], facts, scene);
+    return factor;
+}
+
+bool variant_scales_step(const struct variant *variant) {
+    for (int k = 0; k < variant->changes; k++)
+        if (variant->change[k].kind == VARIANT_HOOKE || variant->change[k].kind == VARIANT_SOFT)
+            return true;
+    return false;
+}
+
+bool variant_is_exact(const struct variant *variant) {
+    for (int k = 0; k < variant->changes; k++)
+        if (variant->change[k].kind < VARIANT_SKIN)
+            return false;
+    return true;
+}

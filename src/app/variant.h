@@ -1,0 +1,68 @@
+/* The variants that `scree ablate --error` tries: a scene with one setting changed, or a few. Settings are
+ * changed in the scene as read, so that a scene needs no new keys for them (stiffnesses for Hooke's law,
+ * say).
+ */
+#ifndef SCREE_APP_VARIANT_H
+#define SCREE_APP_VARIANT_H
+
+#include "app/simulation.h"
+
+enum { VARIANTS_MAX = 64, VARIANT_CHANGES_MAX = 8, VARIANT_TEXT_MAX = 200 };
+
+enum variant_kind {
+    VARIANT_STEP,         /* the time step times `value` */
+    VARIANT_INTEGRATOR,   /* integrator number `value` of those known */
+    VARIANT_HOOKE,        /* Hooke for Hertz */
+    VARIANT_SOFT,         /* stiffnesses times `value`, the step the same part of the stable one */
+    VARIANT_FRICTIONLESS, /* no tangential force */
+    VARIANT_NO_ROLLING,   /* no rolling resistance */
+    VARIANT_SKIN,         /* skins times `value` */
+    VARIANT_INDEX,        /* index number `value` of the registry */
+    VARIANT_CLASSES,      /* sizes merged into `value` classes */
+    VARIANT_FUSED         /* the order of the step: 1 fused, 0 plain */
+};
+
+struct variant_change {
+    enum variant_kind kind;
+    double value;
+};
+
+struct variant {
+    const char *group;               /* "step", "law" ... */
+    char settings[VARIANT_TEXT_MAX]; /* for people: "dt x 2" */
+    struct variant_change change[VARIANT_CHANGES_MAX];
+    int changes; /* 0: the scene as it is */
+};
+
+/* What must be known of a scene to choose and apply variants. */
+struct variant_facts {
+    double dt, stable, rayleigh; /* time */
+    double speed;                /* largest met, length/time; 0: not known yet */
+    uint64_t particles;
+    int classes; /* size classes */
+    int materials;
+    double radius[LAW_MATERIALS_MAX]; /* mean, of free particles; infinite where there are none */
+    double mass[LAW_MATERIALS_MAX];
+    double stiffness[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX][2]; /* hertz: k_n and k_t of the law's table */
+};
+
+/* Finds the facts by creating the simulation of a scene and destroying it. Collective. */
+bool variant_probe(const struct comm *comm, const struct scene *scene, struct variant_facts *facts,
+                   struct error *error);
+
+/* Fills `list` with the scene as it is and the variants that make sense for it; returns how many. */
+int variant_list(struct variant *list, const struct scene *scene, const struct variant_facts *facts);
+
+/* Adds the changes of `from` to `to`, and its settings to the text. */
+void variant_add(struct variant *to, const struct variant *from);
+
+/* Makes a variant's changes in a scene. Returns by how much the time step is to be multiplied. */
+double variant_apply(const struct variant *variant, const struct variant_facts *facts, struct scene *scene);
+
+/* True if the stable step changes with the variant, and the time step with it. */
+bool variant_scales_step(const struct variant *variant);
+
+/* True if results stay the same but for rounding and the order of sums. */
+bool variant_is_exact(const struct variant *variant);
+
+#endif

@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# Speed against error: what `scree ablate --error` finds on a scene whose errors are known to be small, and how it refuses.
+
+. "$(dirname "$0")/common.sh"
+cd "$out" || exit 1
+cat >scene.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [8, 8, 8]}
+gravity: [0, 0, -10]
+threads: 1
+step: {dt: 0.001, count: 200}
+contact: {law: hertz}
+materials: [{name: soft, density: 1, young: 1e4, poisson: 0.3}]
+material_pairs: [{restitution: 0.9, friction: 0.4}]
+walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}]
+particles: {from: random, count: 60, sizes: {law: uniform, min: 0.2, max: 0.6}, velocity_sigma: 3}
+observables: {every: 20, list: [{name: energy}, {name: centre, label: heap, components: z}]}
+EOS
+
+study() { # RANKS DIR [FLAG...]
+    local ranks=$1 dir=$2
+    shift 2
+    on "$ranks" "$scree" ablate scene.yaml --error -o "$dir" --samples 10 --repeat 1 "$@" >said 2>told || { cat said told; return 1; }
+}
+field() { # CSV SETTINGS COLUMN
+    awk -F, -v settings="$2" -v column="$3" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } $2 == settings { print $at[column]; exit }' "$1"
+}
+less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a ~ /^[0-9]/ && b ~ /^[0-9]/ && a < b) }' || { echo "  $1 is not below $2"; return 1; }; }
+
+check 'a scene is studied' study 1 one --duration 0.1 --judge trajectory,heap_z
+cat said
+columns() {
+    awk -F, 'NR == 1 { n = NF; next } NF != n { exit 1 } END { exit !(NR >= 12) }' one/speed_error.csv && head -n 1 one/speed_error.csv | grep -q '^group,settings,dt,.*seconds.*trajectory_error.*heap_z_error.*on_front' &&
+        [ "$(awk -F, '$NF == "\"done\"" && $(NF - 1) == 1' one/speed_error.csv | wc -l)" -gt 0 ]
+}
+check 'a row a variant, some on the front' columns
+converges() {
+    less "$(field one/speed_error.csv 'dt x 0.5' trajectory_error)" "$(field one/speed_error.csv 'as it is' trajectory_error)" &&
+        less "$(field one/speed_error.csv 'as it is' trajectory_error)" "$(field one/speed_error.csv 'dt x 2' trajectory_error)"
+}
+check 'the error grows with the step' converges
+exact() { # skins and indexes change no more than rounding
+    local settings
+    for settings in 'skin / 2' 'skin x 2' 'index brute' 'index linkcell' '1 size class'; do
+        within "$(field one/speed_error.csv "$settings" trajectory_error)" "$(field one/speed_error.csv 'as it is' trajectory_error)" 1e-9 || return 1
+    done
+}
+check 'skin, index and classes change nothing' exact
+physics() { less "$(field one/speed_error.csv 'as it is' trajectory_error)" "$(field one/speed_error.csv 'hooke for hertz' trajectory_error)" &&
+    less 0.001 "$(field one/speed_error.csv 'no friction' energy_rotational_error)"; }
+check 'another law changes more than the step' physics
+order() { # of the reference's trajectory: at least the first
+    awk -F, '$1 == "trajectory" { found = 1; exit !($7 < 0.01 && $8 > 0.8) } END { exit !found }' one/speed_error_reference.csv
+}
+check 'the reference has converged' order
+check 'advice is given' grep -q '^advice: .* times as fast' said
+plotted() { command -v gnuplot >/dev/null || return 0; grep -q '<svg' one/speed_error.svg && ! grep -q warning told; }
+check 'a plot is made' plotted
+
+same_on_ranks() {
+    study 2 two --duration 0.02 --judge heap_z && study 1 three --duration 0.02 --judge heap_z &&
+        within "$(field two/speed_error.csv 'dt x 2' trajectory_error)" "$(field three/speed_error.csv 'dt x 2' trajectory_error)" 1e-8
+}
+check 'two ranks find the same error' same_on_ranks
+
+refuses() { # WORDS FLAG...
+    local words=$1
+    shift
+    on 1 "$scree" ablate scene.yaml "$@" >said 2>&1
+    [ $? = 2 ] && holds said "$words"
+}
+check 'unknown columns are refused' refuses 'allowed: trajectory, energy_kinetic' --error -o four --duration 0.01 --judge weather
+check 'flags of the other table are refused' refuses 'does not take' --error -o five --threads 1
+check 'a span of nothing is refused' refuses 'allowed: numbers' --error -o six --duration 0
+finish
