@@ -1,6 +1,7 @@
 #include "comm/copies.h"
 
 #include "core/memory.h"
+#include "particles/fields.h"
 
 #include <assert.h>
 #include <float.h>
@@ -21,7 +22,10 @@ struct found {
     size_t count, capacity;
     int *rank;
     uint32_t *particle;
-    uint8_t *image;
+    uint8_t *image, *how;
+    bool far;
+    size_t farthest;
+    double radius;
 };
 
 /* What all threads read. */
@@ -29,20 +33,33 @@ struct selection {
     const struct domain *domain;
     const struct particles *particles;
     const double *reach;
-    int own;
+    const struct box *box;
+    const struct domain_place *place;
+    size_t places;
+    double clearance;
     double lower[3], upper[3]; /* of the own subdomain; infinite where wrapped */
     double limit[3];           /* a ball must be smaller than this */
 };
 
-static void found_put(struct found *found, int rank, uint32_t particle, unsigned image) {
+void copies_ball(struct copy_ball *ball, const struct particle_state *state, double reach,
+                 const struct box *box) {
+    ball->x = state->x;
+    ball->radius = (state->radius + reach) * (1 + 8 * DBL_EPSILON);
+    ball->relay =
+        ball->radius + 64 * DBL_EPSILON * (box->edge[0] + box->edge[1] + box->edge[2] + ball->radius);
+}
+
+static void found_put(struct found *found, int rank, uint32_t particle, unsigned image, unsigned how) {
     if (found->count == found->capacity) {
         found->capacity = 2 * found->capacity + 256;
         found->rank = memory_resize(found->rank, found->capacity, sizeof *found->rank, "copies");
         found->particle = memory_resize(found->particle, found->capacity, sizeof *found->particle, "copies");
         found->image = memory_resize(found->image, found->capacity, sizeof *found->image, "copies");
+        found->how = memory_resize(found->how, found->capacity, sizeof *found->how, "copies");
     }
     found->rank[found->count] = rank;
     found->particle[found->count] = particle;
+    found->how[found->count] = (uint8_t)how;
     found->image[found->count++] = (uint8_t)image;
 }
 
@@ -63,35 +80,33 @@ static void check_limit(const struct selection *selection, size_t k, double radi
                 selection->limit[d]);
 }
 
-/* The copies of particle k. `touch` is the thread's own memory, grown as needed. */
-static void find_copies(const struct selection *selection, size_t k, struct domain_touch **touch, int *room,
-                        struct found *found) {
-    const struct particle_state *state = &selection->particles->state[k];
-    double radius = state->radius + selection->reach[selection->particles->size_class[k]];
-    radius *= 1 + 8 * DBL_EPSILON;
-    if (stays_inside(selection, state->x, radius))
-        return;
-    check_limit(selection, k, radius);
-    int n = domain_touching(selection->domain, state->x, radius, *touch, *room);
-    if (n > *room) {
-        *room = 2 * n;
-        *touch = memory_resize(*touch, (size_t)*room, sizeof **touch, "places a particle touches");
-        n = domain_touching(selection->domain, state->x, radius, *touch, *room);
+static void note_far(struct found *found, size_t k, double radius) {
+    if (!found->far || radius > found->radius) {
+        found->farthest = k;
+        found->radius = radius;
     }
-    for (int t = 0; t < n; t++) {
-        const struct domain_touch *at = &(*touch)[t];
-        unsigned image = box_image_code(at->image[0], at->image[1], at->image[2]);
-        if (at->rank != selection->own || image != 0)
-            found_put(found, at->rank, (uint32_t)k, image);
-    }
+    found->far = true;
 }
 
-static void find_range(const struct selection *selection, size_t first, size_t last, struct found *found) {
-    int room = 64;
-    struct domain_touch *touch = memory_allocate((size_t)room, sizeof *touch, "places a particle touches");
-    for (size_t k = first; k < last; k++)
-        find_copies(selection, k, &touch, &room, found);
-    memory_free(touch);
+static void find_copies(const struct selection *selection, size_t k, struct found *found) {
+    const struct particle_state *state = &selection->particles->state[k];
+    struct copy_ball ball;
+    copies_ball(&ball, state, selection->reach[selection->particles->size_class[k]], selection->box);
+    if (stays_inside(selection, state->x, ball.radius))
+        return;
+    check_limit(selection, k, ball.radius);
+    bool far = ball.relay >= selection->clearance;
+    if (far)
+        note_far(found, k, ball.radius);
+    for (size_t p = 0; p < selection->places; p++) {
+        const struct domain_place *place = &selection->place[p];
+        const int image[3] = {place->image[0], place->image[1], place->image[2]};
+        double distance2 = domain_place_distance2(selection->domain, place, ball.x, image);
+        bool needed = distance2 <= ball.radius * ball.radius;
+        if (needed || (far && distance2 <= ball.relay * ball.relay))
+            found_put(found, place->rank, (uint32_t)k, box_image_code(image[0], image[1], image[2]),
+                      (far ? COPY_FAR : 0u) | (needed ? 0u : COPY_RELAY));
+    }
 }
 
 /* Joins the finds of all threads and sorts them by rank. Frees them. */
@@ -100,37 +115,53 @@ static void join(struct copies *copies, struct found *found, int threads, int si
     for (int t = 0; t < threads; t++)
         total += found[t].count;
     int *rank = memory_allocate(total, sizeof *rank, "copies");
-    uint32_t *particle = memory_allocate(total, sizeof *particle, "copies");
-    uint8_t *image = memory_allocate(total, sizeof *image, "copies");
+    struct copies all = {.particle = memory_allocate(total, sizeof *all.particle, "copies"),
+                         .image = memory_allocate(total, sizeof *all.image, "copies"),
+                         .how = memory_allocate(total, sizeof *all.how, "copies")};
     size_t at = 0;
     for (int t = 0; t < threads; t++) {
         for (size_t k = 0; k < found[t].count; k++, at++) {
             rank[at] = found[t].rank[k];
-            particle[at] = found[t].particle[k];
-            image[at] = found[t].image[k];
+            all.particle[at] = found[t].particle[k];
+            all.image[at] = found[t].image[k];
+            all.how[at] = found[t].how[k];
+        }
+        if (found[t].far && (!copies->far || found[t].radius > copies->radius)) {
+            copies->far = true;
+            copies->farthest = found[t].farthest;
+            copies->radius = found[t].radius;
         }
         memory_free(found[t].rank);
         memory_free(found[t].particle);
         memory_free(found[t].image);
+        memory_free(found[t].how);
     }
     groups_make(&copies->groups, rank, total, size);
     copies->particle = memory_allocate(total, sizeof *copies->particle, "copies to send");
     copies->image = memory_allocate(total, sizeof *copies->image, "copies to send");
+    copies->how = memory_allocate(total, sizeof *copies->how, "copies to send");
     for (size_t k = 0; k < total; k++) {
         uint32_t from = copies->groups.item[k];
-        copies->particle[k] = particle[from];
-        copies->image[k] = image[from];
+        copies->particle[k] = all.particle[from];
+        copies->image[k] = all.image[from];
+        copies->how[k] = all.how[from];
         copies->groups.item[k] = (uint32_t)k;
     }
     memory_free(rank);
-    memory_free(particle);
-    memory_free(image);
+    memory_free(all.particle);
+    memory_free(all.image);
+    memory_free(all.how);
 }
 
 void copies_select(struct copies *copies, const struct comm *comm, const struct domain *domain,
                    const struct box *box, const struct particles *particles, const double reach[CLASS_MAX]) {
-    struct selection selection = {
-        .domain = domain, .particles = particles, .reach = reach, .own = comm->rank};
+    struct selection selection = {.domain = domain,
+                                  .particles = particles,
+                                  .reach = reach,
+                                  .box = box,
+                                  .clearance = domain_clearance(domain)};
+    *copies = (struct copies){0};
+    selection.place = domain_neighbours(domain, &selection.places);
     bool wrapped[3];
     domain_wrap(domain, wrapped);
     domain_bounds(domain, comm->rank, selection.lower, selection.upper);
@@ -147,7 +178,8 @@ void copies_select(struct copies *copies, const struct comm *comm, const struct 
     {
         size_t me = (size_t)omp_get_thread_num(), team = (size_t)omp_get_num_threads();
         struct found mine = {0};
-        find_range(&selection, particles->owned * me / team, particles->owned * (me + 1) / team, &mine);
+        for (size_t k = particles->owned * me / team; k < particles->owned * (me + 1) / team; k++)
+            find_copies(&selection, k, &mine);
         found[me] = mine;
     }
     join(copies, found, threads, comm->size);
@@ -158,5 +190,17 @@ void copies_free(struct copies *copies) {
     groups_free(&copies->groups);
     memory_free(copies->particle);
     memory_free(copies->image);
+    memory_free(copies->how);
     *copies = (struct copies){0};
+}
+
+void copies_pack(const struct particles *particles, unsigned use, const uint32_t *list, size_t n,
+                 char *buffer) {
+    size_t each = fields_packed_bytes(particles, use);
+    enum { PART = 4096 };
+#pragma omp parallel for schedule(static) if (n > PART)
+    for (size_t first = 0; first < n; first += PART) {
+        size_t part = n - first < PART ? n - first : PART;
+        fields_pack(particles, use, list + first, part, buffer + first * each);
+    }
 }

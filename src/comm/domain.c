@@ -1,9 +1,12 @@
 #include "comm/domain.h"
 
+#include "comm/domain_tree.h"
 #include "core/memory.h"
 
 #include <assert.h>
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* Rank (i, j, k) of the grid is number i + grid[0] (j + grid[1] k). */
 struct domain {
@@ -11,7 +14,11 @@ struct domain {
     int grid[3];
     double edge[3];
     bool periodic[3], wrapped[3];
-    double *cut[3]; /* grid[d] + 1 faces of the subdomains in direction d, from 0 to the edge */
+    double *cut[3];           /* grid[d] + 1 faces of the subdomains in direction d, from 0 to the edge */
+    struct domain_tree *tree; /* a bisection: instead of grid and cut; else NULL */
+    struct domain_place *neighbour;
+    size_t neighbours;
+    double clearance;
 };
 
 /* How good a grid is: the area along which it cuts the box, then the thinnest part that a cut leaves. */
@@ -82,28 +89,52 @@ static bool grid_refuse(int size, const struct box *box, const struct domain_opt
                      grid[0], grid[1], grid[2], size, size == 1 ? "" : "s");
 }
 
+static void bricks_lay(struct domain *domain, const int grid[3]) {
+    for (int d = 0; d < 3; d++) {
+        int n = grid[d];
+        domain->grid[d] = n;
+        domain->wrapped[d] = domain->periodic[d] && n == 1;
+        domain->cut[d] = memory_allocate((size_t)n + 1, sizeof(double), "domain faces");
+        for (int i = 0; i < n; i++)
+            domain->cut[d][i] = domain->edge[d] * i / n;
+        domain->cut[d][n] = domain->edge[d];
+    }
+}
+
+static void look_around(struct domain *domain);
+
 struct domain *domain_create(const struct comm *comm, const struct box *box,
                              const struct domain_options *options, struct error *error) {
     int grid[3];
-    if (!grid_choose(comm->size, box, options, grid)) {
+    bool bisects = options->kind == DOMAIN_BISECTION;
+    if (!bisects && !grid_choose(comm->size, box, options, grid)) {
         grid_refuse(comm->size, box, options, error);
         return NULL;
     }
     struct domain *domain = memory_allocate_zero(1, sizeof *domain, "domain");
     domain->rank = comm->rank;
     domain->size = comm->size;
-    for (int d = 0; d < 3; d++) {
-        int n = grid[d];
-        domain->grid[d] = n;
-        domain->edge[d] = box->edge[d];
-        domain->periodic[d] = box->periodic[d];
-        domain->wrapped[d] = box->periodic[d] && n == 1;
-        domain->cut[d] = memory_allocate((size_t)n + 1, sizeof(double), "domain faces");
-        for (int i = 0; i < n; i++)
-            domain->cut[d][i] = box->edge[d] * i / n;
-        domain->cut[d][n] = box->edge[d];
+    memcpy(domain->edge, box->edge, sizeof domain->edge);
+    memcpy(domain->periodic, box->periodic, sizeof domain->periodic);
+    if (bisects) {
+        domain_divide(domain, domain_tree_halve(comm->size, box));
+    } else {
+        bricks_lay(domain, grid);
+        look_around(domain);
     }
     return domain;
+}
+
+void domain_divide(struct domain *domain, struct domain_tree *tree) {
+    domain_tree_destroy(&domain->tree);
+    domain->tree = tree;
+    for (int d = 0; d < 3; d++)
+        domain->wrapped[d] = domain->periodic[d] && !domain_tree_cuts(tree, d);
+    look_around(domain);
+}
+
+bool domain_bisects(const struct domain *domain) {
+    return domain->tree != NULL;
 }
 
 void domain_destroy(struct domain **domain) {
@@ -111,6 +142,8 @@ void domain_destroy(struct domain **domain) {
         return;
     for (int d = 0; d < 3; d++)
         memory_free((*domain)->cut[d]);
+    domain_tree_destroy(&(*domain)->tree);
+    memory_free((*domain)->neighbour);
     memory_free(*domain);
     *domain = NULL;
 }
@@ -137,6 +170,8 @@ static int rank_of(const struct domain *domain, const int slab[3]) {
 
 int domain_owner(const struct domain *domain, const double x[3]) {
     int slab[3];
+    if (domain->tree)
+        return domain_tree_owner(domain->tree, x);
     for (int d = 0; d < 3; d++)
         slab[d] = slab_of(domain, d, x[d]);
     return rank_of(domain, slab);
@@ -150,8 +185,20 @@ static double slab_upper(const struct domain *domain, int d, int i) {
     return i == domain->grid[d] - 1 && !domain->periodic[d] ? INFINITY : domain->cut[d][i + 1];
 }
 
+static void whole_bounds(const struct domain *domain, double lower[3], double upper[3]) {
+    for (int d = 0; d < 3; d++) {
+        lower[d] = domain->periodic[d] ? 0 : -INFINITY;
+        upper[d] = domain->periodic[d] ? domain->edge[d] : INFINITY;
+    }
+}
+
 void domain_bounds(const struct domain *domain, int rank, double lower[3], double upper[3]) {
     assert(rank >= 0 && rank < domain->size);
+    if (domain->tree) {
+        whole_bounds(domain, lower, upper);
+        domain_tree_bounds(domain->tree, rank, lower, upper);
+        return;
+    }
     int slab[3] = {rank % domain->grid[0], rank / domain->grid[0] % domain->grid[1],
                    rank / domain->grid[0] / domain->grid[1]};
     for (int d = 0; d < 3; d++) {
@@ -160,10 +207,10 @@ void domain_bounds(const struct domain *domain, int rank, double lower[3], doubl
     }
 }
 
-/* A search for the subdomains that a ball touches. */
+/* A search for the subdomains within `radius` of a cuboid, which may be a point. */
 struct touching {
     const struct domain *domain;
-    const double *x;
+    const double *from, *to;
     double radius;
     struct domain_touch *touch;
     int room, found;
@@ -171,10 +218,11 @@ struct touching {
     signed char image[3];
 };
 
-static void touching_put(struct touching *search) {
+static void touching_put(void *context, int rank) {
+    struct touching *search = context;
     if (search->found < search->room) {
         struct domain_touch *touch = &search->touch[search->found];
-        touch->rank = rank_of(search->domain, search->slab);
+        touch->rank = rank;
         for (int d = 0; d < 3; d++)
             touch->image[d] = search->image[d];
     }
@@ -188,15 +236,15 @@ static void touching_axis(struct touching *search, int d, double squared);
  * farther away than a particle in it. */
 static void touching_slabs(struct touching *search, int d, int image, double squared) {
     const struct domain *domain = search->domain;
-    double y = search->x[d] + image * domain->edge[d];
-    int first = slab_of(domain, d, y - search->radius), last = slab_of(domain, d, y + search->radius);
+    double from = search->from[d] + image * domain->edge[d], to = search->to[d] + image * domain->edge[d];
+    int first = slab_of(domain, d, from - search->radius), last = slab_of(domain, d, to + search->radius);
     if (first > 0)
-        first--; /* y - radius may have been rounded over a face */
+        first--; /* from - radius may have been rounded over a face */
     if (last < domain->grid[d] - 1)
         last++;
     search->image[d] = (signed char)image;
     for (int i = first; i <= last; i++) {
-        double distance = fmax(0, fmax(slab_lower(domain, d, i) - y, y - slab_upper(domain, d, i)));
+        double distance = domain_gap(slab_lower(domain, d, i), slab_upper(domain, d, i), from, to);
         double sum = squared + distance * distance;
         search->slab[d] = i;
         if (sum <= search->radius * search->radius)
@@ -206,7 +254,7 @@ static void touching_slabs(struct touching *search, int d, int image, double squ
 
 static void touching_axis(struct touching *search, int d, double squared) {
     if (d == 3) {
-        touching_put(search);
+        touching_put(search, rank_of(search->domain, search->slab));
         return;
     }
     if (search->domain->wrapped[d]) {
@@ -220,11 +268,146 @@ static void touching_axis(struct touching *search, int d, double squared) {
         touching_slabs(search, d, image, squared);
 }
 
+/* The same in a cut tree: the leaves near each image. */
+static void touching_tree(struct touching *search) {
+    const struct domain *domain = search->domain;
+    double lower[3], upper[3], from[3], to[3];
+    int images[3];
+    whole_bounds(domain, lower, upper);
+    for (int d = 0; d < 3; d++)
+        images[d] = domain->periodic[d] && !domain->wrapped[d] ? 1 : 0;
+    struct domain_tree_search leaves = {from, to, search->radius, domain->wrapped, touching_put, search};
+    for (int turn = 0; turn < DOMAIN_IMAGES; turn++) {
+        const int image[3] = {turn / 9 - 1, turn / 3 % 3 - 1, turn % 3 - 1};
+        bool exists = true;
+        for (int d = 0; d < 3; d++) {
+            exists = exists && abs(image[d]) <= images[d];
+            from[d] = search->from[d] + image[d] * domain->edge[d];
+            to[d] = search->to[d] + image[d] * domain->edge[d];
+            search->image[d] = (signed char)image[d];
+        }
+        if (exists)
+            domain_tree_near(domain->tree, &leaves, lower, upper);
+    }
+}
+
+static int touching_cuboid(const struct domain *domain, const double from[3], const double to[3],
+                           double radius, struct domain_touch *touch, int room) {
+    struct touching search = {
+        .domain = domain, .from = from, .to = to, .radius = radius, .touch = touch, .room = room};
+    if (domain->tree)
+        touching_tree(&search);
+    else
+        touching_axis(&search, 0, 0);
+    return search.found;
+}
+
 int domain_touching(const struct domain *domain, const double x[3], double radius, struct domain_touch *touch,
                     int room) {
-    struct touching search = {.domain = domain, .x = x, .radius = radius, .touch = touch, .room = room};
-    touching_axis(&search, 0, 0);
-    return search.found;
+    return touching_cuboid(domain, x, x, radius, touch, room);
+}
+
+double domain_place_distance2(const struct domain *domain, const struct domain_place *place,
+                              const double x[3], const int image[3]) {
+    double squared = 0;
+    for (int d = 0; d < 3; d++) {
+        double y = x[d] + image[d] * domain->edge[d];
+        double gap = domain_gap(place->lower[d], place->upper[d], y, y);
+        squared += domain->wrapped[d] ? 0 : gap * gap;
+    }
+    return squared;
+}
+
+/* Distance of a touched subdomain from the own one. */
+static double distance_of(const struct domain *domain, const struct domain_touch *touch) {
+    double lower[3], upper[3], own_lower[3], own_upper[3], squared = 0;
+    domain_bounds(domain, touch->rank, lower, upper);
+    domain_bounds(domain, domain->rank, own_lower, own_upper);
+    for (int d = 0; d < 3; d++) {
+        double shift = touch->image[d] * domain->edge[d];
+        double gap = domain_gap(lower[d], upper[d], own_lower[d] + shift, own_upper[d] + shift);
+        squared += domain->wrapped[d] ? 0 : gap * gap;
+    }
+    return sqrt(squared);
+}
+
+/* All subdomains within `radius` of the own one; *touch is allocated. */
+static int all_around(const struct domain *domain, double radius, struct domain_touch **touch) {
+    double lower[3], upper[3];
+    domain_bounds(domain, domain->rank, lower, upper);
+    int n = touching_cuboid(domain, lower, upper, radius, NULL, 0);
+    *touch = memory_allocate((size_t)n, sizeof **touch, "subdomains around");
+    return touching_cuboid(domain, lower, upper, radius, *touch, n);
+}
+
+static int compare_places(const void *a, const void *b) {
+    const struct domain_place *left = a, *right = b;
+    if (left->rank != right->rank)
+        return left->rank < right->rank ? -1 : 1;
+    return memcmp(left->image, right->image, sizeof left->image);
+}
+
+static void find_neighbours(struct domain *domain) {
+    struct domain_touch *touch;
+    int n = all_around(domain, 0, &touch);
+    memory_free(domain->neighbour);
+    domain->neighbour = memory_allocate((size_t)n, sizeof *domain->neighbour, "neighbour subdomains");
+    domain->neighbours = 0;
+    for (int t = 0; t < n; t++) {
+        bool moved = touch[t].image[0] != 0 || touch[t].image[1] != 0 || touch[t].image[2] != 0;
+        if (touch[t].rank == domain->rank && !moved)
+            continue;
+        struct domain_place *place = &domain->neighbour[domain->neighbours++];
+        place->rank = touch[t].rank;
+        memcpy(place->image, touch[t].image, sizeof place->image);
+        domain_bounds(domain, place->rank, place->lower, place->upper);
+        for (int d = 0; d < 3; d++) {
+            place->seen_lower[d] = place->lower[d] - place->image[d] * domain->edge[d];
+            place->seen_upper[d] = place->upper[d] - place->image[d] * domain->edge[d];
+        }
+    }
+    if (domain->neighbours > 1)
+        qsort(domain->neighbour, domain->neighbours, sizeof *domain->neighbour, compare_places);
+    memory_free(touch);
+}
+
+/* Looks farther and farther until something is found that is no neighbour. */
+static double find_clearance(const struct domain *domain) {
+    double most = 0, clearance = INFINITY;
+    for (int d = 0; d < 3; d++)
+        most += 2 * domain->edge[d];
+    for (int d = 0; d < 3; d++)
+        if (domain->periodic[d] && !domain->wrapped[d])
+            most = fmin(most, domain->edge[d]);
+    double radius = most / (8 * cbrt(domain->size));
+    while (!isfinite(clearance)) {
+        struct domain_touch *touch;
+        radius = fmin(2 * radius, most);
+        int n = all_around(domain, radius, &touch);
+        for (int t = 0; t < n; t++) {
+            double distance = distance_of(domain, &touch[t]);
+            if (distance > 0)
+                clearance = fmin(clearance, distance);
+        }
+        memory_free(touch);
+        if (radius >= most)
+            break;
+    }
+    return clearance;
+}
+
+static void look_around(struct domain *domain) {
+    find_neighbours(domain);
+    domain->clearance = find_clearance(domain);
+}
+
+const struct domain_place *domain_neighbours(const struct domain *domain, size_t *count) {
+    *count = domain->neighbours;
+    return domain->neighbour;
+}
+
+double domain_clearance(const struct domain *domain) {
+    return domain->clearance;
 }
 
 void domain_wrap(const struct domain *domain, bool wrap[3]) {

@@ -1,5 +1,6 @@
-/* Who owns which part of the box. Everything else asks only these questions, so that bricks can be
- * replaced by bisection without a change elsewhere. Positions are box-relative.
+/* Who owns which part of the box. Everything else asks only these questions, whatever the form of the
+ * division: bricks, or recursive bisection (domain_tree.h), which follows the load (balance.h). Positions are
+ * box-relative.
  *
  * A subdomain is a cuboid, closed for the purpose of distances; together they tile the box. At an open side
  * the outermost ones extend to infinity, so that every position has an owner. In a direction where one rank
@@ -14,8 +15,14 @@
 
 enum { DOMAIN_IMAGES = 27 };
 
+enum domain_kind { DOMAIN_BRICK, DOMAIN_BISECTION };
+enum domain_weights { DOMAIN_WEIGHTS_PAIRS, DOMAIN_WEIGHTS_TIME, DOMAIN_WEIGHTS_PARTICLES };
+
 struct domain_options {
-    int grid[3]; /* ranks per direction; 0: chosen for the least surface */
+    int grid[3]; /* bricks: ranks per direction; 0: chosen for the least surface */
+    enum domain_kind kind;
+    enum domain_weights weights; /* bisection: what makes a particle heavy */
+    double threshold; /* bisection: divided anew above this ratio of largest to mean load; 0: never */
 };
 
 /* A place where a rank meets a ball: the ball, shifted by `image` (box edges), touches the subdomain of
@@ -25,11 +32,23 @@ struct domain_touch {
     signed char image[3];
 };
 
+/* A place next to a rank's own subdomain: a ball shifted by `image` that leaves the own subdomain may touch
+ * that of `rank`. Corners as they are, and where they lie seen from the own subdomain (moved back by the
+ * image). */
+struct domain_place {
+    int rank;
+    signed char image[3];
+    double lower[3], upper[3];
+    double seen_lower[3], seen_upper[3];
+};
+
 struct domain; /* private */
+struct domain_tree;
 
 /* Divides the box among the ranks. Fails (user), alike on all ranks, if `grid` does not fit the number of
  * ranks; a 2D box is never divided in z. Free choices take the grid that cuts the box along the smallest
- * area; among equal ones that with the thickest subdomains. */
+ * area; among equal ones that with the thickest subdomains. A bisection begins with equal volumes and
+ * has no grid. */
 struct domain *domain_create(const struct comm *comm, const struct box *box,
                              const struct domain_options *options, struct error *error);
 void domain_destroy(struct domain **domain);
@@ -46,13 +65,31 @@ int domain_owner(const struct domain *domain, const double x[3]);
 int domain_touching(const struct domain *domain, const double x[3], double radius, struct domain_touch *touch,
                     int room);
 
+/* The places next to the subdomain of this rank (the closed cuboids meet, if only in a corner), sorted by
+ * rank and image; the own subdomain is none, its images may be. With domain_clearance all that a rank must
+ * know of others in order to send copies. Borrowed until the domain is divided anew. */
+const struct domain_place *domain_neighbours(const struct domain *domain, size_t *count);
+
+/* How far the nearest place lies that is neither the own subdomain nor next to it: a ball with its centre in
+ * the own subdomain and a smaller radius touches nothing beyond the neighbours. */
+double domain_clearance(const struct domain *domain);
+
+/* Squared distance of a point from a place's subdomain, formed as everywhere: x + image * edge first, squares
+ * added in the order x, y, z. `image` is that of the point. */
+double domain_place_distance2(const struct domain *domain, const struct domain_place *place,
+                              const double x[3], const int image[3]);
+
+/* Divides a bisection anew; takes the tree over. Collective in effect: all ranks give the same tree. */
+void domain_divide(struct domain *domain, struct domain_tree *tree);
+bool domain_bisects(const struct domain *domain);
+
 /* Lower and upper corner of a rank's subdomain (infinite at open sides). */
 void domain_bounds(const struct domain *domain, int rank, double lower[3], double upper[3]);
 
 /* Directions in which one rank holds the whole, periodic box: the index wraps them. */
 void domain_wrap(const struct domain *domain, bool wrap[3]);
 
-/* The ranks per direction, for the report. */
+/* The ranks per direction, for the report; 0 for a bisection. */
 void domain_grid(const struct domain *domain, int grid[3]);
 
 #endif

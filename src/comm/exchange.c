@@ -82,12 +82,13 @@ static int send_pieces(struct exchange *exchange, const struct exchange_message 
     return (int)pieces;
 }
 
-/* Receives until all ranks have had their messages received. A rank may be one round ahead of another, never
- * two, as the barrier of a round needs all ranks in it: two tags by turns keep the rounds apart. */
+/* Receives until all ranks have had their messages received: a reduction serves as the barrier. A rank may be
+ * one round ahead of another, never two, as the barrier of a round needs all ranks in it: two tags by turns
+ * keep the rounds apart. */
 static void receive_all(const struct exchange *exchange, int tag, MPI_Request *request, int sends,
-                        struct exchange_inbox *inbox) {
+                        struct exchange_inbox *inbox, int *flag) {
     MPI_Request barrier = MPI_REQUEST_NULL;
-    int sent = 0, through = 0;
+    int sent = 0, through = 0, mine = *flag;
     while (!through) {
         take_piece(exchange, tag, inbox);
         if (sent) {
@@ -96,12 +97,19 @@ static void receive_all(const struct exchange *exchange, int tag, MPI_Request *r
         }
         comm_check(MPI_Testall(sends, request, &sent, MPI_STATUSES_IGNORE), "MPI_Testall");
         if (sent)
-            comm_check(MPI_Ibarrier(exchange->comm->handle, &barrier), "MPI_Ibarrier");
+            comm_check(MPI_Iallreduce(&mine, flag, 1, MPI_INT, MPI_MAX, exchange->comm->handle, &barrier),
+                       "MPI_Iallreduce");
     }
 }
 
 void exchange_sparse(struct exchange *exchange, const struct exchange_message *out, size_t n,
                      struct exchange_inbox *inbox) {
+    int flag = 0;
+    exchange_sparse_max(exchange, out, n, inbox, &flag);
+}
+
+void exchange_sparse_max(struct exchange *exchange, const struct exchange_message *out, size_t n,
+                         struct exchange_inbox *inbox, int *flag) {
     int tag = exchange->round++ % 2 == 0 ? COMM_TAG_SPARSE_EVEN : COMM_TAG_SPARSE_ODD;
     *inbox = (struct exchange_inbox){0};
     size_t room = 0;
@@ -121,7 +129,7 @@ void exchange_sparse(struct exchange *exchange, const struct exchange_message *o
             memcpy(own->data, out[k].data, out[k].bytes);
         own->bytes = out[k].bytes;
     }
-    receive_all(exchange, tag, request, sends, inbox);
+    receive_all(exchange, tag, request, sends, inbox, flag);
     memory_free(request);
     if (inbox->count > 1)
         qsort(inbox->message, inbox->count, sizeof *inbox->message, compare_ranks);

@@ -51,6 +51,10 @@ void exchange_init(struct exchange *exchange, const struct comm *comm);
  * collects what the others sent to this rank. Collective. */
 void exchange_sparse(struct exchange *exchange, const struct exchange_message *out, size_t n,
                      struct exchange_inbox *inbox);
+
+/* The same, and *flag becomes the largest over the ranks: the barrier carries it. */
+void exchange_sparse_max(struct exchange *exchange, const struct exchange_message *out, size_t n,
+                         struct exchange_inbox *inbox, int *flag);
 void exchange_inbox_free(struct exchange_inbox *inbox);
 
 /* Posts `outs` sends and `ins` receives into in[].data, all with their planned lengths; the buffers belong to

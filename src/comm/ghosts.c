@@ -3,8 +3,9 @@
  * Invariants, from ghosts_make until ghosts_drop:
  *   - `to` and `from` are sorted by rank; peers may appear in one of them alone (reduced ghosts), and the own
  *     rank in both (copies of own particles).
- *   - to[t] covers the entries [first, first + count) of `original`: owned particles, increasing within a
- *     peer, one entry a copy. from[f] covers the ghosts owned + [first, first + count).
+ *   - to[t] covers the entries [first, first + count) of `original`: owned particles, one entry a copy;
+ *     those that round 1 made (shadows.h) increase within a peer. from[f] covers the ghosts owned + [first,
+ * first + count).
  *   - What rank a sends to b is, in number and order, what b has from a: no lengths travel with values.
  *   - Values cross in one message per peer; forward and reverse use the same two buffers the other way round,
  *     never at the same time.
@@ -14,6 +15,7 @@
 
 #include "comm/copies.h"
 #include "comm/exchange.h"
+#include "comm/shadows.h"
 #include "core/memory.h"
 #include "particles/fields.h"
 
@@ -50,6 +52,11 @@ struct ghosts {
     uint64_t revision; /* of the particles when the copies were made */
     uint64_t migrated;
     uint64_t class_count[CLASS_MAX];
+    int rounds; /* the most that a spread of shadows took */
+    struct {
+        int64_t id; /* -1: none */
+        double radius, reach, clearance;
+    } misfit;
 };
 
 struct ghosts *ghosts_create(const struct comm *comm, const struct domain *domain, const struct box *box,
@@ -60,7 +67,10 @@ struct ghosts *ghosts_create(const struct comm *comm, const struct domain *domai
     ghosts->domain = domain;
     ghosts->box = box;
     ghosts->options = *options;
+    ghosts->misfit.id = -1;
     exchange_init(&ghosts->exchange, comm);
+    /* its rounds are counted anew: nobody may still be in one of an earlier plan */
+    comm_check(MPI_Barrier(comm->handle), "MPI_Barrier");
     return ghosts;
 }
 
@@ -114,16 +124,6 @@ void ghosts_migrate(struct ghosts *ghosts, struct particles *particles, struct h
 /* Calls for parts of a transfer by several threads where it is long enough. */
 enum { PART = 4096 };
 
-static void pack(const struct particles *particles, unsigned use, const uint32_t *list, size_t n,
-                 char *buffer) {
-    size_t each = fields_packed_bytes(particles, use);
-#pragma omp parallel for schedule(static) if (n > PART)
-    for (size_t first = 0; first < n; first += PART) {
-        size_t part = n - first < PART ? n - first : PART;
-        fields_pack(particles, use, list + first, part, buffer + first * each);
-    }
-}
-
 /* Fills the ghosts [first, first + n), counted from the first ghost, and shifts them to where they stand. */
 static void unpack(const struct ghosts *ghosts, struct particles *particles, unsigned use, size_t first,
                    size_t n, const char *buffer) {
@@ -141,16 +141,17 @@ static void unpack(const struct ghosts *ghosts, struct particles *particles, uns
     }
 }
 
-static void plan_sends(struct ghosts *ghosts, struct copies *copies, size_t owned) {
-    const struct groups *groups = &copies->groups;
+static void plan_sends(struct ghosts *ghosts, struct shadows *shadows, size_t owned) {
+    const struct groups *groups = &shadows->kept;
     ghosts->to_count = groups->count;
     ghosts->to = memory_allocate(groups->count, sizeof *ghosts->to, "peers");
     for (size_t g = 0; g < groups->count; g++)
         ghosts->to[g] =
             (struct peer){groups->rank[g], groups->start[g], groups->start[g + 1] - groups->start[g]};
     ghosts->sent = groups->start[groups->count];
-    ghosts->original = copies->particle;
-    copies->particle = NULL;
+    ghosts->original = memory_allocate(ghosts->sent, sizeof *ghosts->original, "copies held elsewhere");
+    for (size_t k = 0; k < ghosts->sent; k++)
+        ghosts->original[k] = shadows->original[groups->item[k]];
     uint8_t *has_copy = memory_allocate_zero(owned, 1, "border particles");
     for (size_t k = 0; k < ghosts->sent; k++)
         has_copy[ghosts->original[k]] = 1;
@@ -161,65 +162,41 @@ static void plan_sends(struct ghosts *ghosts, struct copies *copies, size_t owne
     memory_free(has_copy);
 }
 
-/* A message that makes copies: n (8 bytes), n image codes, the GHOST fields of n particles. */
-static void make_message(struct exchange_message *message, const struct ghosts *ghosts,
-                         const struct peer *peer, const uint8_t *image, const struct particles *particles) {
-    uint64_t n = peer->count;
-    message->rank = peer->rank;
-    message->bytes = sizeof n + n + n * fields_packed_bytes(particles, FIELD_GHOST);
-    message->data = memory_allocate(message->bytes, 1, "copies to send");
-    memcpy(message->data, &n, sizeof n);
-    memcpy(message->data + sizeof n, image + peer->first, n);
-    pack(particles, FIELD_GHOST, ghosts->original + peer->first, n, message->data + sizeof n + n);
-}
-
-static size_t made_count(const struct exchange_message *message, const struct particles *particles) {
-    uint64_t n = 0;
-    size_t each = 1 + fields_packed_bytes(particles, FIELD_GHOST);
-    if (message->bytes >= sizeof n)
-        memcpy(&n, message->data, sizeof n);
-    if (message->bytes < sizeof n || (message->bytes - sizeof n) / each != n ||
-        (message->bytes - sizeof n) % each != 0)
-        error_fatal("copies: the message from rank %d has %zu bytes, which is not the length of %llu copies",
-                    message->rank, message->bytes, (unsigned long long)n);
-    return n;
-}
-
-static void plan_receives(struct ghosts *ghosts, const struct exchange_inbox *inbox,
+static void plan_receives(struct ghosts *ghosts, const struct shadows *shadows,
                           const struct particles *particles) {
-    ghosts->from_count = inbox->count;
-    ghosts->from = memory_allocate(inbox->count, sizeof *ghosts->from, "peers");
-    for (size_t f = 0; f < inbox->count; f++) {
-        size_t n = made_count(&inbox->message[f], particles);
-        ghosts->from[f] = (struct peer){inbox->message[f].rank, ghosts->held, n};
-        ghosts->held += n;
-    }
+    const struct groups *groups = &shadows->held;
+    ghosts->from_count = groups->count;
+    ghosts->from = memory_allocate(groups->count, sizeof *ghosts->from, "peers");
+    for (size_t g = 0; g < groups->count; g++)
+        ghosts->from[g] =
+            (struct peer){groups->rank[g], groups->start[g], groups->start[g + 1] - groups->start[g]};
+    ghosts->held = shadows->count;
     size_t total = particles->owned + ghosts->held;
     if (total > (size_t)1 << PARTICLE_INDEX_BITS)
         error_fatal("%zu particles with copies on one rank, at most %zu are possible: use more ranks", total,
                     (size_t)1 << PARTICLE_INDEX_BITS);
     ghosts->image = memory_allocate(ghosts->held, 1, "images of copies");
     ghosts->number = memory_allocate(ghosts->held, sizeof *ghosts->number, "numbers of copies");
-    for (size_t k = 0; k < ghosts->held; k++)
+    for (size_t k = 0; k < ghosts->held; k++) {
         ghosts->number[k] = (uint32_t)(particles->owned + k);
+        ghosts->image[k] = shadows->shadow[groups->item[k]].image;
+    }
 }
 
-static void append_copies(struct ghosts *ghosts, const struct exchange_inbox *inbox,
-                          struct particles *particles) {
-    particles_reserve(particles, particles->owned + ghosts->held);
-    for (size_t f = 0; f < inbox->count; f++) {
-        const struct peer *peer = &ghosts->from[f];
-        const char *codes = inbox->message[f].data + sizeof(uint64_t);
-        memcpy(ghosts->image + peer->first, codes, peer->count);
-        for (size_t k = peer->first; k < peer->first + peer->count; k++)
-            if (ghosts->image[k] >= BOX_IMAGE_CODES)
-                error_fatal("copies: rank %d sent image code %d", peer->rank, ghosts->image[k]);
-        unpack(ghosts, particles, FIELD_GHOST, peer->first, peer->count, codes + peer->count);
+static void append_copies(struct ghosts *ghosts, const struct shadows *shadows, struct particles *particles) {
+    size_t owned = particles->owned;
+    particles_reserve(particles, owned + ghosts->held);
+#pragma omp parallel for schedule(static) if (ghosts->held > PART)
+    for (size_t k = 0; k < ghosts->held; k++) {
+        const double *shift = ghosts->shift[ghosts->image[k]];
+        fields_unpack(particles, FIELD_GHOST, owned + k, 1, shadows->shadow[shadows->held.item[k]].fields);
+        for (int d = 0; d < 3; d++)
+            particles->state[owned + k].x[d] += shift[d];
     }
     size_t stride = (size_t)particles->force_stride;
-    memset(particles->force + particles->owned * stride, 0, ghosts->held * stride * sizeof(double));
+    memset(particles->force + owned * stride, 0, ghosts->held * stride * sizeof(double));
     for (size_t k = 0; k < ghosts->held; k++)
-        ghosts->class_count[particles->size_class[particles->owned + k]]++;
+        ghosts->class_count[particles->size_class[owned + k]]++;
     particles->ghosts = ghosts->held;
     particles->revision++;
     ghosts->revision = particles->revision;
@@ -244,6 +221,29 @@ static void plan_buffers(struct ghosts *ghosts, const struct particles *particle
     ghosts->from_message = memory_allocate(ghosts->from_count, sizeof *ghosts->from_message, "messages");
 }
 
+/* A particle that next-neighbour synchronisation does not serve; the copies are made all the same. */
+static void note_misfit(struct ghosts *ghosts, const struct copies *copies,
+                        const struct particles *particles) {
+    if (!copies->far || ghosts->options.sync != GHOSTS_NEIGHBOURS || ghosts->misfit.id >= 0)
+        return;
+    ghosts->misfit.id = particles->id[copies->farthest];
+    ghosts->misfit.radius = particles->state[copies->farthest].radius;
+    ghosts->misfit.reach = copies->radius;
+    ghosts->misfit.clearance = domain_clearance(ghosts->domain);
+}
+
+bool ghosts_fit(const struct ghosts *ghosts, struct error *error) {
+    if (ghosts->misfit.id < 0)
+        return true;
+    return error_set(
+        error, ERROR_USER,
+        "sync: neighbours: particle %lld of radius %.6g must be known up to %.6g from its centre, but "
+        "what lies %.6g from the subdomain of rank %d is not next to it any more; use sync: shadow or "
+        "auto, or fewer ranks",
+        (long long)ghosts->misfit.id, ghosts->misfit.radius, ghosts->misfit.reach, ghosts->misfit.clearance,
+        ghosts->comm->rank);
+}
+
 void ghosts_make(struct ghosts *ghosts, struct particles *particles, const struct size_classes *classes) {
     assert(particles->ghosts == 0 && ghosts->held == 0 && ghosts->flight.count == 0);
     plan_free(ghosts);
@@ -253,21 +253,19 @@ void ghosts_make(struct ghosts *ghosts, struct particles *particles, const struc
         return;
     double reach[CLASS_MAX];
     struct copies copies;
+    struct shadows shadows;
     copies_reach(classes, ghosts->options.reduced, reach);
     copies_select(&copies, ghosts->comm, ghosts->domain, ghosts->box, particles, reach);
-    plan_sends(ghosts, &copies, particles->owned);
-    struct exchange_message *out = memory_allocate(ghosts->to_count, sizeof *out, "messages");
-    for (size_t t = 0; t < ghosts->to_count; t++)
-        make_message(&out[t], ghosts, &ghosts->to[t], copies.image, particles);
-    struct exchange_inbox inbox;
-    exchange_sparse(&ghosts->exchange, out, ghosts->to_count, &inbox);
-    plan_receives(ghosts, &inbox, particles);
-    append_copies(ghosts, &inbox, particles);
+    note_misfit(ghosts, &copies, particles);
+    struct shadows_place place = {&ghosts->exchange, ghosts->domain, ghosts->box, particles, reach};
+    shadows_spread(&shadows, &place, &copies);
+    plan_sends(ghosts, &shadows, particles->owned);
+    plan_receives(ghosts, &shadows, particles);
+    append_copies(ghosts, &shadows, particles);
     plan_buffers(ghosts, particles);
-    for (size_t t = 0; t < ghosts->to_count; t++)
-        memory_free(out[t].data);
-    memory_free(out);
-    exchange_inbox_free(&inbox);
+    if (shadows.rounds > ghosts->rounds)
+        ghosts->rounds = shadows.rounds;
+    shadows_free(&shadows);
     copies_free(&copies);
 }
 
@@ -299,7 +297,7 @@ void ghosts_forward_begin(struct ghosts *ghosts, struct particles *particles) {
     size_t each = fields_packed_bytes(particles, FIELD_FORWARD);
     plan_messages(ghosts->to, ghosts->to_count, each, ghosts->to_buffer, ghosts->to_message);
     plan_messages(ghosts->from, ghosts->from_count, each, ghosts->from_buffer, ghosts->from_message);
-    pack(particles, FIELD_FORWARD, ghosts->original, ghosts->sent, ghosts->to_buffer);
+    copies_pack(particles, FIELD_FORWARD, ghosts->original, ghosts->sent, ghosts->to_buffer);
     exchange_start(&ghosts->exchange, COMM_TAG_FORWARD, ghosts->to_message, ghosts->to_count,
                    ghosts->from_message, ghosts->from_count, &ghosts->flight);
 }
@@ -316,7 +314,7 @@ void ghosts_reverse(struct ghosts *ghosts, struct particles *particles) {
     size_t each = fields_packed_bytes(particles, FIELD_REVERSE);
     plan_messages(ghosts->to, ghosts->to_count, each, ghosts->to_buffer, ghosts->to_message);
     plan_messages(ghosts->from, ghosts->from_count, each, ghosts->from_buffer, ghosts->from_message);
-    pack(particles, FIELD_REVERSE, ghosts->number, ghosts->held, ghosts->from_buffer);
+    copies_pack(particles, FIELD_REVERSE, ghosts->number, ghosts->held, ghosts->from_buffer);
     exchange_start(&ghosts->exchange, COMM_TAG_REVERSE, ghosts->from_message, ghosts->from_count,
                    ghosts->to_message, ghosts->to_count, &ghosts->flight);
     exchange_finish(&ghosts->flight);
@@ -352,7 +350,8 @@ void ghosts_count(const struct ghosts *ghosts, struct ghosts_counts *counts) {
                                      .neighbours = count_neighbours(ghosts),
                                      .messages = ghosts->exchange.messages,
                                      .bytes = ghosts->exchange.bytes,
-                                     .migrated = ghosts->migrated};
+                                     .migrated = ghosts->migrated,
+                                     .rounds = ghosts->rounds};
     memcpy(counts->ghosts_class, ghosts->class_count, sizeof counts->ghosts_class);
 }
 
@@ -384,9 +383,8 @@ bool ghosts_valid(const struct ghosts *ghosts, const struct particles *particles
         return snprintf(why, why_size, "peers are out of order or do not add up") < 0;
     for (size_t t = 0; t < ghosts->to_count; t++)
         for (size_t k = ghosts->to[t].first; k < ghosts->to[t].first + ghosts->to[t].count; k++)
-            if (ghosts->original[k] >= particles->owned ||
-                (k > ghosts->to[t].first && ghosts->original[k] < ghosts->original[k - 1]))
-                return snprintf(why, why_size, "original %u of copy %zu for rank %d is out of order",
+            if (ghosts->original[k] >= particles->owned)
+                return snprintf(why, why_size, "original %u of copy %zu for rank %d is none",
                                 ghosts->original[k], k, ghosts->to[t].rank) < 0;
     for (size_t f = 0; f < ghosts->from_count; f++)
         for (size_t k = ghosts->from[f].first; k < ghosts->from[f].first + ghosts->from[f].count; k++)

@@ -14,15 +14,20 @@
 #include "pairs/history.h"
 #include "particles/particles.h"
 
+/* How copies get to ranks (shadows.h). In steps both are the same: one message a peer, from the owner to all
+ * holders, and one back with newton on. AUTO spreads where needed, which costs nothing where it is not. */
+enum ghosts_sync { GHOSTS_AUTO, GHOSTS_NEIGHBOURS, GHOSTS_SHADOW };
+
 struct ghosts_options {
     bool newton;
     bool reduced; /* small particles travel only as far as small partners; needs newton */
+    enum ghosts_sync sync;
 };
 
 struct ghosts; /* the plan */
 
 /* Makes an empty plan; borrows comm, domain and box until destroyed. Newton off with reduced ghosts is a
- * programmer's mistake here: the scene refuses it. */
+ * programmer's mistake here: the scene refuses it. Collective. */
 struct ghosts *ghosts_create(const struct comm *comm, const struct domain *domain, const struct box *box,
                              const struct ghosts_options *options);
 void ghosts_destroy(struct ghosts **ghosts);
@@ -42,6 +47,10 @@ void ghosts_migrate_rows(struct ghosts *ghosts, struct particles *particles, str
  * where they belong (after ghosts_migrate). Collective. */
 void ghosts_make(struct ghosts *ghosts, struct particles *particles, const struct size_classes *classes);
 
+/* False, with a user's error, if the sync is next-neighbour and a particle of this rank reached beyond the
+ * neighbours of its subdomain. The copies are right even so. Errors may differ between ranks. */
+bool ghosts_fit(const struct ghosts *ghosts, struct error *error);
+
 /* Drops all copies. Not collective. */
 void ghosts_drop(struct ghosts *ghosts, struct particles *particles);
 
@@ -51,8 +60,8 @@ void ghosts_forward_begin(struct ghosts *ghosts, struct particles *particles);
 void ghosts_forward_end(struct ghosts *ghosts, struct particles *particles);
 
 /* Newton on: sends the REVERSE fields (forces) of the copies back and adds them to the originals, in a fixed
- * order: by the rank that held the copy, then in the order of the originals. Newton off: nothing. The copies
- * keep theirs. Collective (neighbours). */
+ * order: by the rank that held the copy, then in the order in which it has them. Newton off: nothing. The
+ * copies keep theirs. Collective (neighbours). */
 void ghosts_reverse(struct ghosts *ghosts, struct particles *particles);
 
 /* The owned particles that have copies elsewhere (or here), increasing, each once: what an integrator moves
@@ -69,6 +78,7 @@ struct ghosts_counts {
     uint64_t neighbours;      /* other ranks talked to now */
     uint64_t messages, bytes; /* sent to other ranks since the start, all kinds */
     uint64_t migrated;        /* particles sent away since the start */
+    int rounds; /* the most that making copies took: 1 where every particle reached neighbours alone */
 };
 void ghosts_count(const struct ghosts *ghosts, struct ghosts_counts *counts);
 

@@ -3,9 +3,11 @@ libcomm_la_SOURCES = \
 	src/comm/comm.c src/comm/comm.h \
 	src/comm/copies.c src/comm/copies.h \
 	src/comm/domain.c src/comm/domain.h \
+	src/comm/domain_tree.c src/comm/domain_tree.h \
 	src/comm/exchange.c src/comm/exchange.h \
 	src/comm/ghosts.c src/comm/ghosts.h \
 	src/comm/groups.c src/comm/groups.h \
-	src/comm/migrate.c src/comm/migrate.h
+	src/comm/migrate.c src/comm/migrate.h \
+	src/comm/shadows.c src/comm/shadows.h
 libcomm_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 libcomm_la_LIBADD = $(MPI_LIBS)

@@ -51,7 +51,14 @@ void cloud_make(struct cloud *cloud, const struct box *box, enum cloud_radii rad
         cloud->radius[k] = draw_radius(box, radii, k, random_uniform(&sequence));
         sorted[k] = cloud->radius[k];
     }
+    double least = INFINITY, most = 0;
+    for (size_t k = 0; k < n; k++) {
+        least = fmin(least, sorted[k]);
+        most = fmax(most, sorted[k]);
+    }
     struct classes_options options = classes_options_default();
+    options.method = CLASSES_GEOMETRIC;
+    options.count = (int)fmax(1, ceil(log2(most / least) - 1e-9));
     options.skin_relative = 0.1; /* boulders with their skin must fit into the box */
     struct error error = {0};
     if (!classes_choose(&cloud->classes, &options, 0, sorted, n, &error))

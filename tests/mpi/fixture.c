@@ -6,6 +6,9 @@
 #include <stdint.h>
 #include <cmocka.h>
 
+#include "comm/domain_tree.h"
+#include "core/random.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,7 +30,7 @@
         .dimension = 2, .edge = {10, 11, 1}, .periodic = { true, false, false }                              \
     }
 
-const struct scene fixture_scenes[SCENES] = {
+const struct scene fixture_scenes[BRICKS] = {
     {PERIODIC, CLOUD_EQUAL, true, true, false},      {PERIODIC, CLOUD_BIDISPERSE, true, true, false},
     {PERIODIC, CLOUD_BIDISPERSE, true, false, true}, {PERIODIC, CLOUD_BIDISPERSE, false, false, false},
     {PERIODIC, CLOUD_CONTINUOUS, true, true, true},  {PERIODIC, CLOUD_CONTINUOUS, false, false, false},
@@ -40,16 +43,48 @@ const struct scene fixture_scenes[SCENES] = {
     {FLAT, CLOUD_BOULDERS, false, false, false},
 };
 
+/* Cuts the cuboid of the ranks [first, last) somewhere. */
+static void divide(int first, int last, int dimension, struct random_sequence *sequence, double (*lower)[3],
+                   double (*upper)[3]) {
+    if (last - first == 1)
+        return;
+    int middle = first + 1 + (int)(random_uniform(sequence) * (last - first - 1));
+    int axis = (int)(random_uniform(sequence) * dimension);
+    double part = 0.1 + 0.8 * random_uniform(sequence);
+    double at = lower[first][axis] + part * (upper[first][axis] - lower[first][axis]);
+    for (int k = first; k < last; k++)
+        (k < middle ? upper : lower)[k][axis] = at;
+    divide(first, middle, dimension, sequence, lower, upper);
+    divide(middle, last, dimension, sequence, lower, upper);
+}
+
+/* The same uneven tree on all ranks. */
+static struct domain_tree *uneven_tree(const struct box *box, int size, uint64_t seed) {
+    double lower[64][3], upper[64][3];
+    struct random_sequence sequence = random_sequence(seed, RANDOM_TEST, 0);
+    assert_true(size <= 64);
+    for (int k = 0; k < size; k++) {
+        memset(lower[k], 0, sizeof lower[k]);
+        memcpy(upper[k], box->edge, sizeof upper[k]);
+    }
+    divide(0, size, box->dimension, &sequence, lower, upper);
+    return domain_tree_from_bounds(size, box->dimension, (const double(*)[3])lower,
+                                   (const double(*)[3])upper);
+}
+
 void fixture_make(struct fixture *fixture, struct team *team, int number, size_t n) {
-    const struct scene *scene = &fixture_scenes[number];
+    const struct scene *scene = &fixture_scenes[number % BRICKS];
     fixture->team = team;
     fixture->scene = scene;
     cloud_make(&fixture->cloud, &scene->box, scene->radii, n, 5);
     int size = team->comm.size;
-    struct domain_options options = {{scene->slabs ? size : 0, 0, 0}};
+    struct domain_options options = {.grid = {scene->slabs ? size : 0, 0, 0},
+                                     .kind = number < BRICKS ? DOMAIN_BRICK : DOMAIN_BISECTION};
     struct error error = {0};
     fixture->domain = domain_create(&team->comm, &scene->box, &options, &error);
     assert_non_null(fixture->domain);
+    if (number >= BRICKS)
+        domain_divide(fixture->domain, uneven_tree(&scene->box, size, (uint64_t)number));
     struct ghosts_options ghosts = {.newton = scene->newton, .reduced = scene->reduced};
     fixture->ghosts = ghosts_create(&team->comm, fixture->domain, &fixture->cloud.box, &ghosts);
     fixture->particles = particles_create(PARTICLE_FEATURES_ALL, 0);

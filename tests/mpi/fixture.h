@@ -15,9 +15,11 @@ struct scene {
     bool slabs; /* a grid of ranks along x alone */
 };
 
-/* The scenes; some are named here for tests that need their properties. */
-enum { SCENE_EQUAL = 0, SCENE_BIDISPERSE = 1, SCENE_BOULDERS = 6, SCENE_BOULDERS_SLABS = 7, SCENES = 19 };
-extern const struct scene fixture_scenes[SCENES];
+/* The scenes; some are named here for tests that need their properties. Scene BRICKS + k is scene k with the
+ * box divided by an uneven bisection. */
+enum { SCENE_EQUAL = 0, SCENE_BIDISPERSE = 1, SCENE_BOULDERS = 6, SCENE_BOULDERS_SLABS = 7, BRICKS = 19 };
+enum { SCENES = 2 * BRICKS };
+extern const struct scene fixture_scenes[BRICKS];
 
 struct fixture {
     struct team *team;

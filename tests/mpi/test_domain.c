@@ -29,7 +29,7 @@ enum { SIZES = sizeof sizes / sizeof sizes[0] };
 
 static struct domain *make(int size, const struct box *box, const int grid[3]) {
     struct comm comm = {.handle = MPI_COMM_NULL, .rank = size - 1, .size = size};
-    struct domain_options options = {{grid[0], grid[1], grid[2]}};
+    struct domain_options options = {.grid = {grid[0], grid[1], grid[2]}};
     struct error error = {0};
     struct domain *domain = domain_create(&comm, box, &options, &error);
     if (domain == NULL)
@@ -231,7 +231,7 @@ static void grids_of_least_surface(void **state) {
 
 static void expect_refusal(int size, const struct box *box, const int grid[3], const char *part) {
     struct comm comm = {.handle = MPI_COMM_NULL, .rank = 0, .size = size};
-    struct domain_options options = {{grid[0], grid[1], grid[2]}};
+    struct domain_options options = {.grid = {grid[0], grid[1], grid[2]}};
     struct error error = {0};
     assert_null(domain_create(&comm, box, &options, &error));
     assert_int_equal(error.kind, ERROR_USER);

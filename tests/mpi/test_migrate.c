@@ -42,7 +42,7 @@ static void fixture_make(struct fixture *fixture, struct team *team, const struc
                          unsigned features) {
     fixture->team = team;
     cloud_make(&fixture->cloud, box, CLOUD_BIDISPERSE, PARTICLES, 1);
-    struct domain_options options = {{0, 0, 0}};
+    struct domain_options options = {.grid = {0, 0, 0}};
     struct error error = {0};
     fixture->domain = domain_create(&team->comm, box, &options, &error);
     assert_non_null(fixture->domain);
