@@ -10,6 +10,7 @@
 #include "output/lammps_data.h"
 #include "scene/unique.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
@@ -247,6 +248,24 @@ static bool check_sphere(const struct walk *walk, int source, const struct sourc
     return true;
 }
 
+/* Numbers that are finite, and yet of no use: squares and masses overflow, overlaps drown in rounding. */
+static bool check_range(const struct walk *walk, int source, const struct source_sphere *sphere,
+                        const double x[3]) {
+    const double *v = sphere->v;
+    double mass = particles_sphere_mass(sphere->radius, sphere->density);
+    if (!isnormal(mass) || !isnormal(1 / mass))
+        return sphere_fail(walk, source, sphere,
+                           "the mass that follows from radius and density is out of range");
+    if (!isfinite(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]))
+        return sphere_fail(walk, source, sphere, "the speed is out of range");
+    for (int d = 0; d < walk->scene->box.dimension; d++)
+        if (fabs(x[d]) * DBL_EPSILON > 1e-3 * sphere->radius)
+            return sphere_fail(
+                walk, source, sphere,
+                "so far from the lower corner of the box, rounding is above a thousandth of the radius");
+    return true;
+}
+
 static bool take_sphere(struct walk *walk, int source, const struct source_batch *batch,
                         struct source_sphere *sphere) {
     double x[3];
@@ -255,6 +274,8 @@ static bool take_sphere(struct walk *walk, int source, const struct source_batch
         return false;
     if (!place_in_box(walk->scene, sphere, x, why, sizeof(why)))
         return sphere_fail(walk, source, sphere, why);
+    if (!check_range(walk, source, sphere, x))
+        return false;
     remember(walk, &walk->ids, checksum_row(1, &sphere->id, sizeof(sphere->id)), source, sphere);
     remember(walk, &walk->places, checksum_row(0, x, sizeof(x)), source, sphere);
     count_sphere(walk, sphere);
@@ -291,8 +312,18 @@ static struct source_sphere sphere_of(const struct source_options *options, cons
     return sphere;
 }
 
+/* Room for what this rank is to expect of `count` particles, lest arrays grow step by step. */
+static void expect(struct walk *walk, size_t count) {
+    size_t ranks = (size_t)walk->share->size, share = count / ranks;
+    share += ranks > 1 ? share / 16 + 1 : 0;
+    particles_reserve(walk->particles, walk->particles->owned + share);
+    unique_reserve(&walk->ids, walk->ids.count + share);
+    unique_reserve(&walk->places, walk->places.count + share);
+}
+
 static bool take_batch(struct walk *walk, int source, const struct source_batch *batch) {
     const struct source_options *options = &walk->scene->source[source];
+    expect(walk, batch->rows.count);
     int64_t base = walk->census.id_max, taken = 0;
     for (size_t k = 0; k < batch->rows.count; k++) {
         struct source_sphere sphere = sphere_of(options, batch, k);

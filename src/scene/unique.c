@@ -4,11 +4,16 @@
 
 #include <stdlib.h>
 
+void unique_reserve(struct unique *unique, size_t capacity) {
+    if (capacity <= unique->capacity)
+        return;
+    unique->capacity = capacity;
+    unique->entry = memory_resize(unique->entry, capacity, sizeof(*unique->entry), "ids seen");
+}
+
 void unique_add(struct unique *unique, const struct unique_entry *entry) {
-    if (unique->count == unique->capacity) {
-        unique->capacity = unique->capacity ? 2 * unique->capacity : 1024;
-        unique->entry = memory_resize(unique->entry, unique->capacity, sizeof(*unique->entry), "ids seen");
-    }
+    if (unique->count == unique->capacity)
+        unique_reserve(unique, unique->capacity ? 2 * unique->capacity : 1024);
     unique->entry[unique->count++] = *entry;
 }
 

@@ -18,6 +18,8 @@ struct unique {
     size_t count, capacity;
 };
 
+/* Makes room for `capacity` entries. */
+void unique_reserve(struct unique *unique, size_t capacity);
 void unique_add(struct unique *unique, const struct unique_entry *entry);
 
 /* Sorts, and gives the first two entries of one key (in the order of source and line); false if all differ.
