@@ -3,6 +3,7 @@
 #include "core/memory.h"
 #include "output/convert.h"
 #include "output/info.h"
+#include "pack/options.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -65,6 +66,9 @@ static const struct command commands[] = {
      run_info},
     {"convert", "IN OUT", "converts LAMMPS data, dumps and H5MD into each other", 2, 2, "to frame overwrite",
      run_convert},
+    {"pack", "LAW FILE... [KEY=VALUE...]",
+     "makes a packing of spheres: NAME.data for LAMMPS, NAME.h5 for H5MD", 2, COMMAND_FILES_MAX,
+     "overwrite quiet", command_pack},
 };
 
 enum { COMMANDS = sizeof commands / sizeof commands[0] };
@@ -92,7 +96,7 @@ static bool word_in(const char *list, const char *name, size_t length) {
     return false;
 }
 
-void command_usage(FILE *out, const struct command *command) {
+bool command_usage(FILE *out, const struct command *command, const char *topic) {
     if (command == NULL) {
         fprintf(out, "scree simulates particles of very different sizes\n\n");
         for (int k = 0; k < COMMANDS; k++)
@@ -101,8 +105,11 @@ void command_usage(FILE *out, const struct command *command) {
         fprintf(out, "  scree %-8s %-18s %s\n", "help", "[COMMAND | KEY]",
                 "a command at length, all keys of a scene, or one key at length");
         fprintf(out, "  scree --version\n\nSeveral ranks: mpirun -n 4 scree run ...\n");
-        return;
+        return true;
     }
+    bool packs = command->run == command_pack;
+    if (topic && packs)
+        return pack_help(out, topic);
     fprintf(out, "scree %s %s: %s\n", command->name, command->arguments, command->summary);
     for (int f = 0; f < FLAGS; f++) {
         if (!word_in(command->flags, flags[f].name, strlen(flags[f].name)))
@@ -110,6 +117,11 @@ void command_usage(FILE *out, const struct command *command) {
         fprintf(out, "  --%s%s%s\n      %s\n", flags[f].name, flags[f].argument ? " " : "",
                 flags[f].argument ? flags[f].argument : "", flags[f].help);
     }
+    if (packs) {
+        fprintf(out, "\nLAW is one of these; 'scree help pack LAW' tells its keys:\n");
+        pack_help(out, NULL);
+    }
+    return true;
 }
 
 static bool setting_add(struct command_line *line, const char *text, struct error *error) {

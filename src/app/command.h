@@ -7,7 +7,7 @@
 #include "scene/scene.h"
 #include <stdbool.h>
 
-enum { COMMAND_SETTINGS_MAX = 256, COMMAND_FILES_MAX = 2 };
+enum { COMMAND_SETTINGS_MAX = 256, COMMAND_FILES_MAX = 40 };
 
 /* Flags of ablate that take a word or a list. */
 enum {
@@ -27,7 +27,7 @@ enum {
 /* What the command line said. Texts are borrowed from argv. */
 struct command_line {
     int files;
-    const char *file[COMMAND_FILES_MAX]; /* in order: SCENE.yaml, or the input and output of convert */
+    const char *file[COMMAND_FILES_MAX]; /* in order: SCENE.yaml, the input and output of convert ... */
     int settings;
     struct scene_setting setting[COMMAND_SETTINGS_MAX];
     const char *directory;          /* -o */
@@ -55,8 +55,9 @@ const struct command *command_get(int k);
 bool command_line_read(struct command_line *line, const struct command *command, int argc, char **argv,
                        struct error *error);
 
-/* The usage of all commands, or of one at length. */
-void command_usage(FILE *out, const struct command *command);
+/* The usage of all commands, or of one at length; with a topic, that topic of the command. False if there is no such
+ * topic. */
+bool command_usage(FILE *out, const struct command *command, const char *topic);
 
 /* Reads and parses the scene file that the line names, with its settings and `extra` more. NULL: error
  * filled. Collective. */
@@ -64,6 +65,7 @@ struct scene *command_scene(const struct comm *comm, const struct command_line *
                             const struct scene_setting *extra, int extras, struct error *error);
 
 int command_check(const struct comm *comm, const struct command_line *line, struct error *error);
+int command_pack(const struct comm *comm, const struct command_line *line, struct error *error);
 int command_ablate(const struct comm *comm, const struct command_line *line, struct error *error);
 
 #endif

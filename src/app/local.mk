@@ -8,6 +8,7 @@ libapp_la_SOURCES = \
 	src/app/guards.c \
 	src/app/library.c src/scree.h \
 	src/app/outputs.c src/app/outputs.h \
+	src/app/pack.c \
 	src/app/program.c \
 	src/app/rebuild.c \
 	src/app/resume.c \

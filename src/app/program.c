@@ -6,8 +6,14 @@
 
 static int show_help(int argc, char **argv) {
     const struct command *command = argc > 2 ? command_find(argv[2]) : NULL;
+    if (command && argc > 3) {
+        bool known = command_usage(stdout, command, argv[3]);
+        if (!known)
+            fprintf(stderr, "scree: help %s: there is nothing on '%s'\n", argv[2], argv[3]);
+        return known ? 0 : ERROR_USER;
+    }
     if (argc <= 2 || command) {
-        command_usage(stdout, command);
+        command_usage(stdout, command, NULL);
         if (argc <= 2) {
             printf("\nThe keys of a scene (scree help KEY tells more):\n\n");
             scene_help(stdout, NULL);
@@ -26,7 +32,7 @@ static int show_version(void) {
 /* What needs no MPI. Returns -1 if the command line is something else. */
 static int answer_plainly(int argc, char **argv) {
     if (argc < 2 || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
-        command_usage(argc < 2 ? stderr : stdout, NULL);
+        command_usage(argc < 2 ? stderr : stdout, NULL, NULL);
         return argc < 2 ? ERROR_USER : 0;
     }
     if (strcmp(argv[1], "help") == 0)
@@ -41,14 +47,15 @@ static int run_command(const struct comm *comm, int argc, char **argv, struct er
     const struct command *command = command_find(argv[1]);
     if (command == NULL) {
         error_set(error, ERROR_USER,
-                  "command line: unknown command '%s'; known are run, check, ablate, info, convert, help",
+                  "command line: unknown command '%s'; known are run, check, ablate, info, convert, pack, help",
                   argv[1]);
         return error->kind;
     }
     for (int k = 2; k < argc; k++) {
         if (strcmp(argv[k], "--help") == 0) {
-            if (comm->rank == 0)
-                command_usage(stdout, command);
+            const char *topic = argv[2][0] == '-' ? NULL : argv[2];
+            if (comm->rank == 0 && !command_usage(stdout, command, topic))
+                command_usage(stdout, command, NULL);
             return 0;
         }
     }

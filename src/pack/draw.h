@@ -1,0 +1,12 @@
+/* Radii of a packing, drawn from its law: that of particle k depends on the seed, the law and k alone. */
+#ifndef SCREE_PACK_DRAW_H
+#define SCREE_PACK_DRAW_H
+
+#include "pack/options.h"
+#include <stddef.h>
+
+/* Fills radius[0 ... count-1]. Not for BIDISPERSE. Fails (user) on an empty law or a bad sieve file. Opens
+ * its own thread team. */
+bool draw_radii(const struct pack_options *options, double *radius, size_t count, struct error *error);
+
+#endif

@@ -1,0 +1,11 @@
+noinst_LTLIBRARIES += libpack.la
+libpack_la_SOURCES = \
+	src/pack/bidisperse.c \
+	src/pack/draw.c src/pack/draw.h \
+	src/pack/options.c src/pack/options.h \
+	src/pack/pack.c src/pack/pack.h \
+	src/pack/parts.h \
+	src/pack/push.c src/pack/push.h \
+	src/pack/relax.c src/pack/relax.h \
+	src/pack/search.c src/pack/search.h
+libpack_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
