@@ -46,7 +46,9 @@ struct run {
 };
 
 bool run_directory(const struct comm *comm, const struct run_options *options, struct error *error) {
-    if (comm->rank == 0 && options->directory) {
+    if (options->directory && options->directory[0] == '\0') {
+        error_set(error, ERROR_USER, "command line: -o: the name of the directory is empty");
+    } else if (comm->rank == 0 && options->directory) {
         struct stat found;
         bool there = stat(options->directory, &found) == 0;
         if (there && !S_ISDIR(found.st_mode))

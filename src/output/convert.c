@@ -11,6 +11,7 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 static const struct {
     const char *name, *ending;
@@ -205,6 +206,11 @@ static bool write_xdmf(const struct converting *c, struct error *error) {
     return h5md_write_xdmf(c->in, c->out, c->comm, error);
 }
 
+static bool same_file(const char *a, const char *b) {
+    struct stat one, two;
+    return stat(a, &one) == 0 && stat(b, &two) == 0 && one.st_dev == two.st_dev && one.st_ino == two.st_ino;
+}
+
 bool convert_file(const char *in, const char *out, const struct convert_options *options,
                   const struct comm *comm, struct error *error) {
     struct converting c = {.in = in, .out = out, .options = options, .comm = comm};
@@ -214,6 +220,8 @@ bool convert_file(const char *in, const char *out, const struct convert_options 
                          "%s: the format is not clear from this name (.data, .lammpstrj, .h5, .xdmf)", out);
     if (!info_kind(in, &c.kind, error) || !count_frames(&c, error))
         return false;
+    if (same_file(in, out))
+        return error_set(error, ERROR_USER, "%s: cannot be converted into itself", in);
     if (!options->overwrite && file_size(out) >= 0)
         return error_set(error, ERROR_USER, "%s: is there already", out);
     switch (c.to) {

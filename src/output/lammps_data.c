@@ -17,6 +17,7 @@ enum { SECTIONS = sizeof sections / sizeof sections[0] };
 struct numbered {
     int64_t id;
     size_t row;
+    bool moves; /* has a line in section Velocities */
 };
 
 struct reading {
@@ -189,6 +190,9 @@ static bool take_velocity(struct reading *r, size_t line, const double *value, i
     }
     if (rows->count == 0 || (double)r->sorted[low].id != value[0])
         return lines_refuse(&r->lines, error, "there is no atom with id %g", value[0]);
+    if (r->sorted[low].moves)
+        return lines_refuse(&r->lines, error, "a second velocity of the atom with id %g", value[0]);
+    r->sorted[low].moves = true;
     size_t row = r->sorted[low].row;
     memcpy(rows->velocity[row], value + 1, sizeof rows->velocity[row]);
     if (n == 7)

@@ -148,8 +148,8 @@ static struct tree_node *element_of(struct descent *descent, struct tree_node *l
         tree_append(list, tree_new(TREE_MAP, 0));
     if (list->kind == TREE_LIST && number < list->children)
         return list->child[number];
-    schema_fail(descent->reader, descent->value, descent->whole, "there is no number %zu: the list has %zu",
-                number, list->children);
+    schema_fail(descent->reader, descent->value, descent->whole,
+                "there is no such number: the list has %zu, counted from 0", list->children);
     return NULL;
 }
 
@@ -162,7 +162,7 @@ static bool replace_item(struct descent *descent, const struct schema_row *row, 
     }
     if (list->kind != TREE_LIST || number >= list->children)
         return schema_fail(descent->reader, value, descent->whole,
-                           "there is no number %zu in the scene's list", number);
+                           "there is no such number in the scene's list, counted from 0");
     tree_free(&list->child[number]);
     list->child[number] = value;
     return true;
