@@ -312,8 +312,18 @@ static struct source_sphere sphere_of(const struct source_options *options, cons
     return sphere;
 }
 
+/* Room for what this rank is to expect of `count` particles, lest arrays grow step by step. */
+static void expect(struct walk *walk, size_t count) {
+    size_t ranks = (size_t)walk->share->size, share = count / ranks;
+    share += ranks > 1 ? share / 16 + 1 : 0;
+    particles_reserve(walk->particles, walk->particles->owned + share);
+    unique_reserve(&walk->ids, walk->ids.count + share);
+    unique_reserve(&walk->places, walk->places.count + share);
+}
+
 static bool take_batch(struct walk *walk, int source, const struct source_batch *batch) {
     const struct source_options *options = &walk->scene->source[source];
+    expect(walk, batch->rows.count);
     int64_t base = walk->census.id_max, taken = 0;
     for (size_t k = 0; k < batch->rows.count; k++) {
         struct source_sphere sphere = sphere_of(options, batch, k);
