@@ -154,6 +154,24 @@ scene 'an observable of an absent particle' "case.yaml:8|observables.list[0].id|
 scene 'a field that the scene does not have' "case.yaml:8|torque" 'contact: {law: hertz, tangential: none}' \
     'material_pairs: [{restitution: 0.5}]' 'output: {trajectory: {every: 2, fields: [position, torque]}}'
 
+s_single() { echo "particles: {from: single, position: [5 mm, 5 mm, 5 mm], radius: $1}"; }
+scene 'a radius without a mass' "case.yaml:7|mass|out of range" "$(s_single 1e300)"
+scene 'a radius too small for numbers' "case.yaml:7|mass|out of range" "$(s_single 1e-300)"
+scene 'a box too large for numbers' "case.yaml:7|rounding" 'box: {lower: [-1e300, 0, 0], upper: [1e300, 10 mm, 10 mm]}'
+scene 'the same name twice' "case.yaml:5|materials[1].name|taken" \
+    'materials: [{name: glass, density: 2500, young: 10 MPa, poisson: 0.2}, {name: glass, density: 1, young: 1, poisson: 0}]'
+scene 'a list for a word' "case.yaml:8|index.name|a list" 'index: {name: [hgrid]}'
+scene 'a wall without a direction' "case.yaml:8|walls[0].normal|direction" 'walls: [{shape: plane, point: [0, 0, 0], normal: [0, 0, 0]}]'
+scene 'a folder for a mesh' "there|directory" 'walls: [{shape: mesh, file: there}]'
+printf 'title: caf\351\n%s\n' "$good_scene" >case.yaml
+bad scene 'not UTF-8' "case.yaml:1|YAML" "$scree" run case.yaml -o new --quiet
+printf '%s\n---\n%s\n' "$good_scene" "$good_scene" >case.yaml
+bad scene 'two documents' "case.yaml:8|second document" "$scree" run case.yaml -o new --quiet
+head -c 1000 /dev/zero >case.yaml
+bad scene 'zeros' "case.yaml|not a text file" "$scree" run case.yaml -o new --quiet
+: >case.yaml
+bad scene 'empty' "case.yaml:1|materials" "$scree" run case.yaml -o new --quiet
+
 echo '== data files'
 head='LAMMPS\n\n2 atoms\n1 atom types\n0 0.01 xlo xhi\n0 0.01 ylo yhi\n0 0.01 zlo zhi\n\nAtoms # sphere\n\n'
 first='1 1 0.002 2500 0.002 0.005 0.005\n'
@@ -166,6 +184,14 @@ data 'an id twice' "case.data|id 1|twice" lammps-data "$head$first"'1 1 0.002 25
 data 'another atom style' "case.data:9|molecular|sphere" lammps-data "${head/sphere/molecular}$first"
 data 'a type without material' "case.data|type" lammps-data "$head$first"'2 2 0.002 2500 0.006 0.005 0.005\n'
 data 'empty' "case.data" lammps-data ''
+second='2 1 0.002 2500 0.006 0.005 0.005\n'
+data 'nan for a position' "case.data:12|not a number" lammps-data "$head$first"'2 1 0.002 2500 nan 0.005 0.005\n'
+data 'a negative diameter' "case.data:12|positive" lammps-data "$head$first"'2 1 -0.002 2500 0.006 0.005 0.005\n'
+data 'a velocity twice' "case.data:17|second velocity|id 1" lammps-data \
+    "$head$first$second"'\nVelocities\n\n1 0 0 0 0 0 0\n1 0 0 0 0 0 0\n'
+data 'a speed out of range' "case.data|speed" lammps-data \
+    "$head$first$second"'\nVelocities\n\n1 0 0 0 0 0 0\n2 1e300 0 0 0 0 0\n'
+data 'more atoms than a file can hold' "case.data|too short" lammps-data "${head/2 atoms/1000000000000 atoms}$first"
 data 'no such column' "case.data:1|colour" table 'radius x y z colour\n0.001 0.005 0.005 0.005 3\n'
 data 'a word for a number' "case.data:2|here" table 'radius x y z\n0.001 here 0.005 0.005\n'
 data 'truncated row' "case.data:3" table 'radius x y z\n0.001 0.002 0.005 0.005\n0.001 0.006\n'
@@ -173,6 +199,18 @@ data 'coinciding centres' "case.data|coincide" table 'radius x y z\n0.001 0.002 
 data 'an id twice' "case.data:3|particle 7|line 2" table 'id radius x y z\n7 0.001 0.002 0.005 0.005\n7 0.001 0.006 0.005 0.005\n'
 data 'a radius of zero' "case.data:2|radius" table 'radius x y z\n0 0.002 0.005 0.005\n'
 data 'infinite position' "case.data:2|x" table 'radius x y z\n0.001 inf 0.005 0.005\n'
+data 'too far away' "case.data:2|rounding" table 'radius x y z\n0.001 1e30 0.005 0.005\n'
+write_scene case.yaml 'particles: {file: case.data, format: lammps-data}'
+printf "$head$first$second" | gzip >packed
+size=$(stat -c %s packed)
+for length in 40 $((size - 6)); do
+    head -c "$length" packed >case.data
+    bad packed "cut to $length of $size bytes" "case.data|cut off" "$scree" run case.yaml -o new --quiet
+done
+cp packed case.data
+flip case.data $((size / 2)) 3
+bad packed 'a bit flipped' "case.data|damaged" "$scree" run case.yaml -o new --quiet
+rm packed
 write_scene case.yaml 'box: {lower: [0, 0, 0], upper: [10 mm, 10 mm, 10 mm], leave: {all: error}}' \
     'particles: {file: case.data, format: table}'
 printf 'radius x y z\n0.001 0.002 0.005 0.005\n0.001 0.02 0.005 0.005\n' >case.data
@@ -263,6 +301,14 @@ line '--set of a bad value' "step.count|many" run good.yaml -o new --set step.co
 line '--set of an empty key' "--set" run good.yaml -o new --set =3
 line 'ablate of an unknown index' "octree" ablate good.yaml -o new --index brute,octree
 line 'convert to an unknown format' "vtk|lammps-data" convert there/trajectory.h5 new --to vtk
+line '-o without a name' "-o|empty" run good.yaml -o ''
+line '--set of a number that is not in the list' "materials[-1]|list has 1" run good.yaml -o new --set 'materials[-1].young=1'
+bad 'command line' 'convert into itself' "there/trajectory.h5|itself" \
+    "$scree" convert there/trajectory.h5 there/trajectory.h5 --overwrite
+bad 'command line' 'resume from a folder' "there|not a file" "$scree" run good.yaml -o new --resume there
+printf 'ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1000000000000\nITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\nITEM: ATOMS id x y z radius\n' >case.lammpstrj
+bad 'command line' 'convert a dump of more than it can hold' "case.lammpstrj:4|cannot be in this file" \
+    "$scree" convert case.lammpstrj new --to lammps-data
 bad 'command line' 'no such scene' "nowhere.yaml|No such file" "$scree" run nowhere.yaml -o new
 bad 'command line' 'a folder for a scene' "there" "$scree" run there -o new
 bad 'command line' 'a folder that exists' "there|exists already|--overwrite" "$scree" run good.yaml -o there

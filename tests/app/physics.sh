@@ -201,6 +201,27 @@ pushed() {
 check 'a servo finds its force' pushed 1
 check 'so on two ranks' pushed 2
 
+echo '== insertion'
+cat >clear.yaml <<'EOF'
+box: {lower: [0, 0, 0], upper: [10 mm, 10 mm, 10 mm]}
+step: {count: 1000}
+contact: {law: hertz}
+materials: [{name: glass, density: 2500, young: 10 MPa, poisson: 0.2}]
+material_pairs: [{restitution: 0.5, friction: 0.3}]
+walls:
+  - {shape: plane, point: [5 mm, 5 mm, 4 mm], normal: [1, 0, 2]}
+  - {shape: cylinder, point: [5 mm, 5 mm, 5 mm], axis: [0, 0, 1], radius: 4 mm, inside: true}
+particles: {from: single, position: [5 mm, 5 mm, 8 mm], radius: 0.5 mm}
+insertions: [{rate: 1e6, count: 40, sizes: 0.4 mm, attempts: 100}]
+observables: {every: 1, list: [{name: energy}]}
+EOF
+still() { # without gravity nothing moves, and nothing is squeezed
+    run_scene "$1" clear.yaml clear$1 && [ "$(number clear$1/report.json inserted)" = 40 ] &&
+        [ "$(column clear$1/observables.csv energy_kinetic)" = 0 ] && [ "$(column clear$1/observables.csv energy_elastic_normal)" = 0 ]
+}
+check 'particles appear clear of walls and of each other' still 1
+check 'so on two ranks' still 2
+
 echo '== conversions'
 shape() { # without title and image counts
     tail -n +2 "$1" | cut -d ' ' -f 1-7

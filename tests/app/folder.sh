@@ -1,0 +1,66 @@
+#!/usr/bin/env bash
+# The folder of a run: what is written over, what an earlier run leaves, two runs at once, a disk that is full, a run that is
+# killed.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+cd "$out" || exit 1
+
+cat >good.yaml <<'EOF'
+box: {lower: [0, 0, 0], upper: [10 mm, 10 mm, 10 mm]}
+gravity: [0, 0, -9.81]
+step: {count: 50}
+contact: {law: hertz}
+materials: [{name: glass, density: 2500, young: 10 MPa, poisson: 0.2}]
+material_pairs: [{restitution: 0.5, friction: 0.3}]
+particles: {from: single, position: [5 mm, 5 mm, 5 mm], radius: 1 mm}
+output: {trajectory: {every: 10}, dump: {every: 10}, checkpoint: {every: 10, keep: 9}}
+EOF
+
+files() { (cd "$1" && ls | tr '\n' ' '); }
+
+# holds_files DIR NAME...: these and no others
+holds_files() {
+    local dir=$1 got
+    shift
+    got=$(files "$dir")
+    [ "$got" = "$* " ] || { echo "  $dir holds $got"; return 1; }
+}
+
+check 'a run' run_scene 1 good.yaml dir
+echo mine >dir/notes.txt
+touch dir/checkpoint-70-stopped.h5 dir/checkpoint-80.h5.part
+
+echo '== going on from an earlier step'
+check 'a resume' run_scene 1 good.yaml dir --set step.count=25 --resume dir/checkpoint-20.h5
+check 'leaves no later checkpoints' holds_files dir checkpoint-10.h5 checkpoint-20.h5 checkpoint-25.h5 \
+    dump.lammpstrj notes.txt report.json trajectory.h5 trajectory.xdmf
+
+echo '== writing over'
+check 'another run' run_scene 1 good.yaml dir --overwrite --set step.count=5 --set output.trajectory.every=0 \
+    --set output.dump.every=0
+check 'leaves nothing of the first, and what is not of a run' holds_files dir checkpoint-5.h5 notes.txt report.json
+last() { run_scene 1 good.yaml dir --resume last --set step.count=8 && [ "$(number dir/report.json last_step)" = 8 ]; }
+check 'the last checkpoint is its own' last
+
+echo '== two runs at once'
+"$scree" run good.yaml -o busy --quiet --set step.count=1000000000 --set output.trajectory.every=0 --set output.dump.every=0 \
+    --set output.checkpoint.keep=1 &
+runner=$!
+for wait in $(seq 100); do [ -e busy ] && [ -n "$(files busy)" ] && break; sleep 0.2; done
+second() {
+    "$scree" run good.yaml -o busy --quiet "$@" >said 2>&1
+    [ $? = 2 ] && grep -q 'busy: another run' said || { cat said; return 1; }
+}
+check 'the second is refused' second --overwrite
+check 'also where it resumes' second --resume dir/checkpoint-8.h5
+killed() {
+    kill -KILL $runner
+    wait $runner 2>/dev/null
+    local newest
+    newest=$(ls busy | sed -n 's/^checkpoint-\([0-9]*\)\.h5$/\1/p' | sort -n | tail -n 1)
+    run_scene 1 good.yaml busy --resume last --set step.count=$((newest + 2)) --set output.trajectory.every=0 \
+        --set output.dump.every=0 && [ "$(number busy/report.json last_step)" = $((newest + 2)) ]
+}
+check 'one that is killed while it writes checkpoints is resumed' killed
+
+finish
