@@ -45,7 +45,8 @@ static inline struct box hand_box(double edge) {
 }
 
 /* One material; hooke with k = 1e4, k_t = 2/7 k, or hertz with E = 1e7. */
-static inline struct law hand_law(enum law_normal normal, double restitution, double friction) {
+static inline struct law hand_law_end(enum law_normal normal, double restitution, double friction,
+                                      enum law_end end) {
     struct law law;
     struct error error = {0};
     struct law_options options = law_options_default();
@@ -56,8 +57,13 @@ static inline struct law hand_law(enum law_normal normal, double restitution, do
     options.normal = normal;
     options.tangential = friction > 0.0 ? LAW_TANGENTIAL_HISTORY : LAW_FRICTIONLESS;
     options.synchronised = true;
+    options.end = end;
     must(law_prepare(&law, &options, 1, &material, pair, &error), &error);
     return law;
+}
+
+static inline struct law hand_law(enum law_normal normal, double restitution, double friction) {
+    return hand_law_end(normal, restitution, friction, LAW_END_OVERLAP);
 }
 
 static inline struct wall_options hand_plane(double x, double y, double z, double nx, double ny, double nz) {

@@ -29,6 +29,10 @@ enum law_damping { LAW_DAMPING_RESTITUTION, LAW_DAMPING_COEFFICIENT };
  * attract. */
 enum law_end { LAW_END_OVERLAP, LAW_END_FORCE };
 enum law_tangential { LAW_FRICTIONLESS, LAW_TANGENTIAL_HISTORY };
+/* What the tangential damper sees while the contact slides: the spring's own change, as the slider is in
+ * series with both (energy is never made); or all of the slip, the spring being set to what is left of the
+ * limit (Luding, Granular Matter 10 (2008) 235; LAMMPS). */
+enum law_sliding { LAW_SLIDING_SERIES, LAW_SLIDING_TOTAL };
 enum law_rolling { LAW_ROLLING_NONE, LAW_ROLLING_SPRING };
 
 /* Options of the law (scene key `contact`). Plain data. */
@@ -37,12 +41,13 @@ struct law_options {
     enum law_damping damping;
     enum law_end end;
     enum law_tangential tangential; /* frictionless: no spin, no torque, no history anywhere */
+    enum law_sliding sliding;
     enum law_rolling rolling;
     double tangential_damping_ratio; /* restitution: c_t = this x c_n sqrt(k_t / k_n), k_n the tangent
                                         stiffness */
     bool tangential_damping_equal; /* c_t = c_n, as LAMMPS's pair_style granular does; for cross-code runs */
-    bool lammps_hooke; /* LAMMPS's gran/hooke/history to the letter: the spring is projected, not turned, and
-                          an empty spring over the Coulomb limit gives no force */
+    bool lammps_hooke; /* LAMMPS's gran/hooke/history to the letter: sliding is TOTAL, the spring is
+                          projected, not turned, and an empty spring over the Coulomb limit gives no force */
     bool synchronised; /* history with the half-step normal (Vyas et al. 2025); set from the integrator */
 };
 

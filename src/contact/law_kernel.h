@@ -51,6 +51,7 @@ struct law_step {
     double spring_least; /* an over-limit spring of this square length or less gives no force; -1: never, 0:
                             empty ones (LAMMPS's gran/hooke) */
     double rescale;      /* 1: a turned spring keeps its length; 0: it is projected only */
+    double relaxation;   /* 1 / dt where a sliding spring relaxes against its damper; 0: it is cut at once */
 };
 
 /* One contact. The third block matters with friction only, `spin` and `roll` with rolling only. */
@@ -121,10 +122,12 @@ LAW_INLINE struct law_vector law_transport(struct law_vector a, struct law_vecto
 
 /* The numbers of one evaluation of a law with time step dt. */
 LAW_INLINE struct law_step law_step_of(const struct law_options *options, double dt) {
+    bool series = options->sliding == LAW_SLIDING_SERIES && !options->lammps_hooke;
     return (struct law_step){.dt = dt,
                              .force_least = options->end == LAW_END_FORCE ? 0.0 : -DBL_MAX,
                              .spring_least = options->lammps_hooke ? 0.0 : -1.0,
-                             .rescale = options->lammps_hooke ? 0.0 : 1.0};
+                             .rescale = options->lammps_hooke ? 0.0 : 1.0,
+                             .relaxation = !series ? 0.0 : 1.0 / law_max(dt, 1e-30)};
 }
 
 /* The case of a law's options, for callers that do not specialise. */
@@ -144,8 +147,10 @@ LAW_INLINE double law_lever(struct law_case law, double radius, double overlap) 
 }
 
 /* One spring-dashpot with a sliding limit: advances `spring` by dt x rate, turns it into the tangent plane,
- * and cuts it back where the force passes `limit`. `rate` is taken in the half-step plane if synchronised.
- * Returns the force; energies are added to the response. */
+ * and lets it slide where the force passes `limit`: the force is cut to the limit, and the spring takes the
+ * length with which spring and damper give that, the damper seeing the spring's own change (slider in series,
+ * dissipation never negative) or all of `rate` (relaxation 0). `rate` is taken in the half-step plane if
+ * synchronised. Returns the force; energies are added to the response. */
 LAW_INLINE struct law_vector law_slide(struct law_case law, struct law_step step,
                                        const struct law_contact *in, struct law_vector rate,
                                        struct law_vector *spring, double stiffness, double damping,
@@ -157,15 +162,16 @@ LAW_INLINE struct law_vector law_slide(struct law_case law, struct law_step step
         rate = law_transport(rate, plane, in->normal);
     }
     struct law_vector force = law_add(law_scale(-stiffness, trial), -damping, rate);
-    double size = sqrt(law_max(law_dot(force, force), DBL_MIN)), k = law_max(stiffness, DBL_MIN);
-    double inverse = 1.0 / (k * size); /* one division for two: limit / size and damping / stiffness */
-    double ratio = limit * (k * inverse), relaxation = damping * (size * inverse);
+    double size = sqrt(law_max(law_dot(force, force), DBL_MIN));
+    double give = law_max(stiffness + damping * step.relaxation, 1e-100);
+    double inverse = 1.0 / (give * size); /* one division for two: limit / size and 1 / give */
+    double ratio = limit * (give * inverse);
     double keep = ratio < 1.0 ? ratio : 1.0;
     bool empty = law_dot(trial, trial) <= step.spring_least;
     double keep_spring = empty ? 1.0 : keep;
     double keep_force = keep < keep_spring ? 0.0 : keep;
+    *spring = law_add(trial, (1.0 - keep_spring) * (size * inverse), force);
     force = law_scale(keep_force, force);
-    *spring = law_add(law_scale(keep_spring, trial), (keep_spring - 1.0) * relaxation, rate);
     if (law.energies) {
         struct law_vector slip = law_add(trial, -1.0, *spring);
         struct law_vector stretch = law_add(law_scale(step.dt, rate), -1.0, slip);

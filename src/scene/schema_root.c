@@ -131,6 +131,10 @@ static const struct schema_name tangential_names[] = {
     {"none", LAW_FRICTIONLESS, "no friction: no spin, no torque, no history anywhere"},
     {"history", LAW_TANGENTIAL_HISTORY, "a spring that remembers, up to Coulomb's limit"},
     {0}};
+static const struct schema_name sliding_names[] = {
+    {"series", LAW_SLIDING_SERIES, "the change of the spring alone: slider in series, no energy from nothing"},
+    {"total", LAW_SLIDING_TOTAL, "all of the slip, the spring taking what is left of the limit, as in LAMMPS"},
+    {0}};
 static const struct schema_name rolling_names[] = {
     {"none", LAW_ROLLING_NONE, NULL},
     {"spring", LAW_ROLLING_SPRING, "a spring and dashpot against rolling, up to a limit"},
@@ -145,6 +149,9 @@ static const struct schema_row contact_rows[] = {
      AT(struct law_options, end), .help = "when a contact ends"},
     {.key = "tangential", .type = SCHEMA_NAME, .names = tangential_names, .fallback = "history",
      AT(struct law_options, tangential), .help = "the tangential force"},
+    {.key = "sliding", .type = SCHEMA_NAME, .names = sliding_names, .fallback = "series",
+     .when = "tangential=history", AT(struct law_options, sliding),
+     .help = "what the tangential damper sees while a contact slides"},
     {.key = "rolling", .type = SCHEMA_NAME, .names = rolling_names, .fallback = "none",
      .when = "tangential=history", AT(struct law_options, rolling), .help = "resistance to rolling"},
     {.key = "tangential_damping_ratio", .type = SCHEMA_REAL, .range = "[0, inf)", .fallback = "1",
