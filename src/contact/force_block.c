@@ -67,6 +67,8 @@ static inline void force_gather(const struct force_view view, struct force_threa
                                 uint32_t offset) {
     const force_four sign = {-1.0, -1.0, 1.0, 1.0};
     struct force_batch *restrict b = &thread->batch;
+    for (int k = 0; view.omega && k < count; k++)
+        __builtin_prefetch(view.omega[pair_partner(view.j[thread->candidate[k]])]);
     for (int k = 0; k < count; k++) {
         uint32_t pair = thread->candidate[k], i = view.i[pair], code = view.j[pair], j = pair_partner(code);
         const struct particle_state *si = &view.state[i], *sj = &view.state[j];
@@ -120,7 +122,7 @@ static inline void force_remember(struct history_part *new, const struct force_b
     new->count += (size_t)count;
 }
 
-/* Coefficients of each contact, where there are several materials. */
+/* Coefficients of each contact, where they differ between materials. */
 static inline void force_mix(const struct force_task *task) {
     const struct law *law = task->context->law;
     const uint8_t *material = task->context->particles->material;
@@ -136,7 +138,7 @@ static inline void force_mix(const struct force_task *task) {
     }
 }
 
-/* The same coefficients for all, where there is one material. */
+/* The same coefficients for all. */
 static void force_mix_one(struct force_batch *b, const struct law_coefficients *c) {
     const double value[6] = {c->k_n, c->k_t, c->c_n, c->c_t, c->friction, c->rolling_friction};
     for (int row = 0; row < 6; row++)
@@ -279,7 +281,7 @@ static inline void force_flush(const struct force_task *task, const struct force
     force_gather(view, thread, count, (uint32_t)(task->block->first_pair - task->pair_base));
     if (components)
         force_recall(*task->old, thread, components);
-    if (task->context->law->materials > 1)
+    if (!task->context->law->uniform)
         force_mix(task);
     force_pad(&thread->batch);
     physics(&thread->batch, &task->step);
@@ -311,7 +313,7 @@ static inline __attribute__((always_inline)) void force_sweep(const struct force
 
 static void force_block(const struct force_task *task) {
     const struct law *law = task->context->law;
-    if (law->materials == 1)
+    if (law->uniform)
         force_mix_one(&task->thread->batch, &law->pair[0][0]);
     if (law->history_components == 6)
         force_sweep(task, 6);

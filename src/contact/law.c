@@ -167,6 +167,11 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
         }
     law->options = *options;
     law->materials = materials;
+    law->uniform = true;
+    for (int a = 0; a < materials; a++)
+        for (int b = 0; b < materials; b++)
+            law->uniform =
+                law->uniform && memcmp(&law->pair[a][b], &law->pair[0][0], sizeof law->pair[a][b]) == 0;
     law->spin = options->tangential != LAW_FRICTIONLESS;
     law->history_components = !law->spin ? 0 : options->rolling != LAW_ROLLING_NONE ? 6 : 3;
     return true;

@@ -81,6 +81,7 @@ struct law_coefficients {
 struct law {
     struct law_options options;
     int materials;
+    bool uniform; /* all pairs of materials have the same coefficients */
     struct law_coefficients pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX]; /* symmetric */
     double young_effective[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];       /* E*, hertz */
     double range;           /* how far beyond touch the law acts: 0 here */
