@@ -3,7 +3,6 @@ nobase_dist_pkgdata_DATA = \
 	examples/README.md \
 	examples/common.sh \
 	examples/bench/bidisperse.yaml \
-	examples/bench/bidisperse_pack.c \
 	examples/bench/in.bidisperse \
 	examples/bidisperse/README.md \
 	examples/bidisperse/bidisperse_R10.data \

@@ -152,3 +152,11 @@ tests_test_wall_moving_SOURCES = tests/test_wall_moving.c
 tests_test_wall_moving_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_wall_touch_SOURCES = tests/test_wall_touch.c
 tests_test_wall_touch_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_pack tests/test_pack_draw
+tests_test_pack_SOURCES = tests/test_pack.c
+tests_test_pack_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_pack_LDADD = $(PACK_LIBS) $(TEST_LIBS)
+tests_test_pack_draw_SOURCES = tests/test_pack_draw.c
+tests_test_pack_draw_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_pack_draw_LDADD = $(PACK_LIBS) $(TEST_LIBS)

@@ -2,7 +2,7 @@
 # The bidisperse benchmark against LAMMPS, side by side: bidisperse.sh R [--quick]
 #
 # R is the ratio of radii, 10, 20 or 40: the systems of Table 1 of Stratford, Shire and Hanley (spheres of radius 1 and R in a
-# periodic cube, 712 thousand for R = 10), packed by bidisperse_pack.c, Hooke contacts with slip history, skin 0.5, dt 0.001,
+# periodic cube, 712 thousand for R = 10), packed by scree pack, Hooke contacts with slip history, skin 0.5, dt 0.001,
 # 100 steps, a rebuild every 16 steps in both codes. --quick takes a small cube and fewer runs: a minute at most, for R = 10.
 #
 # Both codes first try a few settings (LAMMPS's multi: newton, cell size; scree: index, ranks x threads), then the best of each
@@ -25,9 +25,9 @@ quick=
 test "${2:-}" != --quick || quick=yes
 test $# = 1 || test -n "$quick" || usage
 case $ratio in
-10) cube="205.9 250 711657" ;;
-20) cube="314.15 111 2337678" ;;
-40) cube="500.14 56 9624306" ;;
+10) table="205.9 250 711657" ;;
+20) table="314.15 111 2337678" ;;
+40) table="500.14 56 9624306" ;;
 *) usage ;;
 esac
 cores=${CORES:-$(env -u OMP_NUM_THREADS nproc)}
@@ -42,18 +42,17 @@ work=${WORK:-${TMPDIR:-/tmp}/scree-bench}
 mkdir -p "$work"
 
 # a cube of the same density with an edge of max(4 R, 80)
+cube=
 if [ -n "$quick" ]; then
-    cube=$(echo "$cube" | awk -v ratio="$ratio" '{
+    cube=$(echo "$table" | awk -v ratio="$ratio" '{
         edge = 4 * ratio > 80 ? 4 * ratio : 80
         part = (edge / $1) ^ 3
-        printf "%g %d %d", edge, part * $2 + 0.5, part * $3 + 0.5 }')
+        printf "box=%g large=%d small=%d", edge, part * $2 + 0.5, part * $3 + 0.5 }')
 fi
 data=$work/bidisperse-$ratio${quick:+-quick}.data
 if [ ! -s "$data" ]; then
-    ${CC:-cc} -O2 -o "$work/bidisperse_pack" "$here/bidisperse_pack.c" -lm
     # shellcheck disable=SC2086
-    "$work/bidisperse_pack" "$ratio" $cube >"$data.part"
-    mv "$data.part" "$data"
+    "$SCREE" pack bidisperse "$data" ratio="$ratio" $cube velocity=1 threads="$cores" >&2
 fi
 particles=$(awk '/ atoms$/ { print $1; exit }' "$data")
 sed "s|@DATA@|$data|; s|@EVERY@|$every|; s|@STEPS@|$steps|" "$here/bidisperse.yaml" >"$work/scene.yaml"

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# scree pack as a user starts it: files for LAMMPS and H5MD that the program reads back, the same on any number of ranks
+# and threads, and mistakes that end with status 2 before anything is made.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+cd "$out" || exit 1
+
+# packed RANKS ARGUMENTS...: what it prints goes to said
+packed() {
+    local ranks=$1
+    shift
+    on "$ranks" "$scree" pack "$@" >said 2>warned || { cat said warned; return 1; }
+}
+
+same_numbers() {
+    cmp "$1" "$2"
+}
+
+printf '# opening, mm; percent that passes\n1 0\n2 40\n4 100\n' >sieve.txt
+check "bidisperse, two files" packed 1 bidisperse b.data b.h5 ratio=3 box=20 large=9 small=600 velocity=1
+check "numbers are printed" holds said "9 large, 600 small"
+check "no overlap is printed" holds said "none overlap"
+check "on three ranks" packed 3 bidisperse b3.data b3.h5 ratio=3 box=20 large=9 small=600 velocity=1
+check "they say that one works" holds warned "works on one rank"
+check "and the data are the same" same_numbers b.data b3.data
+check "with three threads" packed 1 bidisperse t3.data ratio=3 box=20 large=9 small=600 velocity=1 threads=3
+check "the data are the same again" same_numbers b.data t3.data
+check "H5MD reads back" "$scree" convert b.h5 back.data
+check "and holds the same atoms" same_numbers <(sed -n '/^Atoms/,/^Velocities/p' b.data | awk 'NF == 7 { print $1, $2, $5, $6, $7 }') \
+    <(sed -n '/^Atoms/,/^Velocities/p' back.data | awk 'NF >= 7 { print $1, $2, $5, $6, $7 }')
+check "H5MD of three ranks reads back" "$scree" convert b3.h5 back3.data
+check "and is the same" same_numbers back.data back3.data
+
+for law in "univol count=500 ratio=8 fraction=0.5" "sand count=500" "exponential count=3000" "power count=500" \
+    "sieve table=sieve.txt count=500"; do
+    # shellcheck disable=SC2086
+    set -- $law
+    law=$1
+    shift
+    check "$law" packed 1 "$law" "$law.data" "$@"
+    check "$law does not overlap" holds said "none overlap"
+    check "$law is read" "$scree" info "$law.data"
+    check "$law has help" "$scree" help pack "$law"
+done
+
+# refused WORDS ARGUMENTS...: status 2, one line with these words, and no file
+refused() {
+    local words=$1
+    shift
+    "$scree" pack "$@" >said 2>warned
+    local status=$?
+    [ $status = 2 ] || { echo "  status $status"; return 1; }
+    [ "$(wc -l <warned)" = 1 ] && holds warned "$words" && [ ! -e new.data ]
+}
+
+check "no law of this name" refused "no law of sizes" gravel new.data
+check "no file" refused "needs a file to write" sand ratio=10
+check "no format" refused "format is not clear" sand new.xyz
+check "a file that is there" refused "is there already" sand b.data
+check "a folder that is not" refused "folder is not there" sand nowhere/new.data
+check "no such key" refused "no key of the law" sand new.data colour=3
+check "too dense" refused "too dense" power new.data count=200 max=1.01 fraction=0.8 sweeps=20
+check "a sieve file that is not there" refused "no.txt" sieve new.data table=no.txt
+check "overwriting" packed 1 power b.data count=100 --overwrite --quiet
+check "quietly" test ! -s said
+
+finish

@@ -1,0 +1,230 @@
+/* The laws of sizes of packings, by the Kolmogorov-Smirnov distance from their closed forms, and their
+ * options. */
+#include "pack/draw.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <setjmp.h>
+#include <cmocka.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { DRAWS = 40000 };
+
+/* At DRAWS draws a right law exceeds this once in two thousand times: 2 exp(-2 x^2) = 5e-4 at x = 2.04. */
+static const double distance_most = 2.04 / 200;
+
+static bool read_options(struct pack_options *options, const char *law, const char *one, const char *two,
+                         struct error *error) {
+    const char *setting[] = {one, two};
+    return pack_options_read(options, law, setting, one ? two ? 2 : 1 : 0, error);
+}
+
+static int compare(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The largest distance between the drawn radii and the part of them below r that the law says. */
+static void check_law(const struct pack_options *options, double (*below)(double, const void *),
+                      const void *context) {
+    static double radius[DRAWS];
+    struct error error = {0};
+    double most = 0;
+    if (!draw_radii(options, radius, DRAWS, &error))
+        fail_msg("%s", error.text);
+    qsort(radius, DRAWS, sizeof radius[0], compare);
+    for (int k = 0; k < DRAWS; k++) {
+        double part = below(radius[k], context);
+        most = fmax(most, fmax(fabs(part - (double)k / DRAWS), fabs(part - (k + 1.0) / DRAWS)));
+    }
+    if (!(most < distance_most))
+        fail_msg("distance %g", most);
+}
+
+static void read_good(struct pack_options *options, const char *law, const char *one, const char *two) {
+    struct error error = {0};
+    if (!read_options(options, law, one, two, &error))
+        fail_msg("%s", error.text);
+}
+
+static double power_below(double r, const void *context) {
+    const double *o = context; /* min, max, exponent */
+    double n = o[2] + 1;
+    return (pow(r, n) - pow(o[0], n)) / (pow(o[1], n) - pow(o[0], n));
+}
+
+static void power_laws(void **state) {
+    (void)state;
+    struct pack_options options;
+    read_good(&options, "univol", "ratio=50", NULL);
+    check_law(&options, power_below, (double[]){1, 50, -3});
+    read_good(&options, "power", "exponent=2", "max=4");
+    check_law(&options, power_below, (double[]){1, 4, 2});
+}
+
+static double exponential_below(double r, const void *context) {
+    const double *o = context; /* ratio, scale */
+    return expm1(-(2 * r - 1) / o[1]) / expm1(-(o[0] - 1) / o[1]);
+}
+
+/* Integral of d^-3 exp(-d / scale) by Simpson's rule. */
+static double mass_integral(double low, double high, double scale) {
+    enum { PARTS = 400 };
+    double sum = 0, step = log(high / low) / PARTS;
+    for (int k = 0; k <= PARTS; k++) {
+        double d = low * exp(k * step);
+        sum += (k == 0 || k == PARTS ? 1 : k % 2 ? 4 : 2) * exp(-d / scale) / (d * d);
+    }
+    return sum * step / 3;
+}
+
+static double by_mass_below(double r, const void *context) {
+    const double *o = context;
+    return r <= 0.5 ? 0 : mass_integral(1, 2 * r, o[1]) / mass_integral(1, o[0], o[1]);
+}
+
+static void exponential_laws(void **state) {
+    (void)state;
+    struct pack_options options;
+    read_good(&options, "exponential", "by=number", "scale=2");
+    check_law(&options, exponential_below, (double[]){50, 2});
+    read_good(&options, "exponential", "scale=6", NULL);
+    check_law(&options, by_mass_below, (double[]){50, 6});
+}
+
+/* A log-normal law cut to [2, 925]. */
+static double cut_lognormal(double x, double median, double width) {
+    double low = erf(log(2 / median) / width / M_SQRT2), high = erf(log(925 / median) / width / M_SQRT2);
+    return (erf(log(x / median) / width / M_SQRT2) - low) / (high - low);
+}
+
+static double sand_below(double r, const void *context) {
+    const double *o = context; /* ratio, broad */
+    double x = 2 + (2 * r - 1) / (o[0] - 1) * 923;
+    return (1 - o[1]) * cut_lognormal(x, 2.55, 0.15) + o[1] * cut_lognormal(x, 320, 0.35);
+}
+
+static void sand(void **state) {
+    (void)state;
+    struct pack_options options;
+    read_good(&options, "sand", NULL, NULL);
+    assert_true(options.count == 712333 && options.box == 205.9);
+    check_law(&options, sand_below, (double[]){10, 0.05});
+    read_good(&options, "sand", "ratio=40", "broad=0.6");
+    check_law(&options, sand_below, (double[]){40, 0.6});
+}
+
+/* Linear in the radius between sieves of radius 0.5, 1 and 2; passing 0, 0.25 and 1. */
+static double sieve_below(double r, const void *context) {
+    (void)context;
+    return r < 1 ? 0.25 * (r - 0.5) / 0.5 : 0.25 + 0.75 * (r - 1);
+}
+
+/* The same by mass: the number density is r^-3 times the slope. */
+static double sieve_mass_below(double r, const void *context) {
+    (void)context;
+    double first = 0.5 * (1 / 0.25 - 1), second = 0.75 * (1 - 1 / 4.0);
+    double part = r < 1 ? 0.5 * (1 / 0.25 - 1 / (r * r)) : first + 0.75 * (1 - 1 / (r * r));
+    return part / (first + second);
+}
+
+static void sieve_file(char *path, const char *text) {
+    int file = mkstemp(path);
+    assert_true(file >= 0);
+    assert_int_equal(write(file, text, strlen(text)), strlen(text));
+    close(file);
+}
+
+static void sieves(void **state) {
+    (void)state;
+    char path[] = "/tmp/scree-sieve-XXXXXX", table[64];
+    struct pack_options options;
+    sieve_file(path, "# opening, percent\n1 0\n2 25 # half way\n\n4 100\n");
+    snprintf(table, sizeof table, "table=%s", path);
+    read_good(&options, "sieve", table, "by=number");
+    check_law(&options, sieve_below, NULL);
+    read_good(&options, "sieve", table, NULL);
+    check_law(&options, sieve_mass_below, NULL);
+    unlink(path);
+}
+
+static void bad_sieves(void **state) {
+    (void)state;
+    static const char *const bad[][2] = {
+        {"1 0\n2 x\n", ":2:"},      {"1 0\n2 50\n", "end with 1"}, {"2 0\n1 100\n", "increase"},
+        {"1 0 3\n", "two numbers"}, {"-1 0\n2 1\n", "positive"},   {"1 0\n2000 1\n", "1000 times"},
+        {"", "two radii"}};
+    for (size_t k = 0; k < sizeof bad / sizeof bad[0]; k++) {
+        char path[] = "/tmp/scree-sieve-XXXXXX", table[64];
+        struct pack_options options;
+        struct error error = {0};
+        double radius;
+        sieve_file(path, bad[k][0]);
+        snprintf(table, sizeof table, "table=%s", path);
+        read_good(&options, "sieve", table, NULL);
+        bool good = draw_radii(&options, &radius, 1, &error);
+        unlink(path);
+        assert_false(good);
+        assert_int_equal(error.kind, ERROR_USER);
+        if (!strstr(error.text, bad[k][1]))
+            fail_msg("no '%s' in: %s", bad[k][1], error.text);
+    }
+}
+
+static void published_numbers(void **state) {
+    (void)state;
+    struct pack_options options;
+    read_good(&options, "bidisperse", "ratio=40", NULL);
+    assert_true(options.box == 500.14 && options.large == 56 && options.small == 9624306);
+    read_good(&options, "sand", "ratio=20", NULL);
+    assert_true(options.box == 506 && options.count == 2336380);
+    read_good(&options, "exponential", NULL, NULL);
+    assert_true(options.box == 368.77 && options.count == 5040560);
+    read_good(&options, "exponential", "count=630070", NULL);
+    assert_true(fabs(options.box - 368.77 / 2) < 1e-9);
+    read_good(&options, "exponential", "fraction=0.3", NULL);
+    assert_true(options.box == 0 && options.fraction == 0.3);
+}
+
+static void bad_options(void **state) {
+    (void)state;
+    static const char *const bad[][4] = {{"gravel", NULL, NULL, "known are bidisperse"},
+                                         {"sand", "ratio=11", NULL, "not a published system"},
+                                         {"sand", "ratio=11", "count=50", "give box or fraction"},
+                                         {"sand", "exponent=2", NULL, "no key of the law sand"},
+                                         {"power", "min", NULL, "KEY=VALUE"},
+                                         {"power", "min=", NULL, "not a number"},
+                                         {"power", "min=1e400", NULL, "not a number"},
+                                         {"power", "fraction=0.95", NULL, "must lie in"},
+                                         {"power", "count=1.5", NULL, "whole number"},
+                                         {"power", "min=3", "max=2", "above min"},
+                                         {"power", "box=3", "fraction=0.2", "exclude"},
+                                         {"power", "walls=soft", NULL, "periodic and hard"},
+                                         {"sieve", NULL, NULL, "needs table=FILE"},
+                                         {"sieve", "table=", NULL, "needs a value"},
+                                         {"bidisperse", "ratio=7", NULL, "published table"},
+                                         {"bidisperse", "ratio=10", "small=70", "need a box"},
+                                         {"bidisperse", "ratio=10", "box=70", "needs small"}};
+    for (size_t k = 0; k < sizeof bad / sizeof bad[0]; k++) {
+        struct pack_options options;
+        struct error error = {0};
+        assert_false(read_options(&options, bad[k][0], bad[k][1], bad[k][2], &error));
+        assert_int_equal(error.kind, ERROR_USER);
+        if (!strstr(error.text, bad[k][3]))
+            fail_msg("no '%s' in: %s", bad[k][3], error.text);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(power_laws),  cmocka_unit_test(exponential_laws),
+        cmocka_unit_test(sand),        cmocka_unit_test(sieves),
+        cmocka_unit_test(bad_sieves),  cmocka_unit_test(published_numbers),
+        cmocka_unit_test(bad_options),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
