@@ -7,6 +7,7 @@ libapp_la_SOURCES = \
 	src/app/folder.c src/app/folder.h \
 	src/app/guards.c \
 	src/app/library.c src/scree.h \
+	src/app/load.c src/app/load.h \
 	src/app/outputs.c src/app/outputs.h \
 	src/app/pack.c \
 	src/app/program.c \

@@ -155,6 +155,15 @@ bool simulation_prepare(struct simulation *s, struct error *error) {
     s->domain = domain_create(s->comm, &scene->box, &scene->domain, error);
     if (s->domain == NULL)
         return false;
+static bool domain_possible(const struct simulation *s, struct error *error) {
+    char place[SCENE_PATH_MAX];
+    struct error plain = {0};
+    if (balance_available(&plain))
+        return true;
+    return error_set(error, ERROR_USER, "%s: domain.name: %s",
+                     scene_place(s->scene, "domain", place, sizeof place), plain.text);
+}
+
     domain_wrap(s->domain, s->wrap);
     s->index = index_create(scene->index.name, &scene->index.params, error);
     return s->index != NULL && sources_prepare(s, error);
@@ -174,6 +183,8 @@ static void parts_create(struct simulation *s) {
                                         .history = s->history,
                                         .law = &s->law,
                                         .overlap_bound = s->scene->guards.overlap_bound};
+    if (scene->domain.kind == DOMAIN_BISECTION && !domain_possible(s, error))
+        return false;
 }
 
 static bool mine(void *context, const double x[3]) {

@@ -80,18 +80,20 @@ struct domain_tree *domain_tree_halve(int ranks, const struct box *box) {
 struct shape {
     const double (*lower)[3], (*upper)[3];
     int dimension;
-    double *below; /* scratch: the largest upper corner of the ranks up to here */
+    int *part;     /* whose corners rank k gets */
+    double *below; /* scratch: the largest upper corner of the parts up to here */
 };
 
-/* Looks for a cut across `axis` between the ranks of a node, the one nearest to its middle. */
+/* Looks for a cut across `axis` between the first and the last parts of a node, the one nearest to its
+ * middle. */
 static bool cut_find(const struct shape *shape, const struct node *node, int axis, struct domain_cut *cut) {
     double most = -INFINITY, least = INFINITY;
     bool found = false;
     int half = node->first + (node->last - node->first) / 2;
     for (int k = node->first; k < node->last; k++)
-        shape->below[k] = most = fmax(most, shape->upper[k][axis]);
+        shape->below[k] = most = fmax(most, shape->upper[shape->part[k]][axis]);
     for (int k = node->last - 1; k > node->first; k--) {
-        least = fmin(least, shape->lower[k][axis]);
+        least = fmin(least, shape->lower[shape->part[k]][axis]);
         bool nearer = !found || abs(k - half) < abs(cut->middle - half);
         if (shape->below[k - 1] <= least && nearer) {
             *cut = (struct domain_cut){.at = least, .middle = k, .axis = axis};
@@ -101,12 +103,43 @@ static bool cut_find(const struct shape *shape, const struct node *node, int axi
     return found;
 }
 
+/* A part on its way to its place along an axis. */
+struct place {
+    double lower, upper;
+    int part;
+};
+
+static int compare_places(const void *a, const void *b) {
+    const struct place *left = a, *right = b;
+    if (left->lower != right->lower)
+        return left->lower < right->lower ? -1 : 1;
+    if (left->upper != right->upper)
+        return left->upper < right->upper ? -1 : 1;
+    return left->part - right->part;
+}
+
+/* Puts the parts of a node in the order of their lower corners along an axis. */
+static void shape_sort(const struct shape *shape, const struct node *node, int axis) {
+    size_t n = (size_t)(node->last - node->first);
+    struct place *place = memory_allocate(n, sizeof *place, "cut tree");
+    for (size_t k = 0; k < n; k++) {
+        int part = shape->part[node->first + (int)k];
+        place[k] = (struct place){shape->lower[part][axis], shape->upper[part][axis], part};
+    }
+    qsort(place, n, sizeof *place, compare_places);
+    for (size_t k = 0; k < n; k++)
+        shape->part[node->first + (int)k] = place[k].part;
+    memory_free(place);
+}
+
 static bool shape_divide(struct domain_tree *tree, const struct shape *shape, const struct node *node) {
     if (node_is_leaf(node))
         return true;
     bool found = false;
-    for (int axis = 0; axis < shape->dimension && !found; axis++)
+    for (int axis = 0; axis < shape->dimension && !found; axis++) {
+        shape_sort(shape, node, axis);
         found = cut_find(shape, node, axis, &tree->cut[node->at]);
+    }
     if (!found)
         return false;
     struct node below = node_child(tree, node, false), above = node_child(tree, node, true);
@@ -116,10 +149,13 @@ static bool shape_divide(struct domain_tree *tree, const struct shape *shape, co
 struct domain_tree *domain_tree_from_bounds(int ranks, int dimension, const double (*lower)[3],
                                             const double (*upper)[3]) {
     struct domain_tree *tree = tree_create(ranks);
-    struct shape shape = {lower, upper, dimension,
+    struct shape shape = {lower, upper, dimension, memory_allocate((size_t)ranks, sizeof(int), "cut tree"),
                           memory_allocate((size_t)ranks, sizeof(double), "cut tree")};
+    for (int k = 0; k < ranks; k++)
+        shape.part[k] = k;
     struct node root = {.first = 0, .last = ranks};
     bool good = shape_divide(tree, &shape, &root);
+    memory_free(shape.part);
     memory_free(shape.below);
     if (!good)
         domain_tree_destroy(&tree);

@@ -26,8 +26,8 @@ struct domain_tree {
 /* Cuts into equal volumes across the longest edge each time. Owned by the caller (domain_tree_destroy). */
 struct domain_tree *domain_tree_halve(int ranks, const struct box *box);
 
-/* The tree whose subdomains have these corners; axes from `dimension` on are never cut. NULL if no tree of
- * ranges of ranks has them. */
+/* The tree whose subdomains have these corners, the ranks in the order of the cuts (lower ones first); axes
+ * from `dimension` on are never cut. NULL if there is none. */
 struct domain_tree *domain_tree_from_bounds(int ranks, int dimension, const double (*lower)[3],
                                             const double (*upper)[3]);
 void domain_tree_destroy(struct domain_tree **tree);

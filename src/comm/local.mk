@@ -1,5 +1,6 @@
 noinst_LTLIBRARIES += libcomm.la
 libcomm_la_SOURCES = \
+	src/comm/balance.h \
 	src/comm/comm.c src/comm/comm.h \
 	src/comm/copies.c src/comm/copies.h \
 	src/comm/domain.c src/comm/domain.h \
@@ -11,3 +12,10 @@ libcomm_la_SOURCES = \
 	src/comm/shadows.c src/comm/shadows.h
 libcomm_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 libcomm_la_LIBADD = $(MPI_LIBS)
+if HAVE_ZOLTAN
+libcomm_la_SOURCES += src/comm/balance_zoltan.c
+libcomm_la_CPPFLAGS += $(ZOLTAN_CFLAGS)
+libcomm_la_LIBADD += $(ZOLTAN_LIBS)
+else
+libcomm_la_SOURCES += src/comm/balance_none.c
+endif

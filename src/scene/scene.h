@@ -124,7 +124,7 @@ struct scene {
     struct classes_options classes;
     struct ghosts_options ghosts;
     struct domain_options domain;
-    int ghosts_name, domain_name, sync; /* full, reduced; brick; neighbours */
+    int ghosts_name; /* full, reduced */
     struct scene_guards guards;
     struct output_options output;
 };

@@ -229,19 +229,40 @@ static const struct schema_name ghosts_names[] = {
     {"full", 0, "every copy that any partner might need"},
     {"reduced", 1, "small particles travel only as far as small partners; needs newton: on"},
     {0}};
-static const struct schema_name domain_names[] = {{"brick", 0, "equal bricks"}, {0}};
+static const struct schema_name domain_names[] = {
+    {"brick", DOMAIN_BRICK, "equal bricks"},
+    {"bisection", DOMAIN_BISECTION, "recursive bisection that follows the load, by Zoltan"},
+    {0}};
+static const struct schema_name weights_names[] = {
+    {"pairs", DOMAIN_WEIGHTS_PAIRS, "1, and a half for each of its pairs"},
+    {"time", DOMAIN_WEIGHTS_TIME, "the same, scaled by the time that its rank took"},
+    {"particles", DOMAIN_WEIGHTS_PARTICLES, "1"},
+    {0}};
 static const struct schema_row domain_rows[] = {
     {.key = "name", .type = SCHEMA_NAME, .names = domain_names, .fallback = "brick",
-     AT(struct scene, domain_name), .help = "how the box is divided among ranks"},
-    {.key = "x", .type = SCHEMA_INT, .range = "[0, inf)", .fallback = "0", AT(struct scene, domain.grid[0]),
+     AT(struct scene, domain.kind), .help = "how the box is divided among ranks"},
+    {.key = "weights", .type = SCHEMA_NAME, .names = weights_names, .fallback = "pairs", .when = "name=bisection",
+     AT(struct scene, domain.weights), .help = "the weight of a particle in its rank's load"},
+    {.key = "threshold", .type = SCHEMA_REAL, .range = "[0, inf)", .fallback = "1.1", .when = "name=bisection",
+     AT(struct scene, domain.threshold),
+     .help = "divide anew, at a rebuild, when the largest load exceeds this times the mean; 0: never"},
+    {.key = "x", .type = SCHEMA_INT, .range = "[0, inf)", .fallback = "0", .when = "name=brick",
+     AT(struct scene, domain.grid[0]),
      .help = "ranks along x; 0: chosen"},
-    {.key = "y", .type = SCHEMA_INT, .range = "[0, inf)", .fallback = "0", AT(struct scene, domain.grid[1]),
+    {.key = "y", .type = SCHEMA_INT, .range = "[0, inf)", .fallback = "0", .when = "name=brick",
+     AT(struct scene, domain.grid[1]),
      .help = "ranks along y; 0: chosen"},
-    {.key = "z", .type = SCHEMA_INT, .range = "[0, inf)", .fallback = "0", AT(struct scene, domain.grid[2]),
+    {.key = "z", .type = SCHEMA_INT, .range = "[0, inf)", .fallback = "0", .when = "name=brick",
+     AT(struct scene, domain.grid[2]),
      .help = "ranks along z; 0: chosen"},
 };
 static const struct schema_table domain_table = TABLE(domain_rows);
-static const struct schema_name sync_names[] = {{"neighbours", 0, "between neighbouring subdomains"}, {0}};
+static const struct schema_name sync_names[] = {
+    {"auto", GHOSTS_AUTO, "neighbours where every particle fits, else shadow; the report says which, and why"},
+    {"neighbours", GHOSTS_NEIGHBOURS,
+     "between neighbouring subdomains alone; refuses a particle that reaches farther"},
+    {"shadow", GHOSTS_SHADOW, "copies spread from neighbour to neighbour: no limit on the size of a particle"},
+    {0}};
 
 static const struct schema_name guard_names[] = {
     {"stop", SCENE_GUARD_STOP, "stop, after a checkpoint to look at"},
@@ -311,8 +332,8 @@ static const struct schema_row root_rows[] = {
      AT(struct scene, ghosts_name), .help = "which copies a rank gets"},
     {.key = "domain", .type = SCHEMA_SECTION, .sub = &domain_table, .main = "name",
      .help = "the division of the box among ranks"},
-    {.key = "sync", .type = SCHEMA_NAME, .names = sync_names, .fallback = "neighbours",
-     AT(struct scene, sync), .help = "how copies are kept up to date"},
+    {.key = "sync", .type = SCHEMA_NAME, .names = sync_names, .fallback = "auto",
+     AT(struct scene, ghosts.sync), .help = "how copies get to the ranks that need them"},
     {.key = "guards", .type = SCHEMA_SECTION, .sub = &guards_table, .offset = offsetof(struct scene, guards),
      .help = "what happens on physical nonsense"},
     {.key = "output", .type = SCHEMA_SECTION, .sub = &schema_output, .offset = offsetof(struct scene, output),

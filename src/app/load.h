@@ -1,0 +1,19 @@
+/* Balance of the load among ranks (`domain: bisection`), and what of a rank's time is work. */
+#ifndef SCREE_APP_LOAD_H
+#define SCREE_APP_LOAD_H
+
+#include "app/simulation.h"
+
+/* Divides the box by the numbers of particles, once, before the first migration. Bricks: nothing. Collective.
+ */
+void load_begin(struct simulation *simulation);
+
+/* At a rebuild, while the last pair list still stands: divides the box anew if the loads have become uneven.
+ * Collective. */
+void load_balance(struct simulation *simulation);
+
+/* Seconds of this rank so far: of work, and in communication (waiting for others included). */
+double load_seconds(const struct simulation *simulation);
+double load_waiting(const struct simulation *simulation);
+
+#endif

@@ -1,0 +1,12 @@
+#include "comm/balance.h"
+
+bool balance_available(struct error *error) {
+    return error_set(error, ERROR_USER,
+                     "bisection needs Zoltan, without which this scree was built; allowed: brick");
+}
+
+void balance_divide(struct domain *domain, const struct comm *comm, const struct box *box,
+                    const struct balance_load *load) {
+    (void)domain, (void)comm, (void)box, (void)load;
+    error_fatal("the domain cannot be divided anew: built without Zoltan");
+}
