@@ -1,4 +1,5 @@
 #include "app/simulation.h"
+#include "comm/balance.h"
 #include "core/memory.h"
 #include "integrate/integrator.h"
 #include <assert.h>
