@@ -84,9 +84,9 @@ static void search(struct simulation *s) {
     timer_start(&s->timers, TIMER_GHOSTS);
     if (!s->alone)
         ghosts_make(s->ghosts, s->particles, &s->classes);
-    timer_stop(&s->timers, TIMER_GHOSTS);
     if (s->error.kind == ERROR_NONE)
         ghosts_fit(s->ghosts, &s->error);
+    timer_stop(&s->timers, TIMER_GHOSTS);
     timer_start(&s->timers, TIMER_INDEX);
     simulation_index_view(s, &s->view);
     index_build(s->index, &s->view);
@@ -112,8 +112,8 @@ void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
     guards_check_positions(s);
     particles_wrap(s->particles, &s->scene->box);
     sources_run(s, rows);
-    if (!s->alone)
     load_begin(s);
+    if (!s->alone)
         migrate(s, rows);
     if (s->classes_stale)
         simulation_classify(s, &s->error);
@@ -138,8 +138,8 @@ void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
 
 void rebuild_run(struct simulation *s) {
     struct rebuild_rows rows = {0};
-    bool all_stay = s->alone && !sources_due(s) && !simulation_may_lose(s);
     load_balance(s);
+    bool all_stay = s->alone && !sources_due(s) && !simulation_may_lose(s);
     timer_start(&s->timers, TIMER_HISTORY);
     if (s->history && all_stay && one_image(s)) {
         history_keep(s->history, s->list, s->particles->owned, &rows.kept);

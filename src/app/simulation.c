@@ -134,6 +134,15 @@ bool simulation_may_lose(const struct simulation *s) {
     return false;
 }
 
+static bool domain_possible(const struct simulation *s, struct error *error) {
+    char place[SCENE_PATH_MAX];
+    struct error plain = {0};
+    if (balance_available(&plain))
+        return true;
+    return error_set(error, ERROR_USER, "%s: domain.name: %s",
+                     scene_place(s->scene, "domain", place, sizeof place), plain.text);
+}
+
 bool simulation_prepare(struct simulation *s, struct error *error) {
     const struct scene *scene = s->scene;
     struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
@@ -153,18 +162,11 @@ bool simulation_prepare(struct simulation *s, struct error *error) {
     if (scene->walls > 0 && !walls_create(&s->walls, scene->wall, scene->walls, &s->law, &scene->box,
                                           s->threads, error, s->comm->rank == 0 ? stderr : NULL))
         return false;
+    if (scene->domain.kind == DOMAIN_BISECTION && !domain_possible(s, error))
+        return false;
     s->domain = domain_create(s->comm, &scene->box, &scene->domain, error);
     if (s->domain == NULL)
         return false;
-static bool domain_possible(const struct simulation *s, struct error *error) {
-    char place[SCENE_PATH_MAX];
-    struct error plain = {0};
-    if (balance_available(&plain))
-        return true;
-    return error_set(error, ERROR_USER, "%s: domain.name: %s",
-                     scene_place(s->scene, "domain", place, sizeof place), plain.text);
-}
-
     domain_wrap(s->domain, s->wrap);
     s->index = index_create(scene->index.name, &scene->index.params, error);
     return s->index != NULL && sources_prepare(s, error);
@@ -184,8 +186,6 @@ static void parts_create(struct simulation *s) {
                                         .history = s->history,
                                         .law = &s->law,
                                         .overlap_bound = s->scene->guards.overlap_bound};
-    if (scene->domain.kind == DOMAIN_BISECTION && !domain_possible(s, error))
-        return false;
 }
 
 static bool mine(void *context, const double x[3]) {

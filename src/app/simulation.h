@@ -77,6 +77,12 @@ struct simulation {
     bool wrap[3]; /* directions that the index wraps */
     struct ghosts *ghosts;
     bool alone; /* one rank: nothing to exchange */
+    struct {
+        bool begun, fresh;  /* divided at all; divided since the imbalance was measured */
+        double reached;     /* imbalance right after the last division; 0: none yet */
+        double seconds;     /* of work when it was measured last */
+        uint64_t divisions; /* by weight */
+    } load;                 /* load.h */
 
     struct index *index;
     struct index_view view; /* of the last rebuild */
@@ -88,12 +94,6 @@ struct simulation {
     struct force_context contact;
     struct force_sums sums; /* of the last evaluation, this rank's part */
     double dissipated;      /* energy since the start, this rank's part */
-    struct {
-        bool begun, fresh;  /* divided at all; divided since the imbalance was measured */
-        double reached;     /* imbalance right after the last division; 0: none yet */
-        double seconds;     /* of work when it was measured last */
-        uint64_t divisions; /* by weight */
-    } load;                 /* load.h */
     bool sums_each_step;    /* dissipated energy is observed */
 
     struct insertion insertion[INSERTIONS_MAX];
