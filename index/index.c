@@ -97,3 +97,13 @@ void index_describe(const struct index *index, struct index_description *descrip
 size_t index_memory(const struct index *index) {
     return index->ops->memory(index);
 }
+
+int index_trials(const struct index *index) {
+    return index->ops->trials != NULL ? index->ops->trials(index) : 0;
+}
+
+void index_select(struct index *index, int variant) {
+    if (index->ops->select != NULL) {
+        index->ops->select(index, variant);
+    }
+}

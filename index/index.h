@@ -28,6 +28,8 @@
  *   check        debug builds and tests              nothing                      one
  *   describe     start of a run, `scree check`       nothing                      one
  *   memory       the report                          nothing                      one
+ *   trials       after a build                       nothing                      one
+ *   select       before order                        its own state                one
  *   destroy      once                                its own state                one
  *
  * How to add an index, in six steps:
@@ -129,6 +131,12 @@ struct index_level {
 struct index_description {
     int levels;
     struct index_level level[INDEX_CLASS_MAX];
+    /* of an index that chooses; else empty */
+    char choice[16];         /* the index that the choice amounts to */
+    char why[INDEX_WHY_MAX]; /* one line: what the predicted cost consists of */
+    double predicted;        /* seconds a rebuild: order, build and visit */
+    uint64_t choices;        /* how often it chose: more than once if the scene changed */
+    int variant;             /* of the choice, selected after trials; 0: the predicted best */
 };
 
 struct index;
@@ -154,6 +162,10 @@ struct index_ops {
     bool (*check)(const struct index *self, const struct index_view *view, char why[INDEX_WHY_MAX]);
     void (*describe)(const struct index *self, struct index_description *description);
     size_t (*memory)(const struct index *self); /* bytes held */
+    /* An index that chooses, else NULL: how many variants of its choice are worth timing; take the k-th from
+     * the next order on. A new choice starts with variant 0 again. */
+    int (*trials)(const struct index *self);
+    void (*select)(struct index *self, int variant);
 };
 
 /* The base of every index: first member of its private struct. */
@@ -184,5 +196,7 @@ void index_visit(const struct index *index, const struct index_view *view, size_
 bool index_check(const struct index *index, const struct index_view *view, char why[INDEX_WHY_MAX]);
 void index_describe(const struct index *index, struct index_description *description);
 size_t index_memory(const struct index *index);
+int index_trials(const struct index *index); /* 0: nothing to try */
+void index_select(struct index *index, int variant);
 
 #endif

@@ -78,8 +78,16 @@ static void lay_grid(struct levels *levels, int g, size_t owned) {
     grid_make(&levels->level[g].grid, frame, edge, edge / X_CELLS);
 }
 
+double levels_cells(double volume, double edge, int dimension) {
+    return X_CELLS * volume / pow(edge, dimension);
+}
+
+bool levels_too_many_cells(double cells, double particles) {
+    return cells > CELLS_A_PARTICLE * particles + CELLS_FREE || cells > 0x1p31;
+}
+
 static bool too_many_cells(const struct grid *grid, size_t particles) {
-    return grid->cells > CELLS_A_PARTICLE * (double)particles + CELLS_FREE || grid->cells > 0x1p31;
+    return levels_too_many_cells(grid->cells, (double)particles);
 }
 
 static size_t members_count(const struct members *members, int group) {

@@ -67,6 +67,11 @@ struct levels_cutoffs {
 };
 struct levels_cutoffs levels_cutoffs(const struct index_view *view, int first, int last);
 
+/* Cells of a grid with this edge in y and z over a volume (2D: an area), and whether these are so many for so
+ * many particles that the grid is kept sparse. */
+double levels_cells(double volume, double edge, int dimension);
+bool levels_too_many_cells(double cells, double particles);
+
 void levels_start(struct levels *levels, const struct index_params *params);
 void levels_free(struct levels *levels);
 

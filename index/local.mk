@@ -1,11 +1,16 @@
 noinst_LTLIBRARIES += libindex.la
 libindex_la_SOURCES = \
+	index/auto.c \
+	index/auto.h \
+	index/auto_choose.c \
 	index/brute.c \
 	index/bytype.c \
 	index/cells.c \
 	index/cells.h \
 	index/cells_sort.c \
 	index/cells_sort.h \
+	index/cost.c \
+	index/cost.h \
 	index/exact.h \
 	index/frame.c \
 	index/frame.h \

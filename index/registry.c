@@ -3,10 +3,10 @@
 
 #include <string.h>
 
-extern const struct index_ops brute_ops, linkcell_ops, multi_ops, bytype_ops, hgrid_ops;
+extern const struct index_ops brute_ops, linkcell_ops, multi_ops, bytype_ops, hgrid_ops, auto_ops;
 
-static const struct index_ops *const registry[] = {&brute_ops, &linkcell_ops, &multi_ops, &bytype_ops,
-                                                   &hgrid_ops};
+static const struct index_ops *const registry[] = {&brute_ops,  &linkcell_ops, &multi_ops,
+                                                   &bytype_ops, &hgrid_ops,    &auto_ops};
 
 int index_registry_count(void) {
     return (int)(sizeof registry / sizeof registry[0]);

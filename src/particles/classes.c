@@ -1,9 +1,12 @@
 #include "particles/classes.h"
+#include "core/memory.h"
+#include "index/auto.h"
 #include <math.h>
 #include <stdlib.h>
 
-/* CLASSES_AUTO: neighbouring classes differ by this factor in radius. */
-static const double auto_ratio = 2.0;
+/* CLASSES_AUTO: the density matters little, and of a bed in a large box only the box is known; so it is taken
+ * to be within these bounds. */
+static const double fraction_least = 0.1, fraction_most = 0.64, fraction_unknown = 0.5;
 
 struct classes_options classes_options_default(void) {
     return (struct classes_options){.method = CLASSES_AUTO, .count = 1, .skin_relative = 0.3};
@@ -46,6 +49,30 @@ static bool cuts_given(struct size_classes *classes, const struct classes_option
     classes->count = options->cut_count + 1;
     classes->cut[options->cut_count] = INFINITY;
     return true;
+}
+
+/* Cuts as the cost model of the index has them best. Radii are sorted. */
+static void cuts_auto(struct size_classes *classes, const struct classes_options *options, double range,
+                      const double *radii, size_t n) {
+    struct cost_scene *scene = memory_allocate_zero(1, sizeof *scene, "radius histogram");
+    struct cost_plan plan = {.levels = 1};
+    double fraction = options->fraction > 0 ? options->fraction : fraction_unknown;
+    double weight = options->particles > 0 ? options->particles / (double)n : 1;
+    scene->dimension = options->dimension == 2 ? 2 : 3;
+    for (size_t k = 0; k < n; k++)
+        scene->volume += scene->dimension == 2 ? M_PI * radii[k] * radii[k]
+                                               : 4 * M_PI / 3 * radii[k] * radii[k] * radii[k];
+    scene->volume *= weight / fmin(fmax(fraction, fraction_least), fraction_most);
+    auto_bins(scene, radii, n, weight);
+    for (int bin = 0; bin < scene->bins; bin++)
+        scene->margin[bin] =
+            range + (options->skin_given ? options->skin : options->skin_relative * scene->radius_min[bin]);
+    auto_levels(scene, CLASS_MAX, &plan);
+    classes->count = plan.levels;
+    for (int c = 0; c < plan.levels; c++)
+        classes->cut[c] = scene->radius_max[plan.last[c]];
+    classes->cut[plan.levels - 1] = INFINITY;
+    memory_free(scene);
 }
 
 /* Radii, sorted, give each class its smallest and largest one; classes without a radius are removed. */
@@ -93,16 +120,14 @@ bool classes_choose(struct size_classes *classes, const struct classes_options *
     qsort(radii, n, sizeof *radii, compare_radii);
     double smallest = radii[0], largest = radii[n - 1];
     int wanted = options->count < 1 ? 1 : options->count > CLASS_MAX ? CLASS_MAX : options->count;
-    if (options->method == CLASSES_AUTO) {
-        double octaves = ceil(log(largest / smallest) / log(auto_ratio) - 1e-9);
-        wanted = octaves < 1 ? 1 : octaves > CLASS_MAX ? CLASS_MAX : (int)octaves;
-    }
     if (options->method == CLASSES_CUTS) {
         if (!cuts_given(classes, options, error))
             return false;
     } else if (options->method == CLASSES_QUANTILES) {
         cuts_quantiles(classes, wanted, radii, n);
-    } else if (options->method != CLASSES_ONE) {
+    } else if (options->method == CLASSES_AUTO && smallest > 0) {
+        cuts_auto(classes, options, range, radii, n);
+    } else if (options->method == CLASSES_GEOMETRIC) {
         cuts_geometric(classes, wanted, smallest, largest);
     }
     classes_fill(classes, radii, n);

@@ -18,12 +18,15 @@ enum classes_method { CLASSES_AUTO, CLASSES_ONE, CLASSES_CUTS, CLASSES_QUANTILES
 
 struct classes_options {
     enum classes_method
-        method;    /* CLASSES_AUTO: geometric with ratio 2, merged where a class would be (nearly) empty */
+        method;    /* CLASSES_AUTO: as a search costs least (index/auto.h), and between sizes far apart */
     int count;     /* QUANTILES and GEOMETRIC: how many, 1 ... CLASS_MAX */
     int cut_count; /* CUTS: number of given cuts, 0 ... CLASS_MAX - 1 */
     double cut[CLASS_MAX]; /* CUTS: radii, increasing, length unit */
     bool skin_given;       /* true: `skin` is a length, the same for all class pairs */
     double skin;           /* length unit */
+    double fraction;       /* AUTO: share of the space that the particles fill; 0: not known */
+    int dimension;         /* AUTO: 2 or 3; 0: not known, 3 */
+    double particles;      /* AUTO: that the radii stand for; 0: as many as radii */
     double skin_relative;  /* else: skin of a pair = this x the smaller of the two classes' smallest radii */
 };
 

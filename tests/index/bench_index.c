@@ -1,199 +1,348 @@
-/* Times order, build, count and fill of every index on the bidisperse benchmark: 250 spheres of radius 10
- * among small ones of radius 1, 46 % of a periodic cube, margin 0.5. Small ones lie on a jittered lattice and
- * outside the large ones. Not a test.
+/* Times order, build, count and fill of an index, and prints what the cost model predicts. Not a test.
  *
- *     bench_index [small particles [name [cell_factor [repetitions [instructions]]]]]
+ *     bench_index [key=value ...]
+ *
+ * law, exponent, ratio, particles, large, fraction, open, skin, inflate: the packing (bench_scene.h)
+ * index (hgrid), levels (0: as `auto` chooses; -1: one for each factor of two;
+ * else so many of equal occupancy), factor (cell edges as a
+ * multiple of the cut-offs; 0: as `auto` chooses), threads, repetitions, instructions
+ *
+ * One line of JSON: seconds are CPU time over threads, the least of the repetitions, of order + build + fill.
  */
 #include "core/memory.h"
-#include "core/random.h"
-#include "core/timer.h"
-#include "index/index.h"
+#include "index/auto.h"
+#include "tests/index/bench_fit.h"
+#include "tests/index/bench_scene.h"
 
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
-enum { STRIDE = 8, LARGE_RADIUS = 10 };
+/* CPU time of all threads over their number: on a busy machine as good as a wall clock on an idle one. */
+static double seconds_now(int threads) {
+    struct timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return ((double)now.tv_sec + 1e-9 * (double)now.tv_nsec) / threads;
+}
 
-struct sample {
-    double *record;
-    uint8_t *size_class;
-    int64_t *id;
-    struct index_view view;
+struct bench {
+    struct bench_spec spec;
+    const char *index;
+    int levels, threads, repetitions;
+    double factor;
+    bool terms, calibrate;
+    struct index_params params;
+    struct cost_scene scene;
+    struct cost_plan plan;
 };
-
-static void put(struct sample *sample, const double x[3], double radius) {
-    size_t k = sample->view.total++;
-    memcpy(sample->record + k * STRIDE, x, 3 * sizeof x[0]);
-    sample->record[k * STRIDE + 3] = radius;
-    sample->size_class[k] = radius > 1;
-    sample->id[k] = (int64_t)k + 1;
-}
-
-/* True if a sphere of this radius at x keeps clear of the first `large` ones. */
-static bool is_free(const struct sample *sample, const double x[3], double radius, size_t large) {
-    for (size_t k = 0; k < large; k++) {
-        double square = 0;
-        for (int d = 0; d < 3; d++) {
-            double dx = fabs(x[d] - sample->record[k * STRIDE + (size_t)d]);
-            dx = fmin(dx, sample->view.edge[d] - dx);
-            square += dx * dx;
-        }
-        double least = 0.99 * (radius + sample->record[k * STRIDE + 3]);
-        if (square < least * least) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static void make_sample(struct sample *sample, size_t small) {
-    double edge = 205.9 * cbrt((double)small / 711657.0);
-    size_t large = (size_t)(250 * (double)small / 711657.0 + 0.5);
-    size_t across = (size_t)cbrt((double)small * 1.145) + 1;
-    size_t room = across * across * across + large;
-    sample->record = memory_allocate_zero(room * STRIDE, sizeof(double), "records");
-    sample->size_class = memory_allocate(room, 1, "classes");
-    sample->id = memory_allocate(room, sizeof(int64_t), "ids");
-    sample->view = (struct index_view){.dimension = 3,
-                                       .stride = STRIDE,
-                                       .position = sample->record,
-                                       .radius = sample->record + 3,
-                                       .size_class = sample->size_class,
-                                       .id = sample->id,
-                                       .edge = {edge, edge, edge},
-                                       .periodic = {true, true, true},
-                                       .newton = true,
-                                       .classes = 2,
-                                       .radius_max = {1, LARGE_RADIUS},
-                                       .margin = {{0.5, 0.5}, {0.5, 0.5}}};
-    struct random_sequence random = random_sequence(1, RANDOM_TEST, 1);
-    for (size_t tries = 0; sample->view.total < large && tries < 1000 * large; tries++) {
-        double x[3];
-        for (int d = 0; d < 3; d++) {
-            x[d] = random_uniform(&random) * edge;
-        }
-        if (is_free(sample, x, LARGE_RADIUS, sample->view.total)) {
-            put(sample, x, LARGE_RADIUS);
-        }
-    }
-    large = sample->view.total;
-    for (size_t k = 0; k < across * across * across; k++) {
-        size_t cell[3] = {k % across, k / across % across, k / across / across};
-        double x[3];
-        for (int d = 0; d < 3; d++) {
-            double u = (double)cell[d] + 0.5 + 0.9 * (random_uniform(&random) - 0.5);
-            x[d] = u / (double)across * edge;
-        }
-        if (is_free(sample, x, 1, large)) {
-            put(sample, x, 1);
-        }
-    }
-    sample->view.owned = sample->view.total;
-}
-
-static void shuffle(struct sample *sample, const uint32_t *order) {
-    size_t n = sample->view.owned;
-    double *record = memory_allocate(n * STRIDE, sizeof(double), "records");
-    uint8_t *size_class = memory_allocate(n, 1, "classes");
-    for (size_t k = 0; k < n; k++) {
-        memcpy(record + k * STRIDE, sample->record + order[k] * (size_t)STRIDE, STRIDE * sizeof(double));
-        size_class[k] = sample->size_class[order[k]];
-    }
-    memcpy(sample->record, record, n * STRIDE * sizeof(double));
-    memcpy(sample->size_class, size_class, n);
-    memory_free(record);
-    memory_free(size_class);
-}
 
 struct result {
     double order, build, count, fill;
     size_t pairs;
 };
 
+static int compare_doubles(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The scene as the cost model sees it. */
+static void describe_scene(struct bench *bench, const struct index_view *view) {
+    double *radii = memory_allocate(view->owned, sizeof *radii, "radii");
+    for (size_t k = 0; k < view->owned; k++) {
+        radii[k] = view->radius[k * view->stride];
+    }
+    qsort(radii, view->owned, sizeof *radii, compare_doubles);
+    bench->scene = (struct cost_scene){
+        .volume = view->edge[0] * view->edge[1] * view->edge[2], .dimension = 3, .threads = bench->threads};
+    auto_bins(&bench->scene, radii, view->owned, 1);
+    for (int bin = 0; bin < bench->scene.bins; bin++) {
+        bench->scene.margin[bin] = bench->spec.skin * bench->scene.radius_min[bin];
+    }
+    memory_free(radii);
+}
+
+/* Classes, one a level of the plan, and margins. */
+static void set_classes(const struct bench *bench, struct bench_scene *scene) {
+    const struct cost_plan *plan = &bench->plan;
+    struct index_view *view = &scene->view;
+    double least[INDEX_CLASS_MAX];
+    view->classes = plan->levels;
+    for (int c = 0; c < plan->levels; c++) {
+        int first = c > 0 ? plan->last[c - 1] + 1 : 0;
+        least[c] = bench->scene.radius_min[first];
+        view->radius_max[c] = bench->scene.radius_max[plan->last[c]];
+    }
+    for (int a = 0; a < plan->levels; a++) {
+        for (int b = 0; b < plan->levels; b++) {
+            view->margin[a][b] = bench->spec.skin * least[a < b ? a : b];
+        }
+    }
+    for (size_t k = 0; k < view->owned; k++) {
+        int c = 0;
+        while (c < plan->levels - 1 && scene->record[k * BENCH_STRIDE + 3] > view->radius_max[c]) {
+            c++;
+        }
+        scene->size_class[k] = (uint8_t)c;
+    }
+}
+
+/* A level for each factor of two in radius, cells of the cut-off. */
+static void octaves(struct bench *bench) {
+    const struct cost_scene *scene = &bench->scene;
+    struct cost_plan *plan = &bench->plan;
+    double ratio = scene->radius_max[scene->bins - 1] / scene->radius_min[0];
+    int levels = ratio > 2 ? (int)ceil(log2(ratio) - 1e-9) : 1;
+    ratio = fmax(ratio, 1 + 1e-9);
+    *plan = (struct cost_plan){0};
+    for (int bin = 0; bin < scene->bins; bin++) {
+        double octave = log(scene->radius_min[bin] / scene->radius_min[0]) / log(ratio) * levels - 1e-9;
+        double next =
+            bin + 1 < scene->bins
+                ? log(scene->radius_min[bin + 1] / scene->radius_min[0]) / log(ratio) * levels - 1e-9
+                : levels + 1;
+        if (floor(octave) < floor(next)) {
+            plan->last[plan->levels++] = bin;
+        }
+    }
+    for (int g = 0; g < plan->levels; g++) {
+        plan->edge[g] = cost_cutoff(scene, plan, g);
+    }
+}
+
+static void choose(struct bench *bench) {
+    if (bench->levels < 0) {
+        octaves(bench);
+    } else if (bench->levels > 0) {
+        auto_equal(&bench->scene, bench->levels, &bench->plan);
+        auto_edges(&bench->scene, &bench->plan);
+    } else {
+        auto_levels(&bench->scene, INDEX_CLASS_MAX, &bench->plan);
+    }
+    for (int g = 0; g < bench->plan.levels; g++) {
+        if (bench->factor > 0) {
+            bench->plan.edge[g] = bench->factor * cost_cutoff(&bench->scene, &bench->plan, g);
+        }
+        bench->params.level_cell[g] = bench->levels < 0 ? 0 : bench->plan.edge[g];
+    }
+}
+
 /* Visits blocks of rows, as the pair list does, and counts, or fills each thread's own buffer. */
-static double visit_all(const struct index *index, const struct index_view *view, size_t room,
+static double visit_all(const struct index *index, const struct index_view *view, struct index_sink *sinks,
                         size_t *pairs) {
-    enum { ROWS = 4096 };
+    enum { ROWS = 2048 };
     size_t total = 0;
-    double start = timer_now();
+    double start = seconds_now(view->threads);
 #pragma omp parallel num_threads(view->threads) reduction(+ : total)
     {
-        struct index_sink sink = {.capacity = room};
-        sink.i = memory_allocate(room + INDEX_SINK_PAD, sizeof(uint32_t), "pairs");
-        sink.j = memory_allocate(room + INDEX_SINK_PAD, sizeof(uint32_t), "pairs");
+        struct index_sink sink = sinks[omp_get_thread_num()];
 #pragma omp for schedule(dynamic)
         for (size_t first = 0; first < view->owned; first += ROWS) {
             size_t last = first + ROWS < view->owned ? first + ROWS : view->owned;
             index_visit(index, view, first, last, &sink);
         }
         total += sink.count;
-        memory_free(sink.i);
-        memory_free(sink.j);
     }
     *pairs = total;
-    return 1000 * (timer_now() - start);
+    return seconds_now(view->threads) - start;
 }
 
 static void keep_least(double *least, double value) {
     *least = *least == 0 || value < *least ? value : *least;
 }
 
-static void run(struct sample *sample, const char *name, const struct index_params *params, int repetitions) {
-    struct error error = {0};
-    struct index *index = index_create(name, params, &error);
-    uint32_t *order = memory_allocate(sample->view.owned, sizeof *order, "order");
-    struct result least = {0};
-    index_order(index, &sample->view, order);
-    shuffle(sample, order);
-    for (int r = 0; r < repetitions; r++) {
+static void measure(struct bench *bench, struct bench_scene *scene, struct index *index,
+                    struct result *least) {
+    struct index_view *view = &scene->view;
+    uint32_t *order = memory_allocate(view->owned, sizeof *order, "order");
+    struct index_sink *sinks = memory_allocate_zero((size_t)view->threads, sizeof *sinks, "sinks");
+    struct index_sink *none = memory_allocate_zero((size_t)view->threads, sizeof *none, "sinks");
+    index_order(index, view, order);
+    bench_scene_reorder(scene, order);
+    for (int r = 0; r < bench->repetitions; r++) {
         size_t pairs;
-        double before = index->order_seconds;
-        index_order(index, &sample->view, order);
-        keep_least(&least.order, 1000 * (index->order_seconds - before));
-        before = index->build_seconds;
-        index_build(index, &sample->view);
-        keep_least(&least.build, 1000 * (index->build_seconds - before));
-        keep_least(&least.count, visit_all(index, &sample->view, 0, &least.pairs));
-        keep_least(&least.fill, visit_all(index, &sample->view, least.pairs, &pairs));
+        double start = seconds_now(view->threads);
+        index_order(index, view, order);
+        double ordered = seconds_now(view->threads);
+        index_build(index, view);
+        keep_least(&least->order, ordered - start);
+        keep_least(&least->build, seconds_now(view->threads) - ordered);
+        keep_least(&least->count, visit_all(index, view, none, &least->pairs));
+        for (int t = 0; t < view->threads && sinks[t].i == NULL; t++) {
+            sinks[t].capacity = least->pairs;
+            sinks[t].i = memory_allocate_zero(least->pairs + INDEX_SINK_PAD, sizeof(uint32_t), "pairs");
+            sinks[t].j = memory_allocate_zero(least->pairs + INDEX_SINK_PAD, sizeof(uint32_t), "pairs");
+        }
+        keep_least(&least->fill, visit_all(index, view, sinks, &pairs));
     }
-    struct index_description description;
-    index_describe(index, &description);
-    printf(
-        "%-9s threads %d: order %7.2f  build %7.2f  count %8.2f  fill %8.2f ms, %zu pairs, %.1f B/particle, "
-        "cells",
-        name, sample->view.threads, least.order, least.build, least.count, least.fill, least.pairs,
-        (double)index_memory(index) / (double)sample->view.owned);
-    for (int l = 0; l < description.levels; l++) {
-        printf(" %.3g%s", description.level[l].cell, description.level[l].sparse ? " (sparse)" : "");
+    for (int t = 0; t < view->threads; t++) {
+        memory_free(sinks[t].i);
+        memory_free(sinks[t].j);
     }
-    printf("\n");
-    fflush(stdout);
+    memory_free(sinks);
+    memory_free(none);
     memory_free(order);
+}
+
+static void print(const struct bench *bench, const struct index_view *view, const struct result *r) {
+    double seconds = r->order + r->build + r->fill, n = (double)view->owned, count[COST_TERMS];
+    printf("{\"law\": \"%s\", \"exponent\": %g, \"ratio\": %g, \"fraction\": %g, \"skin\": %g, \"index\": "
+           "\"%s\", "
+           "\"levels\": %d, \"factor\": %g, \"threads\": %d, \"particles\": %zu, \"seconds\": %.6g, "
+           "\"ns_per_particle\": %.4g, \"order\": %.6g, \"build\": %.6g, \"count\": %.6g, \"fill\": %.6g, "
+           "\"pairs\": %zu, \"predicted\": %.6g",
+           bench->spec.law, bench->spec.exponent, bench->spec.ratio, bench->spec.fraction, bench->spec.skin,
+           bench->index, bench->plan.levels, bench->factor, view->threads, view->owned, seconds,
+           1e9 * seconds / n, r->order, r->build, r->count, r->fill, r->pairs,
+           cost_seconds(&bench->scene, &bench->plan));
+    cost_count(&bench->scene, &bench->plan, count);
+    for (int t = 0; bench->terms && t < COST_TERMS; t++) {
+        printf(", \"%s\": %.6g", cost_name((enum cost_term)t), count[t]);
+    }
+    printf(", \"edges\": [");
+    for (int g = 0; g < bench->plan.levels; g++) {
+        printf("%s%.4g", g ? ", " : "", bench->plan.edge[g]);
+    }
+    printf("]}\n");
+    fflush(stdout);
+}
+
+/* Chooses, measures and prints; returns the seconds. */
+static double run_plan(struct bench *bench, struct bench_scene *scene) {
+    struct error error = {0};
+    struct result least = {0};
+    choose(bench);
+    set_classes(bench, scene);
+    struct index *index = index_create(bench->index, &bench->params, &error);
+    if (index == NULL) {
+        fprintf(stderr, "bench_index: %s\n", error.text);
+        exit(2);
+    }
+    measure(bench, scene, index, &least);
+    print(bench, &scene->view, &least);
     index_destroy(&index);
+    return least.order + least.build + least.fill;
+}
+
+static void run(struct bench *bench) {
+    struct bench_scene scene;
+    bench_scene_make(&scene, &bench->spec);
+    scene.view.threads = bench->threads;
+    describe_scene(bench, &scene.view);
+    run_plan(bench, &scene);
+    bench_scene_free(&scene);
+}
+
+/* Fits the prices of the cost model to this machine, on one thread. */
+static void calibrate(struct bench *bench) {
+    static const struct bench_spec specs[] = {
+        {.law = "power", .ratio = 1, .particles = 40000, .fraction = 0.3, .skin = 0.3},
+        {.law = "power", .ratio = 1, .particles = 30000, .fraction = 0.01, .skin = 0.3},
+        {.law = "power", .exponent = -3, .ratio = 50, .particles = 30000, .fraction = 0.4},
+        {.law = "power", .exponent = -3, .ratio = 50, .particles = 30000, .fraction = 0.1},
+        {.law = "power", .exponent = 0, .ratio = 8, .particles = 30000, .fraction = 0.35, .skin = 0.3},
+        {.law = "bidisperse", .large = 4e-4, .ratio = 10, .particles = 40000, .fraction = 0.4, .skin = 0.3},
+        {.law = "bidisperse", .large = 0.3, .ratio = 2, .particles = 30000, .fraction = 0.35, .skin = 0.3},
+        {.law = "lognormal", .ratio = 20, .particles = 30000, .fraction = 0.35, .skin = 0.3},
+    };
+    static const double factors[] = {0.6, 0.8, 1.1, 1.7};
+    enum { LEVELS = 4, SPECS = sizeof specs / sizeof specs[0], FACTORS = sizeof factors / sizeof factors[0] };
+    struct bench_sample sample[SPECS * LEVELS * FACTORS];
+    int samples = 0;
+    for (int s = 0; s < SPECS; s++) {
+        struct bench_scene scene;
+        bench->spec = specs[s];
+        bench_scene_make(&scene, &bench->spec);
+        describe_scene(bench, &scene.view);
+        for (int l = 1; l <= LEVELS; l++) {
+            for (int f = 0; f < (l == 1 && specs[s].ratio > 8 ? 2 : FACTORS); f++) {
+                bench->levels = l;
+                bench->factor = factors[f];
+                double seconds = run_plan(bench, &scene);
+                if (bench->plan.levels == l) {
+                    sample[samples].seconds = seconds;
+                    cost_count(&bench->scene, &bench->plan, sample[samples++].count);
+                }
+            }
+        }
+        bench_scene_free(&scene);
+    }
+    double price[COST_TERMS];
+    double error = bench_fit(sample, samples, price);
+    printf("{\"samples\": %d, \"relative_error\": %.3g", samples, error);
+    for (int t = 0; t < COST_TERMS; t++) {
+        printf(", \"%s\": %.4g", cost_name((enum cost_term)t), price[t]);
+    }
+    printf("}\n");
+}
+
+static void set(struct bench *bench, const char *key, const char *value) {
+    const struct {
+        const char *key;
+        double *real;
+        int *integer;
+    } keys[] = {{"exponent", &bench->spec.exponent, NULL},
+                {"ratio", &bench->spec.ratio, NULL},
+                {"large", &bench->spec.large, NULL},
+                {"fraction", &bench->spec.fraction, NULL},
+                {"skin", &bench->spec.skin, NULL},
+                {"inflate", &bench->spec.inflate, NULL},
+                {"factor", &bench->factor, NULL},
+                {"levels", NULL, &bench->levels},
+                {"threads", NULL, &bench->threads},
+                {"repetitions", NULL, &bench->repetitions},
+                {"instructions", NULL, &bench->params.instructions}};
+    for (size_t k = 0; k < sizeof keys / sizeof keys[0]; k++) {
+        if (strcmp(key, keys[k].key) == 0 && keys[k].real != NULL) {
+            *keys[k].real = atof(value);
+            return;
+        }
+        if (strcmp(key, keys[k].key) == 0) {
+            *keys[k].integer = atoi(value);
+            return;
+        }
+    }
+    if (strcmp(key, "law") == 0) {
+        snprintf(bench->spec.law, sizeof bench->spec.law, "%s", value);
+    } else if (strcmp(key, "index") == 0) {
+        bench->index = value;
+    } else if (strcmp(key, "particles") == 0) {
+        bench->spec.particles = (size_t)atof(value);
+    } else if (strcmp(key, "open") == 0) {
+        bench->spec.open = atoi(value) != 0;
+    } else if (strcmp(key, "calibrate") == 0) {
+        bench->calibrate = atoi(value) != 0;
+    } else if (strcmp(key, "terms") == 0) {
+        bench->terms = atoi(value) != 0;
+    } else {
+        fprintf(stderr, "bench_index: unknown key \"%s\"\n", key);
+        exit(2);
+    }
 }
 
 int main(int argc, char **argv) {
-    size_t small = argc > 1 ? strtoul(argv[1], NULL, 10) : 711657;
-    const char *only = argc > 2 ? argv[2] : "";
-    struct index_params params = {.cell_factor = argc > 3 ? atof(argv[3]) : 0};
-    int repetitions = argc > 4 ? atoi(argv[4]) : 5;
-    params.instructions = argc > 5 ? atoi(argv[5]) : INDEX_BEST;
-    struct sample sample;
-    make_sample(&sample, small);
-    printf("%zu particles, edge %.1f\n", sample.view.total, sample.view.edge[0]);
-    for (int k = 1; k < index_registry_count(); k++) {
-        const char *name = index_registry_get(k)->name;
-        for (sample.view.threads = 1; sample.view.threads <= 2; sample.view.threads++) {
-            if (only[0] == 0 || strcmp(only, name) == 0) {
-                run(&sample, name, &params, repetitions);
-            }
+    struct bench bench = {
+        .spec =
+            {.law = "power", .exponent = -3, .ratio = 50, .particles = 125001, .fraction = 0.4, .inflate = 1},
+        .index = "hgrid",
+        .threads = 1,
+        .repetitions = 5};
+    for (int k = 1; k < argc; k++) {
+        char *value = strchr(argv[k], '=');
+        if (value == NULL) {
+            fprintf(stderr, "bench_index: key=value expected, not \"%s\"\n", argv[k]);
+            return 2;
         }
+        *value = '\0';
+        set(&bench, argv[k], value + 1);
     }
-    memory_free(sample.record);
-    memory_free(sample.size_class);
-    memory_free(sample.id);
+    if (bench.calibrate) {
+        calibrate(&bench);
+    } else {
+        run(&bench);
+    }
     return 0;
 }

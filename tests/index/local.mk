@@ -12,5 +12,6 @@ tests_index_test_levels_SOURCES = tests/index/test_levels.c tests/index/cloud.c 
 tests_index_test_levels_LDADD = $(INDEX_LIBS) $(TEST_LIBS)
 tests_index_test_stencil_SOURCES = tests/index/test_stencil.c
 tests_index_test_stencil_LDADD = $(INDEX_LIBS) $(TEST_LIBS)
-tests_index_bench_index_SOURCES = tests/index/bench_index.c
-tests_index_bench_index_LDADD = $(INDEX_LIBS)
+tests_index_bench_index_SOURCES = tests/index/bench_fit.c tests/index/bench_fit.h \
+	tests/index/bench_index.c tests/index/bench_scene.c tests/index/bench_scene.h
+tests_index_bench_index_LDADD = $(SCENE_LIBS)

@@ -222,6 +222,11 @@ static void descriptions_account_for_all(void **state) {
         assert_int_equal(particles, 3000);
         const char *name = index_registry_get(k)->name;
         int levels = strcmp(name, "hgrid") == 0 ? 3 : strcmp(name, "bytype") == 0 ? cloud.view.classes : 1;
+        if (strcmp(name, "auto") == 0) {
+            assert_true(description.levels <= cloud.view.classes && description.predicted > 0);
+            assert_true(strlen(description.choice) > 0 && strlen(description.why) > 0);
+            levels = description.levels;
+        }
         assert_int_equal(description.levels, levels);
         index_destroy(&index);
     }

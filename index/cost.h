@@ -1,0 +1,74 @@
+/* What a search costs: a model of order + build + visit for grids of levels, from the number, sizes and
+ * density of the particles alone. `auto` chooses by it.
+ *
+ * Ogarko and Luding's estimate, T ~ N L (m + K) for m particles in each cell of L levels, counts candidates
+ * and cells per particle. Here rows are searched in spans (search_rows.h), so the counts are, for rows of
+ * level g and the tables of levels h >= g, with n_h the number density of h and a cut-off s:
+ *
+ *   visits      rows of g, once for each h; in spans of at most OWN_ROWS (h = g) or ROWS (h > g) of a pencil
+ *   runs        spans x pencils of h that a window of (edge of g + 2 s) meets; half of them for h = g
+ *   round       those of wide windows, which are cut to a ball pencil by pencil
+ *   sparse      those of them in tables that are kept sparse (cells.h)
+ *   tests       candidates of a span, n_h x (volume of those pencils between the ends of the window), x rows,
+ * LANES at a time
+ *
+ * and each has its price. Particles are taken to be spread evenly over the volume; a volume that is occupied
+ * only in part should be given as the part. Prices were fitted by `bench_index calibrate` (docs/indexes.md).
+ */
+#ifndef SCREE_INDEX_COST_H
+#define SCREE_INDEX_COST_H
+
+#include "index/index.h"
+
+enum { COST_BINS = 64 };
+
+/* Sizes of the particles, in bins from small to large, and the room they have. */
+struct cost_scene {
+    int bins;
+    double count[COST_BINS];      /* particles; a bin may be empty */
+    double radius_min[COST_BINS]; /* smallest and largest in the bin, length unit; ascending */
+    double radius_max[COST_BINS];
+    double volume; /* occupied volume (2D: area), length unit^dimension */
+    int dimension;
+    int threads;
+    double margin[COST_BINS]; /* of a pair whose smaller particle is the smallest of its level, in this bin */
+    bool classes; /* bins are size classes: a level of several holds them mixed, which costs more, */
+                  /* and its margin is that of its last bin */
+};
+
+/* Levels: level g holds the bins after the last one of level g - 1 to last[g]. */
+struct cost_plan {
+    int levels;
+    int last[INDEX_CLASS_MAX];
+    double edge[INDEX_CLASS_MAX]; /* cell edge in y and z, length unit */
+};
+
+/* Events of one rebuild. */
+enum cost_term {
+    COST_PARTICLE,
+    COST_MIXED,
+    COST_VISIT,
+    COST_RUN,
+    COST_ROUND,
+    COST_SPARSE,
+    COST_TEST,
+    COST_TERMS
+};
+
+/* Counts the events of a plan; the work of all threads together. */
+void cost_count(const struct cost_scene *scene, const struct cost_plan *plan, double count[COST_TERMS]);
+
+/* Seconds that one rebuild should take on the scene's number of threads. */
+double cost_seconds(const struct cost_scene *scene, const struct cost_plan *plan);
+
+/* One line that says what the cost consists of. */
+void cost_why(const struct cost_scene *scene, const struct cost_plan *plan, char why[INDEX_WHY_MAX]);
+
+/* Name of a term, and its price in nanoseconds. */
+const char *cost_name(enum cost_term term);
+double cost_price(enum cost_term term);
+
+/* The cut-off, 2 radius + margin, that the cells of a level are made from. */
+double cost_cutoff(const struct cost_scene *scene, const struct cost_plan *plan, int level);
+
+#endif
