@@ -36,13 +36,14 @@ struct run {
     struct output_run output;
     const struct run_options *options;
     struct progress progress;
-    uint64_t first, last;   /* steps */
-    double began;           /* seconds: the loop */
-    double checkpoint_last; /* seconds: the last checkpoint by wall clock */
-    bool checkpoint_due;    /* decided in the step before */
-    double particle_steps;  /* sum over steps of the particles moved */
-    int stopped;            /* signal that ended it */
-    int lock;               /* of the folder */
+    uint64_t first, last;        /* steps */
+    double began;                /* seconds: the loop */
+    double checkpoint_last;      /* seconds: the last checkpoint by wall clock */
+    bool checkpoint_due;         /* decided in the step before */
+    struct ghosts_counts before; /* the loop: what set-up sent */
+    double particle_steps;       /* sum over steps of the particles moved */
+    int stopped;                 /* signal that ended it */
+    int lock;                    /* of the folder */
 };
 
 bool run_directory(const struct comm *comm, const struct run_options *options, struct error *error) {
@@ -164,6 +165,44 @@ static int64_t pair_sides(const struct pairlist *list) {
     return (int64_t)sides;
 }
 
+/* How copies spread, and why. */
+static void report_sync(const struct simulation *s, const struct ghosts_counts *ghosts,
+                        struct report *report) {
+    static const char *const asked[] = {
+        [GHOSTS_AUTO] = "auto: ", [GHOSTS_NEIGHBOURS] = "", [GHOSTS_SHADOW] = "shadow: "};
+    double farthest[2] = {ghosts->reach, -ghosts->clearance};
+    comm_max(s->comm, farthest, 2);
+    const char *words = asked[s->scene->ghosts.sync];
+    if (s->alone)
+        snprintf(report->sync, sizeof report->sync, "%sone rank, no copies", words);
+    else if (ghosts->rounds <= 1)
+        snprintf(report->sync, sizeof report->sync,
+                 "%sneighbours (no particle must be known beyond them: what is no neighbour is %.4g away)",
+                 words, -farthest[1]);
+    else
+        snprintf(report->sync, sizeof report->sync,
+                 "%sshadow (a particle must be known up to %.4g away; what is no neighbour begins at %.4g), "
+                 "%d rounds",
+                 words, farthest[0], -farthest[1], ghosts->rounds);
+}
+
+static void report_classes(const struct simulation *s, const struct ghosts_counts *ghosts,
+                           struct report *report) {
+    int64_t sums[2 * CLASS_MAX];
+    report->classes = s->classes.count;
+    for (int c = 0; c < CLASS_MAX; c++) {
+        sums[c] = (int64_t)ghosts->ghosts_class[c];
+        sums[CLASS_MAX + c] = (int64_t)ghosts->bytes_class[c];
+    }
+    comm_sum_int(s->comm, sums, 2 * CLASS_MAX);
+    for (int c = 0; c < report->classes; c++)
+        report->size_class[c] = (struct report_class){.radius_min = s->classes.radius_min[c],
+                                                      .radius_max = s->classes.radius_max[c],
+                                                      .particles = s->classes.population[c],
+                                                      .ghosts = (uint64_t)sums[c],
+                                                      .bytes = (uint64_t)sums[CLASS_MAX + c]};
+}
+
 static void report_fill(const struct run *run, double setup, struct report *report) {
     const struct simulation *s = run->s;
     struct ghosts_counts ghosts;
@@ -183,6 +222,10 @@ static void report_fill(const struct run *run, double setup, struct report *repo
     snprintf(report->law, sizeof report->law, "%s", s->law.options.normal == LAW_HERTZ ? "hertz" : "hooke");
     snprintf(report->integrator, sizeof report->integrator, "%s", s->scene->integrator);
     report_levels(s, report);
+    report_sync(s, &ghosts, report);
+    report_classes(s, &ghosts, report);
+    snprintf(report->domain, sizeof report->domain, "%s", domain_bisects(s->domain) ? "bisection" : "brick");
+    report->divisions = s->load.divisions;
     report->pairs = (uint64_t)sums[0] / 2;
     report->contacts = (uint64_t)sums[1] / 2;
     report->rebuilds = s->skin->rebuilds > 0 ? s->skin->rebuilds - 1 : 0;
@@ -196,7 +239,10 @@ static void report_fill(const struct run *run, double setup, struct report *repo
         snprintf(report->stopped, sizeof report->stopped, "signal %d", run->stopped);
     struct report_mine mine = {.timers = &s->timers,
                                .ghosts = ghosts.ghosts,
-                               .bytes_sent = ghosts.bytes,
+                               .messages = ghosts.messages - run->before.messages,
+                               .bytes = ghosts.bytes - run->before.bytes,
+                               .work = load_seconds(s),
+                               .waiting = load_waiting(s),
                                .seconds = timer_now() - run->began,
                                .seconds_setup = setup};
     report_gather(report, s->comm, &mine);
@@ -255,6 +301,8 @@ static void run_loop(struct run *run, struct error *error) {
     struct progress_options progress = s->scene->output.progress;
     run->first = s->step;
     run->last = last_step(s);
+    ghosts_count(s->ghosts, &run->before);
+    s->load.seconds = 0;
     memset(&s->timers, 0, sizeof s->timers);
     timer_start(&s->timers, TIMER_OTHER);
     run->began = run->checkpoint_last = timer_now();

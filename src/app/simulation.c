@@ -114,6 +114,8 @@ void simulation_index_view(struct simulation *s, struct index_view *view) {
 }
 
 struct output_view simulation_view(const struct simulation *s) {
+    struct ghosts_counts ghosts;
+    ghosts_count(s->ghosts, &ghosts);
     return (struct output_view){.comm = s->comm,
                                 .particles = s->particles,
                                 .box = &s->scene->box,
@@ -123,7 +125,12 @@ struct output_view simulation_view(const struct simulation *s) {
                                 .sums = &s->sums,
                                 .dissipated = s->dissipated,
                                 .step = s->step,
-                                .time = s->time};
+                                .time = s->time,
+                                .load = {.ghosts = ghosts.ghosts,
+                                         .messages = ghosts.messages,
+                                         .bytes = ghosts.bytes,
+                                         .work = load_seconds(s),
+                                         .waiting = load_waiting(s)}};
 }
 
 bool simulation_may_lose(const struct simulation *s) {

@@ -51,8 +51,9 @@ struct ghosts {
     double shift[BOX_IMAGE_CODES][4];
     uint64_t revision; /* of the particles when the copies were made */
     uint64_t migrated;
-    uint64_t class_count[CLASS_MAX];
-    int rounds; /* the most that a spread of shadows took */
+    uint64_t class_count[CLASS_MAX], class_bytes[CLASS_MAX];
+    double farthest; /* the largest ball that reached beyond the neighbours; 0: none */
+    int rounds;      /* the most that a spread of shadows took */
     struct {
         int64_t id; /* -1: none */
         double radius, reach, clearance;
@@ -257,6 +258,8 @@ void ghosts_make(struct ghosts *ghosts, struct particles *particles, const struc
     copies_reach(classes, ghosts->options.reduced, reach);
     copies_select(&copies, ghosts->comm, ghosts->domain, ghosts->box, particles, reach);
     note_misfit(ghosts, &copies, particles);
+    if (copies.far && copies.radius > ghosts->farthest)
+        ghosts->farthest = copies.radius;
     struct shadows_place place = {&ghosts->exchange, ghosts->domain, ghosts->box, particles, reach};
     shadows_spread(&shadows, &place, &copies);
     plan_sends(ghosts, &shadows, particles->owned);
@@ -267,6 +270,12 @@ void ghosts_make(struct ghosts *ghosts, struct particles *particles, const struc
         ghosts->rounds = shadows.rounds;
     shadows_free(&shadows);
     copies_free(&copies);
+}
+
+/* Copies have come, or are sent back, with so many bytes each. */
+static void count_bytes(struct ghosts *ghosts, size_t each) {
+    for (int c = 0; c < CLASS_MAX; c++)
+        ghosts->class_bytes[c] += ghosts->class_count[c] * each;
 }
 
 void ghosts_drop(struct ghosts *ghosts, struct particles *particles) {
@@ -305,6 +314,7 @@ void ghosts_forward_begin(struct ghosts *ghosts, struct particles *particles) {
 void ghosts_forward_end(struct ghosts *ghosts, struct particles *particles) {
     exchange_finish(&ghosts->flight);
     unpack(ghosts, particles, FIELD_FORWARD, 0, ghosts->held, ghosts->from_buffer);
+    count_bytes(ghosts, fields_packed_bytes(particles, FIELD_FORWARD));
 }
 
 void ghosts_reverse(struct ghosts *ghosts, struct particles *particles) {
@@ -318,6 +328,7 @@ void ghosts_reverse(struct ghosts *ghosts, struct particles *particles) {
     exchange_start(&ghosts->exchange, COMM_TAG_REVERSE, ghosts->from_message, ghosts->from_count,
                    ghosts->to_message, ghosts->to_count, &ghosts->flight);
     exchange_finish(&ghosts->flight);
+    count_bytes(ghosts, each);
     fields_unpack_add(particles, ghosts->original, ghosts->sent, ghosts->to_buffer);
 }
 
@@ -351,7 +362,10 @@ void ghosts_count(const struct ghosts *ghosts, struct ghosts_counts *counts) {
                                      .messages = ghosts->exchange.messages,
                                      .bytes = ghosts->exchange.bytes,
                                      .migrated = ghosts->migrated,
+                                     .clearance = domain_clearance(ghosts->domain),
+                                     .reach = ghosts->farthest,
                                      .rounds = ghosts->rounds};
+    memcpy(counts->bytes_class, ghosts->class_bytes, sizeof counts->bytes_class);
     memcpy(counts->ghosts_class, ghosts->class_count, sizeof counts->ghosts_class);
 }
 

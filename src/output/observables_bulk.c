@@ -183,6 +183,45 @@ static void overlap_of_rank(const struct observable_context *context, struct obs
     part[0] = context->view->sums ? context->view->sums->overlap_max : 0;
 }
 
+static void ghosts_of_rank(const struct observable_context *context, struct observable_item *item,
+                           double *part) {
+    (void)item;
+    part[0] = (double)context->view->load.ghosts;
+}
+
+static void messages_of_rank(const struct observable_context *context, struct observable_item *item,
+                             double *part) {
+    (void)item;
+    part[0] = (double)context->view->load.messages;
+}
+
+static void bytes_of_rank(const struct observable_context *context, struct observable_item *item,
+                          double *part) {
+    (void)item;
+    part[0] = (double)context->view->load.bytes;
+}
+
+/* This rank's work over the mean; the largest counts. */
+static void imbalance_of_rank(const struct observable_context *context, struct observable_item *item,
+                              double *part) {
+    (void)item;
+    double sum = context->view->load.work;
+    comm_sum(context->view->comm, &sum, 1);
+    part[0] = sum > 0 ? context->view->load.work * context->view->comm->size / sum : 1;
+}
+
+static void sync_of_rank(const struct observable_context *context, struct observable_item *item,
+                         double *part) {
+    (void)item;
+    part[0] = context->view->load.waiting;
+    part[1] = context->view->load.waiting + context->view->load.work;
+}
+
+static void finish_sync(const struct output_view *view, double *part) {
+    (void)view;
+    part[0] = part[1] > 0 ? part[0] / part[1] : 0;
+}
+
 static bool has_spin(const struct output_view *view) {
     return view->particles->omega != NULL;
 }
@@ -271,6 +310,24 @@ static const struct observable_kind kinds[] = {
      .parts = 1,
      .combine = OBSERVABLE_MAX,
      .of_particle = take_speed},
+    {.info = ALL("ghosts", "load", "1", 1, "copies held by all ranks"),
+     .parts = 1,
+     .of_rank = ghosts_of_rank},
+    {.info = ALL("messages", "load", "1", 1, "messages between ranks since the start"),
+     .parts = 1,
+     .of_rank = messages_of_rank},
+    {.info = ALL("bytes", "load", "1", 1, "bytes sent between ranks since the start"),
+     .parts = 1,
+     .of_rank = bytes_of_rank},
+    {.info = ALL("imbalance", "load", "1", 1, "largest over mean time of work of the ranks since the start"),
+     .parts = 1,
+     .combine = OBSERVABLE_MAX,
+     .of_rank = imbalance_of_rank},
+    {.info = ALL("sync_share", "load", "1", 1,
+                 "communication's share of the time of communication and work since the start"),
+     .parts = 2,
+     .of_rank = sync_of_rank,
+     .finish = finish_sync},
 };
 
 #undef ALL

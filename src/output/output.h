@@ -21,6 +21,13 @@ struct output_run {
     const struct law_material *material; /* `materials` rows: names */
 };
 
+/* What communication of this rank amounts to, for observables. */
+struct output_load {
+    uint64_t ghosts;          /* copies held now */
+    uint64_t messages, bytes; /* sent to other ranks since the start of the run */
+    double work, waiting;     /* seconds of work, and in communication, since then */
+};
+
 /* The run at the end of a step: positions and forces of this moment, velocities half a step behind. */
 struct output_view {
     const struct comm *comm;
@@ -33,6 +40,7 @@ struct output_view {
     double dissipated;                       /* energy, since the start, this rank's part */
     uint64_t step;
     double time;
+    struct output_load load;
 };
 
 #endif

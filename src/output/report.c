@@ -10,12 +10,14 @@
 void report_create(struct report *report, int ranks) {
     *report = (struct report){.ranks = ranks};
     report->ghosts = memory_allocate_zero((size_t)ranks, sizeof *report->ghosts, "report");
-    report->bytes_sent = memory_allocate_zero((size_t)ranks, sizeof *report->bytes_sent, "report");
+    report->messages = memory_allocate_zero((size_t)ranks, sizeof *report->messages, "report");
+    report->bytes = memory_allocate_zero((size_t)ranks, sizeof *report->bytes, "report");
 }
 
 void report_destroy(struct report *report) {
     memory_free(report->ghosts);
-    memory_free(report->bytes_sent);
+    memory_free(report->messages);
+    memory_free(report->bytes);
     *report = (struct report){0};
 }
 
@@ -34,7 +36,15 @@ void report_gather(struct report *report, const struct comm *comm, const struct 
     report->seconds_setup = largest[1];
     report->memory_peak = (uint64_t)largest[2];
     comm_gather_all(comm, &mine->ghosts, sizeof mine->ghosts, report->ghosts);
-    comm_gather_all(comm, &mine->bytes_sent, sizeof mine->bytes_sent, report->bytes_sent);
+    comm_gather_all(comm, &mine->messages, sizeof mine->messages, report->messages);
+    comm_gather_all(comm, &mine->bytes, sizeof mine->bytes, report->bytes);
+    double most = mine->work, sums[3] = {mine->work, mine->waiting, 0};
+    for (int s = 0; s < TIMER_STAGES; s++)
+        sums[2] += s == TIMER_SETUP ? 0 : mine->timers->seconds[s];
+    comm_max(comm, &most, 1);
+    comm_sum(comm, sums, 3);
+    report->imbalance = sums[0] > 0 ? most * comm->size / sums[0] : 1;
+    report->sync_share = sums[2] > 0 ? sums[1] / sums[2] : 0;
 }
 
 double report_speed(const struct report *report) {
@@ -42,6 +52,10 @@ double report_speed(const struct report *report) {
     if (work <= 0)
         work = (double)report->steps * (double)report->particles;
     return report->seconds > 0 ? work / report->seconds : 0;
+}
+
+double report_pupcs(const struct report *report) {
+    return report_speed(report) / (report->ranks * (report->threads > 0 ? report->threads : 1));
 }
 
 /* "1,234,567" */
@@ -96,6 +110,21 @@ static uint64_t sum(const uint64_t *value, int n) {
     return all;
 }
 
+/* Means over ranks. */
+static void print_ranks(const struct report *report, FILE *file) {
+    double each = report->steps > 0 ? 1 / ((double)report->steps * report->ranks) : 0;
+    char a[32];
+    fprintf(
+        file, "  %s ghosts; a rank and step sends %.1f messages, %.4g bytes; %.3g particle updates/core/s\n",
+        grouped(sum(report->ghosts, report->ranks), a), (double)sum(report->messages, report->ranks) * each,
+        (double)sum(report->bytes, report->ranks) * each, report_pupcs(report));
+    fprintf(file, "  domain %s, imbalance %.3f, %.1f %% of the time for other ranks\n  sync %s\n",
+            report->domain, report->imbalance, 100 * report->sync_share, report->sync);
+    for (int c = 0; c < report->classes; c++)
+        fprintf(file, "  class %d: %s ghosts, %.4g MB for them\n", c,
+                grouped(report->size_class[c].ghosts, a), (double)report->size_class[c].bytes / 1e6);
+}
+
 void report_print(const struct report *report, FILE *file) {
     char a[32], b[32], duration[32];
     progress_duration(report->seconds, duration, sizeof duration);
@@ -114,8 +143,7 @@ void report_print(const struct report *report, FILE *file) {
     fprintf(file, "  %.0f bytes a particle, peak memory of a rank %.1f MB\n", report->bytes_per_particle,
             (double)report->memory_peak / 1e6);
     if (report->ranks > 1)
-        fprintf(file, "  %s ghosts, %s bytes sent\n", grouped(sum(report->ghosts, report->ranks), a),
-                grouped(sum(report->bytes_sent, report->ranks), b));
+        print_ranks(report, file);
     print_levels(report, file);
     print_stages(report, file);
     char host[REPORT_NAME_MAX], cpu[2 * REPORT_NAME_MAX];

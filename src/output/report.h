@@ -18,6 +18,12 @@ struct report_level {
     double radius_min, radius_max;
 };
 
+struct report_class {
+    double radius_min, radius_max;
+    uint64_t particles, ghosts; /* over all ranks */
+    uint64_t bytes;             /* received from other ranks for copies, and sent back, since the start */
+};
+
 struct report_stage {
     double min, mean, max; /* seconds, over ranks */
 };
@@ -35,8 +41,15 @@ struct report {
     bool newton;
     int levels;
     struct report_level level[REPORT_LEVELS_MAX];
-    uint64_t *ghosts;     /* copies held at the end, one a rank; owned by the report */
-    uint64_t *bytes_sent; /* one a rank; owned by the report */
+    uint64_t *ghosts;           /* copies held at the end, one a rank; owned by the report */
+    uint64_t *messages, *bytes; /* sent to other ranks in the steps, one a rank; owned by the report */
+    int classes;
+    struct report_class size_class[CLASS_MAX];
+    double imbalance;  /* largest over mean seconds of work */
+    double sync_share; /* of all seconds, in communication and in waiting for other ranks */
+    char sync[4 * REPORT_NAME_MAX];
+    char domain[REPORT_NAME_MAX];
+    uint64_t divisions; /* times that the box was divided anew */
     struct report_stage stage[TIMER_STAGES];
     double seconds; /* wall clock without set-up, largest over ranks */
     double seconds_setup;
@@ -56,17 +69,22 @@ struct report {
 void report_create(struct report *report, int ranks);
 void report_destroy(struct report *report);
 
-/* Fills ghosts, bytes_sent (one a rank), stage, seconds and memory_peak from each rank's own values.
- * Collective. */
+/* Fills what ranks have one by one (ghosts, messages, bytes, stage, seconds, memory_peak, imbalance,
+ * sync_share) from each rank's own values. Collective. */
 struct report_mine {
     const struct timers *timers;
-    uint64_t ghosts, bytes_sent;
+    uint64_t ghosts, messages, bytes;
+    double work, waiting; /* seconds */
     double seconds, seconds_setup;
 };
 void report_gather(struct report *report, const struct comm *comm, const struct report_mine *mine);
 
 /* Particle-steps / seconds. */
 double report_speed(const struct report *report);
+
+/* Particle updates per core and second, as Eibl and Ruede define it: particle-steps / (seconds x ranks x
+ * threads). */
+double report_pupcs(const struct report *report);
 
 /* Writes `path` (rank 0 alone calls) by a temporary name; version, revision, compiler, flags, host and CPU
  * are added. */

@@ -72,6 +72,22 @@ static void put_levels(FILE *file, const struct report *report) {
     fprintf(file, "\n  ],\n");
 }
 
+static void put_classes(FILE *file, const struct report *report) {
+    fprintf(file, "  \"classes\": [");
+    for (int c = 0; c < report->classes; c++) {
+        const struct report_class *row = &report->size_class[c];
+        fprintf(file,
+                "%s\n    {\"particles\": %" PRIu64 ", \"ghosts\": %" PRIu64 ", \"bytes\": %" PRIu64
+                ", \"radius_min\": ",
+                c ? "," : "", row->particles, row->ghosts, row->bytes);
+        put_real(file, row->radius_min);
+        fprintf(file, ", \"radius_max\": ");
+        put_real(file, row->radius_max);
+        fprintf(file, "}");
+    }
+    fprintf(file, "\n  ],\n");
+}
+
 static void put_stages(FILE *file, const struct report *report) {
     fprintf(file, "  \"stages\": {");
     for (int s = 0; s < TIMER_STAGES; s++) {
@@ -127,7 +143,14 @@ static void put_counts(FILE *file, const struct report *report) {
     key_count(file, "seed", report->seed);
     key_text(file, "stopped", report->stopped);
     key_counts(file, "ghosts", report->ghosts, report->ranks);
-    key_counts(file, "bytes_sent", report->bytes_sent, report->ranks);
+    key_counts(file, "messages", report->messages, report->ranks);
+    key_counts(file, "bytes", report->bytes, report->ranks);
+    key_real(file, "pupcs", report_pupcs(report));
+    key_real(file, "imbalance", report->imbalance);
+    key_real(file, "sync_share", report->sync_share);
+    key_text(file, "sync", report->sync);
+    key_text(file, "domain", report->domain);
+    key_count(file, "divisions", report->divisions);
 }
 
 bool report_write_json(const struct report *report, const char *path, struct error *error) {
@@ -138,6 +161,7 @@ bool report_write_json(const struct report *report, const char *path, struct err
     put_counts(file.stream, report);
     put_origin(file.stream);
     put_levels(file.stream, report);
+    put_classes(file.stream, report);
     put_stages(file.stream, report);
     fprintf(file.stream, "}\n");
     return file_new_close(&file, error);

@@ -27,7 +27,10 @@ static void gather(struct report *report, const struct comm *comm) {
         timers.seconds[s] = s + comm->rank;
     struct report_mine mine = {.timers = &timers,
                                .ghosts = (uint64_t)(10 + comm->rank),
-                               .bytes_sent = (uint64_t)(1000 * comm->rank),
+                               .messages = (uint64_t)(3 * comm->rank),
+                               .bytes = (uint64_t)(1000 * comm->rank),
+                               .work = 1 + comm->rank,
+                               .waiting = 2,
                                .seconds = 4 - (comm->rank > 0),
                                .seconds_setup = comm->rank};
     report_gather(report, comm, &mine);
@@ -55,7 +58,8 @@ static void ranks_are_gathered(void **state) {
     int size = team->comm.size;
     for (int r = 0; r < size; r++)
         team_expect(team,
-                    report.ghosts[r] == (uint64_t)(10 + r) && report.bytes_sent[r] == (uint64_t)(1000 * r),
+                    report.ghosts[r] == (uint64_t)(10 + r) && report.bytes[r] == (uint64_t)(1000 * r) &&
+                        report.messages[r] == (uint64_t)(3 * r),
                     "rank %d", r);
     for (int s = 0; s < TIMER_STAGES; s++) {
         const struct report_stage *stage = &report.stage[s];
@@ -63,6 +67,10 @@ static void ranks_are_gathered(void **state) {
         team_expect(team, fabs(stage->mean - (s + (size - 1) / 2.0)) < 1e-12, "mean of %d", s);
     }
     team_expect(team, report.seconds == 4 && report.seconds_setup == size - 1, "seconds %g", report.seconds);
+    team_expect(team, fabs(report.imbalance - 2.0 * size / (size + 1)) < 1e-12, "imbalance %g",
+                report.imbalance);
+    team_expect(team, fabs(report_pupcs(&report) - 5e7 / (3.0 * size)) < 1, "%g updates",
+                report_pupcs(&report));
     team_expect(team, report_speed(&report) == 5e7, "speed %g", report_speed(&report));
     report.particle_steps = 4e6; /* the number of particles changed meanwhile */
     team_expect(team, report_speed(&report) == 1e6, "speed %g", report_speed(&report));
@@ -159,7 +167,10 @@ static void json_holds_all_keys(void **state) {
                                            "\"levels\": [",
                                            "\"cells\": 5, \"particles\": 6",
                                            "\"ghosts\": [10",
-                                           "\"bytes_sent\": [0",
+                                           "\"bytes\": [0",
+                                           "\"messages\": [0",
+                                           "\"pupcs\": ",
+                                           "\"imbalance\": ",
                                            "\"stages\": {",
                                            "\"particle_steps_per_second\": 50000000,",
                                            "\"pairs\": 123456789,",
