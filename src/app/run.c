@@ -1,5 +1,6 @@
 #include "app/run.h"
 #include "app/folder.h"
+#include "app/load.h"
 #include "app/outputs.h"
 #include "core/memory.h"
 #include "output/checkpoint.h"

@@ -1,3 +1,4 @@
+#include "app/load.h"
 #include "app/simulation.h"
 #include "comm/balance.h"
 #include "core/memory.h"
