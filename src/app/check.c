@@ -3,38 +3,123 @@
 #include "app/simulation.h"
 #include "core/memory.h"
 #include "particles/fields.h"
+#include <stddef.h>
 #include <stdio.h>
+#include <string.h>
 
-struct feature_reason {
-    unsigned feature;
-    const char *why;
-};
+enum { WHY_MAX = 256 };
 
-static const struct feature_reason reasons[] = {
-    {PARTICLE_SPIN, "friction or rolling resistance"},
-    {PARTICLE_MATERIAL, "more than one material"},
-    {PARTICLE_GROUP, "groups"},
-    {PARTICLE_IMAGE, "a periodic direction"},
-};
+/* Adds a word to a list. */
+static void add(char *list, size_t room, const char *word) {
+    size_t used = strlen(list);
+    snprintf(list + used, room - used, "%s%s", used ? ", " : "", word);
+}
 
-static const char *reason_of(unsigned needs) {
-    for (size_t k = 0; k < sizeof reasons / sizeof reasons[0]; k++)
-        if (needs & reasons[k].feature)
-            return reasons[k].why;
-    return "always";
+/* The pairs of materials for which a coefficient is not 0; "" if there are none. */
+static void pairs_with(const struct scene *scene, size_t coefficient, char *why, size_t room) {
+    char pair[2 * LAW_NAME_MAX + 16];
+    for (int a = 0; a < scene->materials; a++)
+        for (int b = a; b < scene->materials; b++) {
+            const char *at = (const char *)&scene->law_pair[a][b] + coefficient;
+            double value;
+            memcpy(&value, at, sizeof value);
+            snprintf(pair, sizeof pair, "%s - %s", scene->material[a].name, scene->material[b].name);
+            if (value > 0)
+                add(why, room, pair);
+        }
+}
+
+static void materials_list(const struct scene *scene, char *why, size_t room) {
+    for (int m = 0; m < scene->materials; m++)
+        add(why, room, scene->material[m].name);
+}
+
+static void groups_list(const struct scene *scene, char *why, size_t room) {
+    for (int g = 1; g < scene->groups; g++)
+        add(why, room, scene->group[g].name);
+}
+
+static void periodic_list(const struct scene *scene, char *why, size_t room) {
+    for (int d = 0; d < 3; d++)
+        if (scene->box.periodic[d])
+            add(why, room, (const char *[]){"x", "y", "z"}[d]);
+}
+
+static void walls_list(const struct scene *scene, char *why, size_t room) {
+    for (int w = 0; w < scene->walls; w++)
+        add(why, room, scene->wall[w].name);
+}
+
+/* One line of what is modelled: on with what brings it, or off with what would. */
+static void print_term(const char *term, const char *brought_by, const char *would_bring) {
+    if (brought_by[0])
+        printf("  %-22s on   %s\n", term, brought_by);
+    else
+        printf("  %-22s off  %s\n", term, would_bring);
+}
+
+static void print_terms(const struct simulation *s) {
+    const struct scene *scene = s->scene;
+    char text[WHY_MAX] = "";
+    printf("\nwhat is modelled, and why\n");
+    print_term("normal force",
+               s->law.options.normal == LAW_HERTZ ? "contact.law: hertz" : "contact.law: hooke", "");
+    pairs_with(scene, offsetof(struct law_pair, friction), text, sizeof text);
+    print_term("friction, spin, history", s->law.spin ? text[0] ? text : "contact.tangential: history" : "",
+               "contact.tangential: none");
+    text[0] = '\0';
+    pairs_with(scene, offsetof(struct law_pair, rolling_friction), text, sizeof text);
+    print_term("rolling resistance", s->law.options.rolling ? text[0] ? text : "contact.rolling: spring" : "",
+               "contact.rolling: none");
+    text[0] = '\0';
+    walls_list(scene, text, sizeof text);
+    print_term("walls", text, "the scene has none");
+    print_term("gravity",
+               scene->gravity[0] != 0 || scene->gravity[1] != 0 || scene->gravity[2] != 0 ? "gravity" : "",
+               "gravity is 0");
+    print_term("motion along z", scene->box.dimension == 3 ? "box.dimension: 3" : "", "box.dimension: 2");
+    print_term("exchange of copies", s->alone ? "" : "several ranks", "one rank");
+    print_term("energy sums", s->sums_each_step ? "guards.energy" : "",
+               "at rows of observables alone; each step if dissipated energy is among them");
+}
+
+/* What in the scene brings a field. */
+static void reason_of(const struct scene *scene, unsigned needs, char *why, size_t room) {
+    static const struct {
+        unsigned feature;
+        const char *what;
+        void (*list)(const struct scene *scene, char *why, size_t room);
+    } reasons[] = {{PARTICLE_SPIN, "friction or rolling resistance", NULL},
+                   {PARTICLE_MATERIAL, "more than one material", materials_list},
+                   {PARTICLE_GROUP, "groups", groups_list},
+                   {PARTICLE_IMAGE, "a periodic direction", periodic_list}};
+    snprintf(why, room, "always");
+    for (size_t k = 0; k < sizeof reasons / sizeof reasons[0]; k++) {
+        char names[WHY_MAX] = "";
+        if (!(needs & reasons[k].feature))
+            continue;
+        if (reasons[k].list)
+            reasons[k].list(scene, names, sizeof names);
+        bool met = names[0] && (reasons[k].feature != PARTICLE_MATERIAL || scene->materials > 1);
+        snprintf(why, room, "%s%s%s", reasons[k].what, met ? ": " : "", met ? names : "");
+        return;
+    }
 }
 
 static void print_fields(const struct simulation *s) {
+    char why[2 * WHY_MAX];
     printf("\nfields of a particle\n  %-18s %6s  %s\n", "field", "bytes", "needed for");
     for (int f = 0; f < fields_count(); f++) {
         const struct field *field = fields_get(f);
+        reason_of(s->scene, field->needs, why, sizeof why);
         if (fields_present(s->particles, f))
-            printf("  %-18s %6zu  %s\n", field->name, fields_bytes(f), reason_of(field->needs));
+            printf("  %-18s %6zu  %s\n", field->name, fields_bytes(f), why);
     }
     for (int f = 0; f < fields_count(); f++) {
         const struct field *field = fields_get(f);
+        reason_of(s->scene, field->needs, why, sizeof why);
         if (!fields_present(s->particles, f))
-            printf("  %-18s %6s  not needed; it is for %s\n", field->name, "-", reason_of(field->needs));
+            printf("  %-18s %6s  not needed; it is for %s\n", field->name, "-", why);
     }
     printf("  stored: %zu bytes a particle (records padded to cache lines, second arrays for sorting "
            "included)\n",
@@ -88,6 +173,30 @@ static void print_step(const struct simulation *s) {
            timestep_default_fraction());
 }
 
+static const char *guard_word(enum scene_guard guard, bool trips) {
+    if (guard == SCENE_GUARD_OFF)
+        return "off";
+    return !trips ? "" : guard == SCENE_GUARD_STOP ? ": would stop the run" : ": would warn";
+}
+
+/* What can be told of the guards before anything runs. */
+static void print_guards(const struct simulation *s) {
+    const struct scene_guards *guards = &s->scene->guards;
+    double moved = s->classes.count && s->classes.radius_min[0] > 0
+                       ? s->speed_expected * s->dt / s->classes.radius_min[0]
+                       : 0;
+    printf("\nguards, at the expected speed of %.4g\n", s->speed_expected);
+    printf("  speed    moves by %.3g of the smallest radius in a step (bound 1)%s\n", moved,
+           guard_word(guards->speed, moved > 1));
+    printf("  overlap  like particles, or one and a wall, overlap by %.3g of the radius (bound %g)%s\n",
+           s->overlap_expected, guards->overlap_bound,
+           guard_word(guards->overlap, s->overlap_expected > guards->overlap_bound));
+    printf("  energy   %s\n", guards->energy == SCENE_GUARD_OFF ? "growth is not looked at"
+                                                                : "growth without cause is looked for");
+    if (s->dt > s->limits.stable)
+        printf("  step     %.3g of the stable one: energy will grow\n", s->dt / s->limits.stable);
+}
+
 static void print_memory(const struct simulation *s) {
     double n = s->particles->owned ? (double)s->particles->owned : 1;
     printf("\nmemory, rank 0: %.1f MiB, %.0f bytes a particle\n", (double)memory_in_use() / 1048576,
@@ -107,6 +216,7 @@ static void print_all(const struct simulation *s) {
     printf("  %d rank%s, %d thread%s each, newton %s; %zu pairs and %zu contacts at the start on rank 0\n",
            s->comm->size, s->comm->size == 1 ? "" : "s", s->threads, s->threads == 1 ? "" : "s",
            s->view.newton ? "on" : "off", s->list->primary_count, s->sums.contacts);
+    print_terms(s);
     printf("\npasses of a step\n");
     step_plan_print(s, stdout);
     print_fields(s);
@@ -114,6 +224,7 @@ static void print_all(const struct simulation *s) {
     print_classes(s);
     print_levels(s);
     print_step(s);
+    print_guards(s);
     print_memory(s);
 }
 

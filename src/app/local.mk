@@ -5,7 +5,7 @@ libapp_la_SOURCES = \
 	src/app/check.c \
 	src/app/command.c src/app/command.h \
 	src/app/folder.c src/app/folder.h \
-	src/app/guards.c \
+	src/app/guards.c src/app/guards.h \
 	src/app/library.c src/scree.h \
 	src/app/load.c src/app/load.h \
 	src/app/outputs.c src/app/outputs.h \

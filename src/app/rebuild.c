@@ -1,7 +1,7 @@
 /* The full rebuild. It stands between a drift and the forces: positions are new, forces are zero, histories
  * are those of the last evaluation. Copies appear, vanish and migrate only here. */
+#include "app/guards.h"
 #include "app/load.h"
-#include "app/simulation.h"
 #include "core/memory.h"
 #include <math.h>
 #include <string.h>

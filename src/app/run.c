@@ -1,5 +1,6 @@
 #include "app/run.h"
 #include "app/folder.h"
+#include "app/guards.h"
 #include "app/load.h"
 #include "app/outputs.h"
 #include "core/memory.h"
@@ -106,6 +107,8 @@ static bool step_once(struct run *run, struct error *error) {
     run->particle_steps += (double)s->total;
     if (s->step % POSITIONS_EVERY == 0)
         guards_check_positions(s);
+    if (guards_energy_due(s, s->step))
+        guards_check_energy(s);
     timer_start(&s->timers, TIMER_OUTPUT);
     bool good = run->outputs == NULL || outputs_write(run->outputs, s, error);
     if (good && watched)
@@ -288,7 +291,7 @@ static bool run_open(struct run *run, struct error *error) {
         return false;
     if (!outputs_open(run->outputs, s, run->options->resume != NULL, error))
         return false;
-    s->sums_each_step = outputs_sum_each_step(run->outputs);
+    s->sums_each_step = s->sums_each_step || outputs_sum_each_step(run->outputs);
     return run->options->resume != NULL || outputs_write(run->outputs, s, error);
 }
 
@@ -310,11 +313,11 @@ static void run_loop(struct run *run, struct error *error) {
     if (run->options->quiet || s->comm->rank != 0)
         progress.mode = PROGRESS_OFF;
     progress_start(&run->progress, &progress, stderr, run->first, run->last);
-    bool good = steps(run, error);
+    steps(run, error);
     progress_finish(&run->progress);
     timer_stop(&s->timers, TIMER_OTHER);
-    if (!good && error->kind == ERROR_NONE)
-        *error = s->error;
+    if (error->kind == ERROR_NONE)
+        *error = s->error; /* also of the last step, which nobody has asked for yet */
     if (!comm_agree(s->comm, error))
         stopped_checkpoint(run, error);
 }

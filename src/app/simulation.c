@@ -1,5 +1,5 @@
+#include "app/guards.h"
 #include "app/load.h"
-#include "app/simulation.h"
 #include "comm/balance.h"
 #include "core/memory.h"
 #include "integrate/integrator.h"
@@ -276,6 +276,8 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
     else
         run_begin(s);
     step_plan(s);
+    if (!guards_prepare(s, error))
+        return false;
     *error = s->error;
     return s->error.kind == ERROR_NONE;
 }
@@ -301,6 +303,7 @@ void simulation_destroy(struct simulation **simulation) {
     struct simulation *s = *simulation;
     if (s == NULL)
         return;
+    guards_destroy(s);
     force_loop_destroy(&s->loop);
     walls_destroy(&s->walls);
     sweep_destroy(&s->sweep);

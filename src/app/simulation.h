@@ -57,6 +57,14 @@ struct step_signals {
     bool error;      /* a rank has an error */
 };
 
+/* The guard of energies (guards.c). Energies as in observables. */
+struct guard_energy {
+    struct observables *observables; /* NULL: not asked for */
+    bool begun;
+    double start, last, gained, in_play;
+    uint64_t step, changes; /* of the last look: its number, particles that have come and gone */
+};
+
 struct simulation {
     const struct comm *comm;   /* borrowed */
     const struct scene *scene; /* borrowed */
@@ -65,6 +73,9 @@ struct simulation {
     struct law law;
     struct integrator_context motion;
     struct timestep_limits limits;
+    double speed_expected;   /* of an impact: what the stable step counts with; length/time */
+    double overlap_expected; /* of the heaviest like particles, or of one and a wall, at that speed, over the
+                                radius */
     struct scene_census census; /* of the sources */
 
     struct particles *particles;
@@ -101,6 +112,7 @@ struct simulation {
     uint64_t inserted, deleted;
     uint64_t sources_step; /* the last step at which particles came or went */
     unsigned guard_warned; /* bit by guard: has warned */
+    struct guard_energy guard_energy;
 
     uint64_t step;      /* steps done */
     uint64_t step_base; /* time = time_base + (step - step_base) dt */
@@ -190,10 +202,5 @@ void step_run(struct simulation *simulation, bool rebuild);
 
 /* Forces at the present positions without advancing: the start of a run. history stays. Collective. */
 void step_forces(struct simulation *simulation);
-
-/* Guards: NaN and positions (a pass over all particles), overlap and speed (free). Fill simulation->error on
- * the rank that sees it. */
-void guards_check(struct simulation *simulation);
-void guards_check_positions(struct simulation *simulation);
 
 #endif

@@ -25,7 +25,7 @@
  * Both give the same bits. A step is fused unless a rebuild must come or is to be expected
  * (docs/architecture.md). The lists are made once from the scene: what a scene does not need is not in them.
  */
-#include "app/simulation.h"
+#include "app/guards.h"
 #include <assert.h>
 #include <math.h>
 #include <omp.h>

@@ -61,6 +61,34 @@ static double speed_expected(const struct simulation *s) {
     return sqrt(fmax(fall, fastest));
 }
 
+/* Overlap over the smaller radius when the largest particles of two kinds meet at a speed, without damping:
+ * v sqrt(m* / k), or (5 m* v^2 / (4 K))^(2/5). */
+static double overlap_of(const struct law *law, const struct timestep_kind *a, const struct timestep_kind *b,
+                         double speed) {
+    double mass[2] = {INFINITY, INFINITY}, radius[2] = {INFINITY, INFINITY};
+    const struct timestep_kind *kind[2] = {a, b};
+    for (int k = 0; k < 2; k++)
+        if (!kind[k]->wall) {
+            radius[k] = kind[k]->radius_max;
+            mass[k] = kind[k]->mass_min * pow(kind[k]->radius_max / kind[k]->radius_min, 3);
+        }
+    double m = 1 / (1 / mass[0] + 1 / mass[1]), r = 1 / (1 / radius[0] + 1 / radius[1]);
+    double stiffness = law->pair[a->material][b->material].k_n;
+    double overlap = law->options.normal == LAW_HERTZ
+                         ? pow(1.25 * m * speed * speed / (stiffness * sqrt(r)), 0.4)
+                         : speed * sqrt(m / stiffness);
+    return overlap / fmin(radius[0], radius[1]);
+}
+
+static double overlap_expected(const struct simulation *s, const struct timestep_input *input) {
+    double most = 0;
+    for (int a = 0; a < input->kinds; a++)
+        for (int b = a; b < input->kinds; b++)
+            if (!input->kind[a].wall || !input->kind[b].wall)
+                most = fmax(most, overlap_of(&s->law, &input->kind[a], &input->kind[b], input->speed_max));
+    return most;
+}
+
 static void limits_find(struct simulation *s) {
     struct kinds kinds;
     struct timestep_kind kind[2 * LAW_MATERIALS_MAX];
@@ -82,6 +110,8 @@ static void limits_find(struct simulation *s) {
                                    .speed_max = speed_expected(s),
                                    .contacts = s->scene->step.contacts};
     timestep_limits(&s->limits, &input);
+    s->speed_expected = input.speed_max;
+    s->overlap_expected = overlap_expected(s, &input);
 }
 
 bool timing_choose(struct simulation *s, struct error *error) {

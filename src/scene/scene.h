@@ -63,8 +63,9 @@ struct scene_group {
 enum scene_guard { SCENE_GUARD_STOP, SCENE_GUARD_WARN, SCENE_GUARD_OFF };
 
 struct scene_guards {
-    enum scene_guard overlap, nan, speed;
+    enum scene_guard overlap, nan, speed, energy;
     double overlap_bound; /* largest overlap / smaller radius */
+    double energy_bound;  /* largest growth without cause / energy in play */
 };
 
 /* One entry of material_pairs as the user wrote it. */

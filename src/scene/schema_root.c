@@ -269,16 +269,27 @@ static const struct schema_name guard_names[] = {
     {"warn", SCENE_GUARD_WARN, "one warning, then on"},
     {"off", SCENE_GUARD_OFF, NULL},
     {0}};
+static const struct schema_name nan_names[] = {
+    {"stop", SCENE_GUARD_STOP, "always: a search cannot go on with such places"}, {0}};
 static const struct schema_row guards_rows[] = {
     {.key = "overlap", .type = SCHEMA_NAME, .names = guard_names, .fallback = "stop",
      AT(struct scene_guards, overlap), .help = "an overlap beyond guards.overlap_bound"},
     {.key = "overlap_bound", .type = SCHEMA_REAL, .range = "(0, 2]", .fallback = "0.5",
      AT(struct scene_guards, overlap_bound),
      .help = "largest overlap allowed, as a part of the smaller radius"},
-    {.key = "nan", .type = SCHEMA_NAME, .names = guard_names, .fallback = "stop",
+    {.key = "nan", .type = SCHEMA_NAME, .names = nan_names, .fallback = "stop",
      AT(struct scene_guards, nan), .help = "a position or velocity that is not a number"},
-    {.key = "speed", .type = SCHEMA_NAME, .names = guard_names, .fallback = "warn",
-     AT(struct scene_guards, speed), .help = "a particle faster than its skin in one step"},
+    {.key = "speed", .type = SCHEMA_NAME, .names = guard_names, .fallback = "stop",
+     AT(struct scene_guards, speed),
+     .help = "a particle that moves by more than the smallest radius in a step: it may pass through others "
+             "unseen"},
+    {.key = "energy", .type = SCHEMA_NAME, .names = guard_names, .fallback = "off",
+     AT(struct scene_guards, energy),
+     .help = "growth of energy without cause: kinetic + elastic + gravity + dissipated - work of walls, "
+             "less what came and went with particles; costs the energy sums at each step"},
+    {.key = "energy_bound", .type = SCHEMA_REAL, .range = "(0, inf)", .fallback = "0.05",
+     AT(struct scene_guards, energy_bound),
+     .help = "largest growth allowed, as a part of the largest energy in play"},
 };
 static const struct schema_table guards_table = TABLE(guards_rows);
 

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Guards: each stops with names, place and time, and leaves a checkpoint; `scree check` tells beforehand what it can.
+
+. "$(dirname "$0")/common.sh"
+cd "$out" || exit 1
+cat >scene.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [10, 10, 10]}
+step: {dt: 0.001, count: 400}
+contact: {law: hooke, tangential: none}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.6, k_n: 10000}]
+walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}]
+particles:
+  sources:
+    - {from: single, id: 71, position: [3, 5, 5], radius: 1, velocity: [2, 0, 0]}
+    - {from: single, id: 83, position: [5.5, 5, 5], radius: 1, velocity: [-2, 0, 0]}
+EOS
+
+stops() { # DIR WORDS FLAG...: exit status 3, one message with the words, a checkpoint to look at
+    local dir=$1 words=$2 status word
+    shift 2
+    on "$ranks" "$scree" run scene.yaml -o "$dir" --quiet "$@" >said 2>&1
+    status=$?
+    [ $status = 3 ] || { echo "  status $status"; cat said; return 1; }
+    for word in $words; do
+        holds said "$word" || return 1
+    done
+    "$scree" info "$dir"/checkpoint-*-stopped.h5 | grep -q whole
+}
+says() { "$scree" check scene.yaml "${@:2}" >said 2>&1; grep -q "$1" said || { cat said; return 1; }; }
+
+for ranks in 1 2; do
+    echo "== $ranks ranks"
+    check 'overlap: who, where, when' stops deep$ranks "guards.overlap: 71 83 (4. step t" --set step.force=true --set material_pairs[0].k_n=0.1
+    check 'overlap with a wall names it' stops wall$ranks "guards.overlap: 71 wall 'floor'" --set step.force=true --set material_pairs[0].k_n=0.1 \
+        --set 'particles.sources[0].velocity=[0, 0, -20]'
+    check 'speed' stops fast$ranks 'guards.speed: 71 moves unseen' --set 'particles.sources[0].velocity=[0, 2000, 0]'
+    check 'energy: a step far above the stable one' stops hot$ranks 'guards.energy: without cause fastest' --set guards.energy=stop --set step.force=true \
+        --set step.dt=0.04 --set guards.overlap=off --set material_pairs[0].restitution=1
+done
+ranks=1
+check 'energy stays where nothing is wrong' run_scene 1 scene.yaml cold --set guards.energy=stop --set material_pairs[0].restitution=1 --set step.count=2000
+came() { # particles that come bring energy
+    run_scene 1 scene.yaml came --set guards.energy=stop --set gravity='[0, 0, -10]' --set step.count=2000 \
+        --set 'insertions=[{region: {shape: box, lower: [0, 0, 8], upper: [10, 10, 10]}, sizes: 0.3, rate: 20, count: 25, velocity: [0, 0, -1]}]'
+}
+check 'particles that come are no growth' came
+check 'particles moved by order are refused' bash -c '! '"$scree"' check scene.yaml --set guards.energy=stop --set "groups=[{name: pushed, motion: moving, select: {ids: [71]}}]" >said 2>&1 && grep -q "guards.energy: group" said'
+check 'check foresees a leap' says 'would stop the run' --set 'particles.sources[0].velocity=[0, 2000, 0]'
+check 'check foresees an overlap' says 'overlap by .*would stop the run' --set step.force=true --set material_pairs[0].k_n=0.1
+check 'and nothing where there is nothing' bash -c "$scree"' check scene.yaml >said 2>&1 && ! grep -q would said'
+finish
