@@ -9,6 +9,11 @@ static bool mirrored(const struct pair_block *mirror, size_t k) {
     return k >= mirror->first_pair && k < mirror->end_pair;
 }
 
+/* One bit of 64, by the partner's number. */
+static inline uint64_t partner_bit(uint32_t partner) {
+    return (uint64_t)1 << (partner * 2654435769u >> 26);
+}
+
 /* Counts the records of each row of a thread, or (entries given) writes them, moving the starts on. */
 static void records_put(const struct history *history, const struct pairlist *list, int t,
                         struct history_kept *kept) {
@@ -20,10 +25,11 @@ static void records_put(const struct history *history, const struct pairlist *li
         size_t k = first + part->pair[r];
         if (mirrored(mirror, k))
             continue;
-        uint32_t at = kept->start[list->i[k]]++;
+        uint32_t row = list->i[k], partner = pair_partner(list->j[k]), at = kept->start[row]++;
         if (kept->entry)
-            kept->entry[at] =
-                (struct history_kept_entry){pair_partner(list->j[k]), (uint32_t)(kept->first[t] + r)};
+            kept->entry[at] = (struct history_kept_entry){partner, (uint32_t)(kept->first[t] + r)};
+        else
+            kept->mask[row] |= partner_bit(partner);
     }
 }
 
@@ -31,6 +37,7 @@ void history_keep(const struct history *history, const struct pairlist *list, si
                   struct history_kept *kept) {
     *kept = (struct history_kept){.owned = owned};
     kept->start = memory_allocate_zero(owned + 1, sizeof *kept->start, "kept history");
+    kept->mask = memory_allocate_zero(owned, sizeof *kept->mask, "kept history");
     if (list->block_count == 0)
         return;
     for (int t = 0; t < history->threads; t++)
@@ -51,12 +58,15 @@ void history_keep(const struct history *history, const struct pairlist *list, si
 
 void history_kept_free(struct history_kept *kept) {
     memory_free(kept->start);
+    memory_free(kept->mask);
     memory_free(kept->entry);
     *kept = (struct history_kept){0};
 }
 
 /* The record of the pair of old numbers (row, partner), or UINT32_MAX. */
-static uint32_t record_find(const struct history_kept *kept, uint32_t row, uint32_t partner) {
+static inline uint32_t record_find(const struct history_kept *kept, uint32_t row, uint32_t partner) {
+    if (!(kept->mask[row] & partner_bit(partner)))
+        return UINT32_MAX;
     for (uint32_t k = kept->start[row]; k < kept->start[row + 1]; k++)
         if (kept->entry[k].partner == partner)
             return kept->entry[k].record;

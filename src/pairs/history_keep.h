@@ -15,6 +15,8 @@ struct history_kept_entry {
 /* Rows by old number of the row particle: entries start[k] ... start[k + 1] - 1. Values stay in the history.
  */
 struct history_kept {
+    uint64_t *mask;  /* of each row: bits of its records' partners, so that most pairs without a record are
+                        told at  a glance */
     uint32_t *start; /* owned + 1 entries; NULL: nothing kept */
     struct history_kept_entry *entry;
     size_t owned;
