@@ -61,7 +61,7 @@ static size_t round_up(size_t bytes, size_t unit) {
 }
 
 /* Freed large blocks, newest last. Entered by one thread at a time. */
-enum { CACHE_BLOCKS = 12, CACHE_SHARE = 4 };
+enum { CACHE_BLOCKS = 12, CACHE_SHARE = 16 };
 
 static struct {
     int count;

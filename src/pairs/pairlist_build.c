@@ -283,7 +283,7 @@ static bool regions_suffice(struct pairlist *list) {
     for (int t = 0; t < list->threads; t++) {
         struct pairlist_worker *worker = &build->worker[t];
         worker->first = capacity;
-        worker->room = worker->used + worker->used / 8 + REGION_SPARE;
+        worker->room = worker->used + worker->used / 32 + REGION_SPARE;
         capacity += worker->room;
     }
     memory_free(list->i);

@@ -17,7 +17,7 @@ void skin_destroy(struct skin **skin) {
 
 void skin_reset(struct skin *skin, const struct particles *particles) {
     if (particles->owned > skin->capacity) {
-        skin->capacity = particles->owned + particles->owned / 8;
+        skin->capacity = particles->owned + particles->owned / 32;
         memory_free(skin->anchor);
         skin->anchor = memory_allocate(skin->capacity, sizeof *skin->anchor, "positions at the rebuild");
     }
