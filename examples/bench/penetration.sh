@@ -2,9 +2,9 @@
 # The penetration case against LAMMPS, side by side: penetration.sh [--quick]
 #
 # Both codes run examples/penetration/scene.yaml from the throw on, with plain velocity Verlet and equal dampers: 200,000 steps of
-# 25,001 particles, many minutes each; --quick runs 2,000 steps from just above the bed. LAMMPS runs its multi search on all
-# cores with the better of two skins, scree with the better of ranks and threads. Prints one JSON line a run; the last holds
-# loop_ratio, LAMMPS's loop time over scree's.
+# 25,001 particles, many minutes each, of which the height of the ball is written; --quick runs 2,000 steps from just above
+# the bed. LAMMPS runs its multi search on all cores with the better of two skins, scree with the better of ranks and threads.
+# Prints one JSON line a run; the last holds loop_ratio, LAMMPS's loop time over scree's.
 #
 # Needs LAMMPS (Debian: lammps). SCREE, LAMMPS (lmp), CORES (all), RUNS (1, quick 3), WORK may be set.
 set -eu
@@ -47,6 +47,7 @@ run_scree() {
         --set duration="$(awk -v n="$3" 'BEGIN { printf "%.10g", n * 5e-7 }')" \
         --set integrator=velocity_verlet --set contact.tangential_damping_equal=true --set contact.sliding=total \
         --set "particles.sources[1].position=[0, 0, $z]" --set "particles.sources[1].velocity=[0, 0, $v]" \
+        --set "observables.list=[{name: position, label: ball, id: 25001, components: z}]" \
         --set output.trajectory.every=0 --set output.checkpoint.at_end=false >"$work/scree.out" 2>&1 || {
         cat "$work/scree.out" >&2
         return 1
