@@ -202,6 +202,7 @@ static void bad_options(void **state) {
                                          {"power", "fraction=0.95", NULL, "must lie in"},
                                          {"power", "count=1.5", NULL, "whole number"},
                                          {"power", "min=3", "max=2", "above min"},
+                                         {"power", "min=3", "max=3001", "1000 times"},
                                          {"power", "box=3", "fraction=0.2", "exclude"},
                                          {"power", "walls=soft", NULL, "periodic and hard"},
                                          {"sieve", NULL, NULL, "needs table=FILE"},

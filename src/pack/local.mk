@@ -2,6 +2,7 @@ noinst_LTLIBRARIES += libpack.la
 libpack_la_SOURCES = \
 	src/pack/bidisperse.c \
 	src/pack/draw.c src/pack/draw.h \
+	src/pack/laws.c src/pack/laws.h \
 	src/pack/options.c src/pack/options.h \
 	src/pack/pack.c src/pack/pack.h \
 	src/pack/parts.h \

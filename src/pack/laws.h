@@ -1,0 +1,35 @@
+/* The tables of the laws and of their keys. */
+#ifndef SCREE_PACK_LAWS_H
+#define SCREE_PACK_LAWS_H
+
+#include "pack/options.h"
+#include <stddef.h>
+
+enum law_key_type { LAW_REAL, LAW_WHOLE, LAW_TEXT, LAW_NAME };
+
+struct law_key {
+    const char *name;
+    enum law_key_type type;
+    size_t offset; /* in struct pack_options */
+    double least, most;
+    const char *const *names; /* NAME: what the enum's values are called; two of them */
+    const char *help;
+};
+
+/* A law: its keys are those of `defaults`, which lists KEY=VALUE, those of `more`, which have none, and those
+ * of all. */
+struct law {
+    const char *name, *summary, *defaults, *more, *text;
+};
+
+/* The k-th law (an enum pack_law) and key; NULL after the last. */
+const struct law *laws_get(int k);
+const struct law_key *laws_key(int k);
+
+/* The keys of all laws with their defaults. */
+const char *laws_common(void);
+
+/* Has the law a key of this name (of `length` letters)? */
+bool laws_has(const struct law *law, const char *name, size_t length);
+
+#endif
