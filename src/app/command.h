@@ -55,8 +55,8 @@ const struct command *command_get(int k);
 bool command_line_read(struct command_line *line, const struct command *command, int argc, char **argv,
                        struct error *error);
 
-/* The usage of all commands, or of one at length; with a topic, that topic of the command. False if there is no such
- * topic. */
+/* The usage of all commands, or of one at length; with a topic, that topic of the command. False if there is
+ * no such topic. */
 bool command_usage(FILE *out, const struct command *command, const char *topic);
 
 /* Reads and parses the scene file that the line names, with its settings and `extra` more. NULL: error
