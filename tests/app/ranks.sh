@@ -1,0 +1,107 @@
+#!/usr/bin/env bash
+# The same forces on every division of the box, way of synchronising and number of ranks: newton on with full and with
+# reduced ghosts, and off; bricks and bisection; next-neighbour (where every particle fits) and shadows; 1, 2, 4 and 8 ranks
+# (27 with SCREE_LONG). Rebuilds come with migration of touching pairs; forces must agree with those of brute on one rank
+# within max(1e-12, 8 eps L / largest overlap) of the largest force.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+cd "$out" || exit 1
+
+# without Zoltan there are only bricks
+bisection=bisection
+grep -q 'define HAVE_ZOLTAN 1' "$top_builddir/config.h" || bisection=brick
+
+# scene FILE EDGE SOURCES...
+scene() {
+    local file=$1 edge=$2
+    shift 2
+    cat >"$file" <<END
+units: none
+guards: {overlap_bound: 1.5, speed: off}
+materials: [{name: soft, density: 1}, {name: hard, density: 3}]
+material_pairs: [{restitution: 0.7, friction: 0.4, k_n: 1000}]
+contact: {law: hooke}
+output: {dump: {every: 40}, checkpoint: {at_end: false}}
+observables: {every: 40, list: [{name: momentum}, {name: overlap_max}, {name: load}]}
+box: {lower: [0, 0, 0], upper: [$edge, $edge, $edge], periodic: true}
+step: {dt: 0.0002, count: 40, rebuild_every: 10}
+skin: {length: 0.05}
+domain: {name: brick}
+particles:
+  sources:
+END
+    printf '    - {from: %s, velocity_sigma: 12}\n' "$@" >>"$file"
+}
+scene ten.yaml 8 'random, count: 20, material: hard, sizes: 0.9' 'random, count: 900, material: soft, sizes: 0.09'
+scene forty.yaml 8 'random, count: 2, material: hard, sizes: 1.6' 'random, count: 2500, material: soft, sizes: 0.04'
+scene continuous.yaml 8 'random, count: 900, material: soft, sizes: {law: uniform, min: 0.05, max: 0.5}'
+scene boulder.yaml 8 'random, count: 1, material: hard, sizes: 2' 'random, count: 900, material: soft, sizes: {law: uniform, min: 0.08, max: 0.15}'
+
+last_frame() {
+    awk '/^ITEM: TIMESTEP/ { text = "" } { text = text $0 "\n" } END { printf "%s", text }' "$1/dump.lammpstrj" >"$1/last"
+}
+
+# bound_of CASE: from the largest overlap at the end
+bound_of() {
+    awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^overlap_max/) column = k }
+        END { bound = 8 * 2.2e-16 * 8 / $column; if (bound < 1e-12) bound = 1e-12; printf "%.3g", bound }' \
+        "$1-first/observables.csv"
+}
+
+reference() {
+    run_scene 1 "$1.yaml" "$1-first" --set index=brute --set threads=1 && last_frame "$1-first" || return 1
+    echo "  $(number "$1-first/report.json" contacts) contacts, bound $(bound_of "$1")"
+    [ "$(number "$1-first/report.json" rebuilds)" -ge 4 ] && [ "$(number "$1-first/report.json" contacts)" -ge 5 ]
+}
+
+# momentum_kept DIR: the last row's momentum is the first one's
+momentum_kept() {
+    awk -F, 'NR == 2 { for (k = 2; k <= 4; k++) first[k] = $k }
+        END { for (k = 2; k <= 4; k++) { d = $k - first[k]; if (!(d < 1e-9 && d > -1e-9)) bad = 1 }
+            if (bad || NR < 3) print "  momentum changed"; exit bad || NR < 3 }' "$1/observables.csv"
+}
+
+# layout CASE RANKS DOMAIN SYNC NEWTON GHOSTS
+layout() {
+    local dir=$1-other key force
+    run_scene "$2" "$1.yaml" "$dir" --overwrite --set threads=1 --set domain="${3/bisection/$bisection}" --set sync="$4" --set newton="$5" \
+        --set ghosts="$6" || return 1
+    last_frame "$dir"
+    for key in particles contacts pairs dangerous_rebuilds; do
+        [ "$(number "$1-first/report.json" $key)" = "$(number "$dir/report.json" $key)" ] ||
+            { echo "  $key: $(number "$1-first/report.json" $key) and $(number "$dir/report.json" $key)"; return 1; }
+    done
+    force=$(awk -f "$top_srcdir/examples/bidisperse/compare.awk" "$1-first/last" "$dir/last") || return 1
+    within "$(echo "$force" | awk '{ print $2 }')" 0 "$(bound_of "$1")" && momentum_kept "$dir"
+}
+
+# refused CASE RANKS: next-neighbour synchronisation says which particle does not fit
+refused() {
+    ! run_scene "$2" "$1.yaml" "$1-refused" --overwrite --set sync=neighbours --set domain.x="$2" >/dev/null &&
+        grep -q 'sync: neighbours: particle' said
+}
+
+for case in ten forty continuous boulder; do
+    check "$case: the reference moves enough" reference $case
+    for setting in '2 bisection shadow on reduced' '4 brick shadow off full' '8 bisection shadow on full' \
+        '8 brick shadow on reduced' '8 bisection shadow off full'; do
+        check "$case: ranks, domain, sync, newton, ghosts: $setting" layout $case $setting
+    done
+done
+for setting in '2 brick neighbours on reduced' '4 brick neighbours off full' '8 brick neighbours on full'; do
+    check "continuous: ranks, domain, sync, newton, ghosts: $setting" layout continuous $setting
+done
+check 'boulder: next neighbours do not do' refused boulder 8
+if [ -n "${SCREE_LONG:-}" ]; then
+    for case in ten forty continuous boulder; do
+        for setting in 'on full' 'on reduced' 'off full'; do
+            for domain in brick bisection; do
+                for ranks in 1 2 4 8 27; do
+                    check "$case: ranks, domain, newton, ghosts: $ranks $domain $setting" layout $case $ranks $domain shadow $setting
+                done
+            done
+        done
+    done
+fi
+
+finish
