@@ -62,13 +62,13 @@ static bool study_look(const struct study *study, const struct look *look, struc
     if (scene == NULL)
         return false;
     struct sampler sampler;
-    sampler_create(&sampler, record, steps_each, study->samples);
+    sample_create(&sampler, record, steps_each, study->samples);
     sampler.perturbation = look->perturbation;
     sampler.seed = look->seed;
     *dt = scene->step.dt;
     *steps = (uint64_t)scene->step.count;
     bool good = ablate_run(study->comm, scene, &sampler.watch, NULL, error);
-    sampler_destroy(&sampler);
+    sample_destroy(&sampler);
     scene_free(&scene);
     return good;
 }

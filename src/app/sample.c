@@ -134,7 +134,7 @@ static bool sampler_due(const void *context, uint64_t step) {
     return step % sampler->steps_each == 0 && sampler->record->samples <= sampler->samples_max;
 }
 
-void sampler_create(struct sampler *sampler, struct sample_record *record, uint64_t steps_each, int samples) {
+void sample_create(struct sampler *sampler, struct sample_record *record, uint64_t steps_each, int samples) {
     *record = (struct sample_record){0};
     *sampler = (struct sampler){.watch = {sampler, sampler_begin, sampler_due, sampler_look},
                                 .record = record,
@@ -142,7 +142,7 @@ void sampler_create(struct sampler *sampler, struct sample_record *record, uint6
                                 .samples_max = samples};
 }
 
-void sampler_destroy(struct sampler *sampler) {
+void sample_destroy(struct sampler *sampler) {
     if (sampler->own)
         observables_destroy(&sampler->own);
     if (sampler->whole)

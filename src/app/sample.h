@@ -39,10 +39,10 @@ struct sampler {
 
 /* Makes a recorder that samples every `steps_each` steps up to `samples` times beside the start, into
  * `record`. */
-void sampler_create(struct sampler *sampler, struct sample_record *record, uint64_t steps_each, int samples);
+void sample_create(struct sampler *sampler, struct sample_record *record, uint64_t steps_each, int samples);
 
 /* Frees the recorder, not the record. */
-void sampler_destroy(struct sampler *sampler);
+void sample_destroy(struct sampler *sampler);
 
 /* Frees what a record holds; it may have been zero. */
 void sample_free(struct sample_record *record);
