@@ -104,10 +104,13 @@ tool() {
     ${CC:-cc} -O2 -o "$out/$1" "$here/../$1.c" -lm
 }
 
-# picture [GNUPLOT VARIABLES]: plot.gp of the case, reading the files of $out, into VERIFY_IMAGES
+# picture [X Y]: the plot.gp of the case, or else the rows `x reference computed` of $out/curve with the labels X and Y, into
+# VERIFY_IMAGES
 picture() {
     if [ -n "${VERIFY_IMAGES:-}" ] && command -v gnuplot >/dev/null; then
-        gnuplot -e "out='$out/'; picture='$VERIFY_IMAGES/verify-$case.svg'" "$here/../style.gp" "$here/plot.gp"
+        plot=$here/plot.gp
+        [ -e "$plot" ] || plot=$here/../curve.gp
+        gnuplot -e "out='$out/'; picture='$VERIFY_IMAGES/verify-$case.svg'; x='${1:-}'; y='${2:-}'" "$here/../style.gp" "$plot"
     fi
 }
 
