@@ -159,6 +159,9 @@ static void print_levels(const struct simulation *s) {
                level->cells ? (double)level->particles / (double)level->cells : 0,
                level->sparse ? "  sparse" : "");
     }
+    if (description.choice[0])
+        printf("  chosen: %s; predicted %.4g ms a rebuild, the first took %.4g ms\n  %s\n",
+               description.choice, 1e3 * description.predicted, 1e3 * tune_measured(s), description.why);
 }
 
 static void print_step(const struct simulation *s) {

@@ -21,6 +21,7 @@ libapp_la_SOURCES = \
 	src/app/speed_write.c \
 	src/app/step.c \
 	src/app/timing.c \
+	src/app/tune.c \
 	src/app/variant.c src/app/variant.h
 
 libapp_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)

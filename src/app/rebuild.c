@@ -92,7 +92,9 @@ static void search(struct simulation *s) {
     index_build(s->index, &s->view);
     timer_stop(&s->timers, TIMER_INDEX);
     timer_start(&s->timers, TIMER_PAIRS);
+    double start = timer_now();
     pairlist_build(s->list, s->index, &s->view, s->particles, &s->scene->box);
+    s->pairs_seconds += timer_now() - start;
     timer_stop(&s->timers, TIMER_PAIRS);
 }
 
@@ -119,10 +121,12 @@ void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
         simulation_classify(s, &s->error);
     particles_classify(s->particles, &s->classes);
     timer_stop(&s->timers, TIMER_MIGRATE);
+    tune_begin(s);
     timer_start(&s->timers, TIMER_REORDER);
     uint32_t *order = reorder(s, rows);
     timer_stop(&s->timers, TIMER_REORDER);
     search(s);
+    tune_end(s);
     timer_start(&s->timers, TIMER_WALL);
     if (s->walls)
         walls_build(s->walls, s->particles, &s->classes);

@@ -146,6 +146,13 @@ static void report_levels(const struct simulation *s, struct report *report) {
     struct index_description description;
     index_describe(s->index, &description);
     report->levels = description.levels < REPORT_LEVELS_MAX ? description.levels : REPORT_LEVELS_MAX;
+    snprintf(report->choice, sizeof report->choice, "%s", description.choice);
+    snprintf(report->choice_why, sizeof report->choice_why, "%s", description.why);
+    report->choices = description.choices;
+    double seconds[2] = {description.predicted, tune_measured(s)};
+    comm_max(s->comm, seconds, 2);
+    report->choice_predicted = seconds[0];
+    report->choice_measured = seconds[1];
     for (int l = 0; l < report->levels; l++) {
         const struct index_level *level = &description.level[l];
         int64_t counts[2] = {(int64_t)level->cells, (int64_t)level->particles};

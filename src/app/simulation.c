@@ -61,6 +61,26 @@ static size_t radius_sample(const struct radius_bins *bins, double total, double
     return n;
 }
 
+/* What choosing may know of the scene: functions of the radii and the box alone, so that a resume chooses
+ * alike. */
+static struct classes_options classes_wanted(const struct simulation *s, const struct radius_bins *bins,
+                                             double total) {
+    struct classes_options options = s->scene->classes;
+    const struct box *box = &s->scene->box;
+    double solid = 0, space = 1;
+    for (int b = 0; b < CLASS_BINS; b++) {
+        double radius = bins->most[b];
+        if (bins->count[b] > 0)
+            solid += bins->count[b] * M_PI * radius * radius * (box->dimension == 3 ? 4 * radius / 3 : 1);
+    }
+    for (int d = 0; d < box->dimension; d++)
+        space *= box->edge[d];
+    options.fraction = solid / space;
+    options.dimension = box->dimension;
+    options.particles = total;
+    return options;
+}
+
 /* Exact bounds and populations of the classes that were chosen from a sample. */
 static void classes_count(struct simulation *s) {
     struct size_classes *classes = &s->classes;
@@ -99,7 +119,8 @@ bool simulation_classify(struct simulation *s, struct error *error) {
     double *sample =
         memory_allocate((size_t)CLASS_BINS * (CLASS_SAMPLE + 4), sizeof *sample, "radius sample");
     size_t n = radius_sample(bins, total, sample);
-    bool good = classes_choose(&s->classes, &s->scene->classes, s->law.range, sample, n, error);
+    struct classes_options options = classes_wanted(s, bins, total);
+    bool good = classes_choose(&s->classes, &options, s->law.range, sample, n, error);
     memory_free(sample);
     memory_free(bins);
     if (good)

@@ -30,7 +30,7 @@
 #include "particles/particles.h"
 #include "scene/scene.h"
 
-enum { SIMULATION_PASSES_MAX = 16 };
+enum { SIMULATION_PASSES_MAX = 16, TUNING_VARIANTS_MAX = 8 };
 
 struct simulation;
 
@@ -65,6 +65,14 @@ struct guard_energy {
     uint64_t step, changes; /* of the last look: its number, particles that have come and gone */
 };
 
+/* Trials of what an index that chooses has on offer (tune.c). */
+struct tuning {
+    int64_t choices; /* of all ranks together: more of them start the trials anew */
+    int variant, rebuilds;
+    bool settled;
+    double start, seconds[TUNING_VARIANTS_MAX];
+};
+
 struct simulation {
     const struct comm *comm;   /* borrowed */
     const struct scene *scene; /* borrowed */
@@ -96,6 +104,8 @@ struct simulation {
     } load;                 /* load.h */
 
     struct index *index;
+    struct tuning tuning;
+    double pairs_seconds;   /* wall time of all pair list builds */
     struct index_view view; /* of the last rebuild */
     struct pairlist *list;
     struct history *history; /* NULL: the law has none */
@@ -157,6 +167,14 @@ bool timing_choose(struct simulation *simulation, struct error *error);
 /* Full rebuild: history detached, particles wrapped, inserted, deleted and migrated, sorted, copied,
  * searched; history attached. Collective. */
 void rebuild_run(struct simulation *simulation);
+
+/* Around order, build and pairs of a rebuild, with `index.measure`: selects a variant, takes its time, and
+ * keeps the one that was fastest on the slowest rank. tune_end is collective. */
+void tune_begin(struct simulation *simulation);
+void tune_end(struct simulation *simulation);
+
+/* Seconds a rebuild that order, build and pairs took so far, this rank. */
+double tune_measured(const struct simulation *simulation);
 
 /* Contact history (pairs and walls together) on the move over a rebuild or into a checkpoint. */
 struct rebuild_rows {

@@ -224,5 +224,5 @@ void sources_run(struct simulation *s, struct rebuild_rows *rows) {
     s->deleted += (uint64_t)removed;
     s->total += s->inserted - inserted_before;
     s->total -= (uint64_t)removed;
-    s->classes_stale = s->classes_stale || s->inserted != inserted_before;
+    s->classes_stale = s->classes_stale || s->inserted != inserted_before || removed > 0;
 }

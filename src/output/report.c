@@ -74,6 +74,12 @@ static const char *grouped(uint64_t value, char text[32]) {
 static void print_levels(const struct report *report, FILE *file) {
     if (report->levels == 0)
         return;
+    if (report->choice[0])
+        fprintf(file,
+                "\n  index chosen: %s (%" PRIu64
+                " times); predicted %.4g ms a rebuild, measured %.4g ms\n  %s\n",
+                report->choice, report->choices, 1e3 * report->choice_predicted,
+                1e3 * report->choice_measured, report->choice_why);
     const char *unit = report->dimensionless ? "" : " [m]";
     char particles[32], cells[32];
     fprintf(file, "\n  %-5s %12s %14s %14s   %s%s\n", "level", "particles", "cells", "cell size", "radii",

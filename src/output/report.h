@@ -41,6 +41,11 @@ struct report {
     bool newton;
     int levels;
     struct report_level level[REPORT_LEVELS_MAX];
+    char choice[REPORT_NAME_MAX]; /* of an index that chooses: what it amounts to; "": it does not choose */
+    char choice_why[8 * REPORT_NAME_MAX];
+    uint64_t choices;                         /* made so far, rank 0 */
+    double choice_predicted, choice_measured; /* seconds a rebuild, order to pairs, slowest rank */
+
     uint64_t *ghosts;           /* copies held at the end, one a rank; owned by the report */
     uint64_t *messages, *bytes; /* sent to other ranks in the steps, one a rank; owned by the report */
     int classes;

@@ -56,6 +56,15 @@ static void key_counts(FILE *file, const char *key, const uint64_t *value, int n
 }
 
 static void put_levels(FILE *file, const struct report *report) {
+    if (report->choice[0]) {
+        fprintf(file, "  \"index_choice\": {\"index\": \"%s\", \"choices\": %" PRIu64 ", \"why\": \"%s\", ",
+                report->choice, report->choices, report->choice_why);
+        fprintf(file, "\"predicted_seconds\": ");
+        put_real(file, report->choice_predicted);
+        fprintf(file, ", \"measured_seconds\": ");
+        put_real(file, report->choice_measured);
+        fprintf(file, "},\n");
+    }
     fprintf(file, "  \"levels\": [");
     for (int l = 0; l < report->levels; l++) {
         const struct report_level *level = &report->level[l];

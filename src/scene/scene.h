@@ -78,6 +78,7 @@ struct scene_pair {
 struct scene_index {
     char name[SCENE_NAME_MAX];
     struct index_params params;
+    bool measure;    /* auto: time variants of the choice */
     int level_cells; /* how many of params.level_cell were given */
 };
 

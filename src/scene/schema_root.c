@@ -181,12 +181,15 @@ static const char *integrator_choice(int k, const char **help) {
 }
 
 static const struct schema_row index_rows[] = {
-    {.key = "name", .type = SCHEMA_CHOICE, .choice = index_choice, .fallback = "hgrid",
+    {.key = "name", .type = SCHEMA_CHOICE, .choice = index_choice, .fallback = "auto",
      AT(struct scene_index, name), .help = "how pairs are searched for; the results are the same"},
     {.key = "cell_factor", .type = SCHEMA_REAL, .range = "[0, 1000]", .fallback = "0",
      AT(struct scene_index, params.cell_factor),
      .help = "cell edge as a multiple of the cut-off that the index builds on; 0: its own default",
      .example = "0.5"},
+    {.key = "measure", .type = SCHEMA_BOOL, .fallback = "no", .when = "name=auto", AT(struct scene_index, measure),
+     .help = "yes: the first rebuilds time variants of what auto chose and keep the fastest; then no two runs are "
+             "bitwise equal"},
     {.key = "levels", .type = SCHEMA_INT, .range = "[0, 32]", .fallback = "0", .when = "name=hgrid",
      AT(struct scene_index, params.levels), .help = "number of levels; 0: one for each size class"},
     {.key = "level_cells", .type = SCHEMA_REALS, .unit = "m", .range = "[0, inf)", .when = "name=hgrid",
@@ -196,7 +199,7 @@ static const struct schema_row index_rows[] = {
 static const struct schema_table index_table = TABLE(index_rows);
 
 static const struct schema_name classes_names[] = {
-    {"auto", CLASSES_AUTO, "geometric with ratio 2, (nearly) empty ones merged"},
+    {"auto", CLASSES_AUTO, "as the search costs least; sizes a factor 1.5 apart have classes of their own"},
     {"one", CLASSES_ONE, "all sizes in one class"},
     {"cuts", CLASSES_CUTS, "between the radii in classes.cuts"},
     {"quantiles", CLASSES_QUANTILES, "classes.count classes of as many particles each"},
