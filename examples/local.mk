@@ -49,3 +49,25 @@ nobase_dist_pkgdata_SCRIPTS = \
 	examples/penetration/lammps/run.sh \
 	examples/penetration/layouts \
 	examples/penetration/run.sh
+
+# Hard cases, and what each term of a scene costs
+nobase_dist_pkgdata_DATA += examples/bench/needs.yaml
+nobase_dist_pkgdata_DATA += \
+	examples/hard/boulder.yaml \
+	examples/hard/coincide.yaml \
+	examples/hard/denormal.yaml \
+	examples/hard/edge.yaml \
+	examples/hard/faces.yaml \
+	examples/hard/far.txt \
+	examples/hard/far.yaml \
+	examples/hard/fast.yaml \
+	examples/hard/jammed.yaml \
+	examples/hard/lattice.txt \
+	examples/hard/limit.yaml \
+	examples/hard/oblique.yaml \
+	examples/hard/only_slivers.txt \
+	examples/hard/pair.yaml \
+	examples/hard/ratio.yaml \
+	examples/hard/slivers.txt \
+	examples/hard/square.txt
+nobase_dist_pkgdata_SCRIPTS += examples/bench/needs.sh examples/hard/run.sh

@@ -1,0 +1,56 @@
+#!/usr/bin/env bash
+# What each term of a scene costs: bytes a particle and time of a step, from discs without friction to Hertz and Mindlin with rolling
+# resistance. A line of JSON a variant. The runs take turns, and the fastest of REPEAT (5) counts.
+#
+#   needs.sh [STEPS]
+
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../common.sh"
+steps=${1:-1000}
+export OMP_NUM_THREADS=1
+out=$(mktemp -d)
+trap 'rm -rf "$out"' EXIT
+
+smooth='material_pairs=[{restitution: 0.9}]'
+hooke='materials=[{name: a, density: 1}]'
+discs=(--set 'box={dimension: 2, lower: [0, 0, -2], upper: [180, 180, 2], periodic: [true, true, false]}' --set particles.lattice=square)
+names=(full no_rolling no_friction no_walls hooke no_periodic discs)
+flags_of() {
+    local rolling=(--set contact.rolling=none --set 'material_pairs=[{restitution: 0.9, friction: 0.5}]')
+    local friction=(--set 'contact={law: hertz, tangential: none}' --set "$smooth") walls=(--set 'walls=[]')
+    local spring=(--set 'contact={law: hooke, tangential: none}' --set "$hooke" --set 'material_pairs=[{restitution: 0.9, k_n: 1e5}]')
+    case $1 in
+    full) flags=() ;;
+    no_rolling) flags=("${rolling[@]}") ;;
+    no_friction) flags=("${friction[@]}") ;;
+    no_walls) flags=("${friction[@]}" "${walls[@]}") ;;
+    hooke) flags=("${spring[@]}" "${walls[@]}") ;;
+    no_periodic) flags=("${spring[@]}" "${walls[@]}" --set box.periodic=false) ;;
+    discs) flags=("${spring[@]}" "${walls[@]}" "${discs[@]}" --set box.periodic=false) ;;
+    esac
+}
+number() { # DIR KEY
+    sed -n 's/^ *"'"$2"'": \([-0-9.e+]*\),*$/\1/p' "$out/$1/report.json" | head -n 1
+}
+declare -A best
+for ((r = 0; r < ${REPEAT:-5}; r++)); do
+    for name in "${names[@]}"; do
+        flags_of "$name"
+        "$SCREE" run "$here/needs.yaml" -o "$out/$name" --overwrite --quiet --set step.count="$steps" --set output.checkpoint.at_end=false "${flags[@]}" || exit 1
+        seconds=$(number "$name" seconds)
+        best[$name]=$(awk -v a="$seconds" -v b="${best[$name]:-1e9}" 'BEGIN { print a < b ? a : b }')
+    done
+done
+for name in "${names[@]}"; do
+    flags_of "$name"
+    "$SCREE" check "$here/needs.yaml" "${flags[@]}" >"$out/needs.txt" || exit 1
+    awk -v name="$name" -v seconds="${best[$name]}" -v steps="$steps" -v n="$(number "$name" particles)" -v contacts="$(number "$name" contacts)" '
+        /^  stored:/ { bytes = $2 }
+        /^  history: [0-9]/ { history = $2 }
+        /^passes/ { counting = 1; next }
+        counting && /^ fused/ { next }
+        counting && (/^ at rebuilds/ || /^$/) { counting = 0 }
+        counting { passes++ }
+        END { printf "{\"variant\": \"%s\", \"particles\": %d, \"nanoseconds_a_particle_and_step\": %.1f, \"bytes_a_particle\": %d, \"history_bytes_a_pair\": %d, \"passes\": %d, \"contacts\": %d}\n",
+            name, n, 1e9 * seconds / steps / n, bytes, history, passes, contacts }' "$out/needs.txt"
+done
