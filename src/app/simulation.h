@@ -1,8 +1,9 @@
 /* A simulation: everything that a run holds, and the verbs of its life.
  *
- *     simulation_create   scene -> law, walls, particles, domain, index ...; the first rebuild; the first
- * forces step_run            one time step (step.c, on one screen) rebuild_run         migrate, reorder,
- * ghosts, index, pairs (rebuild.c), when step_run finds it due simulation_destroy
+ *     simulation_create   scene -> law, walls, particles, domain, index; first rebuild, first forces
+ *     step_run            one time step (step.c, on one screen)
+ *     rebuild_run         migrate, reorder, ghosts, index, pairs (rebuild.c), when step_run finds it due
+ *     simulation_destroy
  *
  * The parts know nothing of each other beyond what the arrows of docs/architecture.md allow; they meet here.
  */

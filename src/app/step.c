@@ -16,10 +16,10 @@
  * cache:
  *
  *     servo, walls
- *     early      the particles that others look at move (pairs/sweep.h); their values leave for the copies
- *     sweep      block by block: late particles move, then the block's forces; meanwhile values travel
- *     copies     values of copies arrive; forces of pairs with them; meanwhile the ranks agree
- *     verify     did a particle leave its skin after all? Then these forces go, and a rebuild makes them anew
+ *     early      (several ranks) what others look at moves (pairs/sweep.h); values leave for the copies
+ *     sweep      (one rank: early particles,) block by block: late ones move, then the block's forces
+ *     copies     values arrive; forces of pairs with copies; meanwhile the ranks agree on bounds
+ *     verify     did a particle leave its skin after all? Then forces are made anew after a rebuild
  *     wall, finish, reverse
  *
  * Both give the same bits. A step is fused unless a rebuild must come or is to be expected
@@ -156,17 +156,18 @@ static void contact_run(struct simulation *s) {
     }
 }
 
+/* The early particles of a thread, before all others. */
+static void early_move(struct simulation *s, int t) {
+    const struct sweep_thread *plan = &s->sweep->thread[t];
+    memset(s->speed[t], 0, sizeof s->speed[t]);
+    for (size_t r = 0; r < plan->early_count; r++)
+        advance(s, t, plan->early[r].first, plan->early[r].last, plan->early[r].size_class);
+}
+
 static void early_run(struct simulation *s) {
 #pragma omp parallel num_threads(s->threads)
-    {
-        int t = omp_get_thread_num();
-        const struct sweep_thread *plan = &s->sweep->thread[t];
-        memset(s->speed[t], 0, sizeof s->speed[t]);
-        for (size_t r = 0; r < plan->early_count; r++)
-            advance(s, t, plan->early[r].first, plan->early[r].last, plan->early[r].size_class);
-    }
-    if (!s->alone)
-        ghosts_forward_begin(s->ghosts, s->particles);
+    early_move(s, omp_get_thread_num());
+    ghosts_forward_begin(s->ghosts, s->particles);
 }
 
 static void sweep_run(struct simulation *s) {
@@ -175,10 +176,14 @@ static void sweep_run(struct simulation *s) {
     {
         int t = omp_get_thread_num(), first = list->thread_block[t];
         const struct sweep_thread *plan = &s->sweep->thread[t];
+        if (s->alone) {
+            early_move(s, t);
+#pragma omp barrier
+        }
         for (int b = first; b < list->thread_block[t + 1]; b++) {
             for (size_t r = plan->start[b - first]; r < plan->start[b - first + 1]; r++)
                 advance(s, t, plan->late[r].first, plan->late[r].last, plan->late[r].size_class);
-            if (list->blocks[b].kind != PAIR_BLOCK_GHOST)
+            if (s->alone || list->blocks[b].kind != PAIR_BLOCK_GHOST)
                 force_loop_block(s->loop, &s->contact, t, b);
         }
     }
@@ -267,7 +272,7 @@ static const struct step_pass plain_passes[] = {
 static const struct step_pass fused_passes[] = {
     {"servo", "a wall driven to a force", TIMER_COMM, needs_servo, servo_run},
     {"walls", "walls that move", TIMER_WALL, needs_motion, walls_run},
-    {"early", NULL, TIMER_ADVANCE, NULL, early_run},
+    {"early", "several ranks", TIMER_ADVANCE, needs_copies, early_run},
     {"sweep", NULL, TIMER_SWEEP, NULL, sweep_run},
     {"copies", "several ranks", TIMER_COMM, needs_copies, copies_run},
     {"verify", NULL, TIMER_DECIDE, NULL, verify_run},

@@ -1,9 +1,12 @@
 /* Integrators. Both are leapfrog forms of velocity Verlet: the state holds v(n-1/2), one pass kicks by dt
  * f(n)/m and drifts by dt v(n+1/2); they differ in the contact's history only (law_options.synchronised):
- *   synchronised_verlet  (default) the tangential history advances with half-step velocity and half-step
- * normal (Vyas et al., Comput. Phys. Commun. 310 (2025) 109524) velocity_verlet      plain: half-step
- * velocity with full-step normal, as LAMMPS (29 Sep 2021) does Every pass works on a contiguous range of
- * particles, so that it can be fused with others, block by block. */
+ *
+ *     synchronised_verlet  (default) the tangential history advances with half-step velocity and half-step
+ *                          normal (Vyas et al., Comput. Phys. Commun. 310 (2025) 109524)
+ *     velocity_verlet      plain: half-step velocity with full-step normal, as LAMMPS (29 Sep 2021) does
+ *
+ * Every pass works on a contiguous range of particles, so that it can be fused with others, block by block.
+ */
 #ifndef SCREE_INTEGRATE_INTEGRATOR_H
 #define SCREE_INTEGRATE_INTEGRATOR_H
 
