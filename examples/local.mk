@@ -2,7 +2,11 @@
 nobase_dist_pkgdata_DATA = \
 	examples/README.md \
 	examples/common.sh \
+	examples/bench/bench.sh \
 	examples/bench/bidisperse.yaml \
+	examples/bench/chute.yaml \
+	examples/bench/chute_settle.yaml \
+	examples/bench/in.chute \
 	examples/bench/in.bidisperse \
 	examples/bidisperse/README.md \
 	examples/bidisperse/bidisperse_R10.data \
@@ -39,6 +43,7 @@ nobase_dist_pkgdata_DATA = \
 
 nobase_dist_pkgdata_SCRIPTS = \
 	examples/bench/bidisperse.sh \
+	examples/bench/chute.sh \
 	examples/bench/penetration.sh \
 	examples/bidisperse/check \
 	examples/bidisperse/run.sh \

@@ -13,6 +13,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
+. "$here/bench.sh"
 export OMP_NUM_THREADS=1
 
 usage() {
@@ -57,52 +58,16 @@ fi
 particles=$(awk '/ atoms$/ { print $1; exit }' "$data")
 sed "s|@DATA@|$data|; s|@EVERY@|$every|; s|@STEPS@|$steps|" "$here/bidisperse.yaml" >"$work/scene.yaml"
 
-# Both print: loop seconds, rebuild seconds, rebuilds, pairs, kinetic energy at the end
-
 # run_lammps NEWTON CELL STEPS
 run_lammps() {
-    on_ranks "$cores" "$lammps" -in "$here/in.bidisperse" -log "$work/lammps.log" -screen none -var data "$data" \
-        -var newton "$1" -var cell "$2" -var every "$every" -var steps "$3" >"$work/lammps.out" 2>&1 || {
-        cat "$work/lammps.out" >&2
-        return 1
-    }
-    awk -v steps="$3" '
-        /^Loop time/ { loop = $4 }
-        /^Neigh *\|/ { split($0, part, "|"); neigh = part[3] + 0 }
-        /^Neighbor list builds/ { builds = $5 }
-        /^Total # of neighbors/ { pairs = $6 }
-        $1 == steps && NF == 2 { energy = $2 }
-        END { print loop, neigh, builds, pairs, energy; exit !(loop > 0 && builds > 0) }' "$work/lammps.log"
+    quietly on_ranks "$cores" "$lammps" -in "$here/in.bidisperse" -log "$work/lammps.log" -screen none -var data "$data" \
+        -var newton "$1" -var cell "$2" -var every "$every" -var steps "$3" && lammps_figures "$work/lammps.log" "$3"
 }
 
 # run_scree INDEX RANKS THREADS STEPS
 run_scree() {
-    on_ranks "$2" "$SCREE" run "$work/scene.yaml" -o "$work/run" --overwrite --set index.name="$1" --set threads="$3" \
-        --set step.count="$4" --set observables.every="$4" >"$work/scree.out" 2>&1 || {
-        cat "$work/scree.out" >&2
-        return 1
-    }
-    energy=$(awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^energy_kinetic\[/) at = k } END { print $at }' \
-        "$work/run/observables.csv")
-    tr -d ' \n' <"$work/run/report.json" | awk -v energy="$energy" '
-        function value(text) {
-            if (!match($0, "\"" text "\":[-+.0-9e]+")) {
-                print "report.json has no " text >"/dev/stderr"
-                exit failed = 1
-            }
-            return substr($0, RSTART + length(text) + 3, RLENGTH - length(text) - 3) + 0
-        }
-        {
-            stages = split("migrate reorder ghosts index pairs history", name, " ")
-            for (k = 1; k <= stages; k++)
-                if (match($0, "\"" name[k] "\":{[^}]*}")) {
-                    stage = substr($0, RSTART, RLENGTH)
-                    sub(/.*"mean":/, "", stage)
-                    rebuild += stage + 0
-                }
-            print value("seconds"), rebuild, value("rebuilds"), value("pairs"), energy
-        }
-        END { exit failed }'
+    quietly on_ranks "$2" "$SCREE" run "$work/scene.yaml" -o "$work/run" --overwrite --set index.name="$1" --set threads="$3" \
+        --set step.count="$4" --set observables.every="$4" && scree_figures "$work/run" energy_kinetic
 }
 
 # line CODE RANKS THREADS SETTINGS FIGURES: one run as JSON
@@ -113,11 +78,6 @@ line() {
             ranks, threads, settings
         printf "\"steps\": %d, \"seconds\": %.6g, \"ns_per_particle\": %.6g, ", steps, $1, 1e9 * $1 / steps / n
         printf "\"rebuild_seconds\": %.6g, \"rebuilds\": %d, \"pairs\": %.0f, \"kinetic_energy\": %.15g}\n", $2, $3, $4, $5 }'
-}
-
-# better "FIGURES SETTINGS" of two lines of a file: the one with the smallest loop time
-best() {
-    sort -g "$1" | head -n 1 | cut -d ' ' -f 6-
 }
 
 : >"$work/lammps.tried"
@@ -150,10 +110,6 @@ while [ $run -lt "$runs" ]; do
     run=$((run + 1))
 done
 
-# median COLUMN FILE
-median() {
-    cut -d ' ' -f "$1" "$2" | sort -g | awk '{ v[NR] = $1 } END { print NR % 2 ? v[(NR + 1) / 2] : (v[NR / 2] + v[NR / 2 + 1]) / 2 }'
-}
 echo "$(median 1 "$work/lammps.runs") $(median 2 "$work/lammps.runs") $(median 3 "$work/lammps.runs") \
 $(median 1 "$work/scree.runs") $(median 2 "$work/scree.runs") $(median 3 "$work/scree.runs") \
 $(median 5 "$work/lammps.runs") $(median 5 "$work/scree.runs")" | awk -v ratio="$ratio" -v n="$particles" -v steps="$steps" \

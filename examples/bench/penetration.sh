@@ -10,6 +10,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
+. "$here/bench.sh"
 case=$here/../penetration
 cores=${CORES:-$(env -u OMP_NUM_THREADS nproc)}
 export OMP_NUM_THREADS=1
@@ -32,28 +33,21 @@ awk -v z=$z -v vz=$v -f "$case/lammps/data.awk" "$case/particles.txt" >"$work/pe
 
 # run_lammps SKIN STEPS
 run_lammps() {
-    on_ranks "$cores" "$lammps" -in "$case/lammps/in.penetration" -log "$work/lammps.log" -screen none \
+    quietly on_ranks "$cores" "$lammps" -in "$case/lammps/in.penetration" -log "$work/lammps.log" -screen none \
         -var data "$work/penetration.data" -var out "$work/ball" -var skin "$1" -var steps "$2" -var every "$2" \
-        -var e11 "$(tsuji 0.5)" -var e12 "$(tsuji 0.4)" -var e22 "$(tsuji 0.6)" >"$work/lammps.out" 2>&1 || {
-        cat "$work/lammps.out" >&2
-        return 1
-    }
-    echo "$(awk '/^Loop time/ { print $4 }' "$work/lammps.log") $(tail -n 1 "$work/ball" | cut -d ' ' -f 3)"
+        -var e11 "$(tsuji 0.5)" -var e12 "$(tsuji 0.4)" -var e22 "$(tsuji 0.6)" &&
+        echo "$(awk '/^Loop time/ { print $4 }' "$work/lammps.log") $(tail -n 1 "$work/ball" | cut -d ' ' -f 3)"
 }
 
 # run_scree RANKS THREADS STEPS
 run_scree() {
-    on_ranks "$1" "$SCREE" run "$case/scene.yaml" -o "$work/run" --overwrite --set threads="$2" \
+    quietly on_ranks "$1" "$SCREE" run "$case/scene.yaml" -o "$work/run" --overwrite --set threads="$2" \
         --set duration="$(awk -v n="$3" 'BEGIN { printf "%.10g", n * 5e-7 }')" \
         --set integrator=velocity_verlet --set contact.tangential_damping_equal=true --set contact.sliding=total \
         --set "particles.sources[1].position=[0, 0, $z]" --set "particles.sources[1].velocity=[0, 0, $v]" \
         --set "observables.list=[{name: position, label: ball, id: 25001, components: z}]" \
-        --set output.trajectory.every=0 --set output.checkpoint.at_end=false >"$work/scree.out" 2>&1 || {
-        cat "$work/scree.out" >&2
-        return 1
-    }
-    tr -d ' \n' <"$work/run/report.json" | awk -v height="$(tail -n 1 "$work/run/observables.csv" | cut -d , -f 2)" '
-        match($0, /"seconds":[-+.0-9e]+/) { print substr($0, RSTART + 10, RLENGTH - 10), height }'
+        --set output.trajectory.every=0 --set output.checkpoint.at_end=false &&
+        scree_figures "$work/run" ball_z | cut -d ' ' -f 1,5
 }
 
 # line CODE RANKS THREADS SETTINGS "SECONDS HEIGHT"
@@ -88,10 +82,7 @@ while [ $run -lt "$runs" ]; do
     run=$((run + 1))
 done
 
-median() {
-    sort -g "$1" | awk '{ v[NR] = $1 } END { print NR % 2 ? v[(NR + 1) / 2] : (v[NR / 2] + v[NR / 2 + 1]) / 2 }'
-}
-echo "$(median "$work/lammps.runs") $(median "$work/scree.runs")" | awk -v steps=$steps -v runs="$runs" -v ranks="$ranks" \
+echo "$(median 1 "$work/lammps.runs") $(median 1 "$work/scree.runs")" | awk -v steps=$steps -v runs="$runs" -v ranks="$ranks" \
     -v threads="$threads" -v cores="$cores" '{
     printf "{\"particles\": 25001, \"steps\": %d, \"runs\": %d, \"ranks\": %d, \"threads\": %d, \"seconds\": %.6g, ", steps, runs, ranks, threads, $2
     printf "\"ns_per_particle\": %.6g, \"loop_ratio\": %.4g, \"lammps\": {\"ranks\": %d, \"seconds\": %.6g}}\n", 1e9 * $2 / steps / 25001,
