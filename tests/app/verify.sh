@@ -1,0 +1,24 @@
+#!/usr/bin/env bash
+# The verification cases, quickly: all of them but those that need many particles for long.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+case $scree in /*) ;; *) scree=$PWD/$scree ;; esac
+
+slow=" beverloo drum-angle janssen settling "
+cases=
+for folder in "$top_srcdir"/examples/verify/*/check; do
+    name=$(basename "$(dirname "$folder")")
+    [[ $slow == *" $name "* ]] || cases="$cases $name"
+done
+# shellcheck disable=SC2086
+SCREE=$scree VERIFY_RESULTS=$out/verify "$top_srcdir/examples/verify/run.sh" --quick $cases >"$out/lines"
+check 'all cases hold' [ $? = 0 ]
+cat "$out/lines"
+check 'many cases' [ "$(grep -c ': passed, ' "$out/lines")" -ge 30 ]
+not_blind() { # a case whose scene is spoilt fails: VERIFY_ARGS come last
+    ! SCREE=$scree VERIFY_RESULTS=$out/spoilt VERIFY_ARGS='--set material_pairs[0].friction=0.25' \
+        "$top_srcdir/examples/verify/run.sh" --quick slide-to-roll >"$out/spoilt.lines" 2>&1 &&
+        holds "$out/spoilt.lines" 'slide-to-roll: failed'
+}
+check 'a wrong friction is noticed' not_blind
+finish
