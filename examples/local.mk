@@ -76,3 +76,10 @@ nobase_dist_pkgdata_DATA += \
 	examples/hard/slivers.txt \
 	examples/hard/square.txt
 nobase_dist_pkgdata_SCRIPTS += examples/bench/needs.sh examples/hard/run.sh
+
+nobase_dist_pkgdata_DATA += \
+	examples/pupcs/README.md \
+	examples/pupcs/dense/scene.yaml \
+	examples/pupcs/large/scene.yaml \
+	examples/pupcs/sparse/scene.yaml
+nobase_dist_pkgdata_SCRIPTS += examples/pupcs/run.sh
