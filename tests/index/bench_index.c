@@ -187,16 +187,29 @@ static void measure(struct bench *bench, struct bench_scene *scene, struct index
     memory_free(order);
 }
 
+/* Particles in a cell of its cut-off, averaged over the levels: the m of equation 3. */
+static double occupancy(const struct bench *bench) {
+    double sum = 0;
+    for (int g = 0, bin = 0; g < bench->plan.levels; g++) {
+        double count = 0;
+        for (; bin <= bench->plan.last[g]; bin++) {
+            count += bench->scene.count[bin];
+        }
+        sum += count * pow(cost_cutoff(&bench->scene, &bench->plan, g), 3) / bench->scene.volume;
+    }
+    return sum / bench->plan.levels;
+}
+
 static void print(const struct bench *bench, const struct index_view *view, const struct result *r) {
     double seconds = r->order + r->build + r->fill, n = (double)view->owned, count[COST_TERMS];
     printf("{\"law\": \"%s\", \"exponent\": %g, \"ratio\": %g, \"fraction\": %g, \"skin\": %g, \"index\": "
            "\"%s\", "
            "\"levels\": %d, \"factor\": %g, \"threads\": %d, \"particles\": %zu, \"seconds\": %.6g, "
            "\"ns_per_particle\": %.4g, \"order\": %.6g, \"build\": %.6g, \"count\": %.6g, \"fill\": %.6g, "
-           "\"pairs\": %zu, \"predicted\": %.6g",
+           "\"pairs\": %zu, \"occupancy\": %.6g, \"predicted\": %.6g",
            bench->spec.law, bench->spec.exponent, bench->spec.ratio, bench->spec.fraction, bench->spec.skin,
            bench->index, bench->plan.levels, bench->factor, view->threads, view->owned, seconds,
-           1e9 * seconds / n, r->order, r->build, r->count, r->fill, r->pairs,
+           1e9 * seconds / n, r->order, r->build, r->count, r->fill, r->pairs, occupancy(bench),
            cost_seconds(&bench->scene, &bench->plan));
     cost_count(&bench->scene, &bench->plan, count);
     for (int t = 0; bench->terms && t < COST_TERMS; t++) {

@@ -1,11 +1,14 @@
 # Tests of the indexes, each against brute force, and a benchmark (built on demand: make tests/index/bench_index)
 check_PROGRAMS += \
+	tests/index/test_auto \
 	tests/index/test_index \
 	tests/index/test_levels \
 	tests/index/test_stencil
 
 EXTRA_PROGRAMS += tests/index/bench_index
 
+tests_index_test_auto_SOURCES = tests/index/test_auto.c tests/index/cloud.c tests/index/cloud.h
+tests_index_test_auto_LDADD = $(INDEX_LIBS) $(TEST_LIBS)
 tests_index_test_index_SOURCES = tests/index/test_index.c tests/index/cloud.c tests/index/cloud.h
 tests_index_test_index_LDADD = $(INDEX_LIBS) $(TEST_LIBS)
 tests_index_test_levels_SOURCES = tests/index/test_levels.c tests/index/cloud.c tests/index/cloud.h

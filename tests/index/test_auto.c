@@ -1,0 +1,183 @@
+/* What auto chooses: levels, cuts and cells for scenes with a clear answer, and the same for the same scene.
+ */
+#include "index/auto.h"
+#include "tests/index/cloud.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <cmocka.h>
+#include <string.h>
+
+enum { RADII = 4000 };
+
+/* Radii, number density ~ r^-3 from 1 to ratio, at a volume fraction of 0.4. */
+static void univol(struct cost_scene *scene, double ratio) {
+    double radii[RADII], volume = 0;
+    for (int k = 0; k < RADII; k++) {
+        radii[k] = 1 / sqrt(1 - (k + 0.5) / RADII * (1 - 1 / (ratio * ratio)));
+        volume += 4 * M_PI / 3 * pow(radii[k], 3);
+    }
+    *scene = (struct cost_scene){.dimension = 3, .threads = 1, .volume = 25 * volume / 0.4};
+    auto_bins(scene, radii, RADII, 25);
+}
+
+/* `large` of radius `ratio` among RADII of radius 1. */
+static void bidisperse(struct cost_scene *scene, double ratio, int large) {
+    double radii[RADII], volume = 0;
+    for (int k = 0; k < RADII; k++) {
+        radii[k] = k < RADII - large ? 1 : ratio;
+        volume += 4 * M_PI / 3 * pow(radii[k], 3);
+    }
+    *scene = (struct cost_scene){.dimension = 3, .threads = 1, .volume = 25 * volume / 0.45};
+    auto_bins(scene, radii, RADII, 25);
+    for (int bin = 0; bin < scene->bins; bin++) {
+        scene->margin[bin] = 0.3 * scene->radius_min[bin];
+    }
+}
+
+static void equal_sizes_share_a_level(void **state) {
+    (void)state;
+    struct cost_scene scene;
+    struct cost_plan plan;
+    bidisperse(&scene, 1, 0);
+    auto_levels(&scene, INDEX_CLASS_MAX, &plan);
+    assert_int_equal(plan.levels, 1);
+    assert_true(plan.edge[0] >= 1 && plan.edge[0] <= 4);
+}
+
+static void sizes_far_apart_do_not(void **state) {
+    (void)state;
+    const struct {
+        double ratio;
+        int large;
+    } cases[] = {{2, RADII / 5}, {10, 4}, {40, 1}};
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        struct cost_scene scene;
+        struct cost_plan plan;
+        bidisperse(&scene, cases[k].ratio, cases[k].large);
+        auto_levels(&scene, INDEX_CLASS_MAX, &plan);
+        assert_int_equal(plan.levels, 2);
+        assert_true(scene.radius_max[plan.last[0]] == 1);
+    }
+}
+
+/* A wide law: several levels, cheaper than one and than many; the model says what it chose by. */
+static void wide_laws_get_a_few_levels(void **state) {
+    (void)state;
+    struct cost_scene scene;
+    struct cost_plan plan, other;
+    univol(&scene, 50);
+    auto_levels(&scene, INDEX_CLASS_MAX, &plan);
+    assert_in_range(plan.levels, 2, 6);
+    double best = cost_seconds(&scene, &plan);
+    for (int levels = 1; levels <= 16; levels++) {
+        auto_equal(&scene, levels, &other);
+        assert_true(best <= auto_edges(&scene, &other) * 1.01);
+    }
+    auto_equal(&scene, 1, &other);
+    assert_true(auto_edges(&scene, &other) > 3 * best);
+}
+
+/* Equation 2: as many particles in a cell on every level, as far as bins go. */
+static void equal_levels_have_equal_occupancy(void **state) {
+    (void)state;
+    struct cost_scene scene;
+    struct cost_plan plan;
+    univol(&scene, 50);
+    for (int levels = 2; levels <= 6; levels++) {
+        double least = INFINITY, most = 0;
+        auto_equal(&scene, levels, &plan);
+        assert_int_equal(plan.levels, levels);
+        assert_int_equal(plan.last[levels - 1], scene.bins - 1);
+        for (int g = 0, bin = 0; g < levels; g++) {
+            double count = 0;
+            for (; bin <= plan.last[g]; bin++) {
+                count += scene.count[bin];
+            }
+            double m = count * pow(plan.edge[g], 3);
+            least = fmin(least, m);
+            most = fmax(most, m);
+        }
+        assert_true(most < 3 * least);
+    }
+}
+
+/* Whatever was chosen before, a view gets the choice that a new index makes for it. */
+static void choices_have_no_memory(void **state) {
+    (void)state;
+    struct cloud few, many;
+    struct error error = {0};
+    struct index_params params = {0};
+    cloud_make(&few, &(struct cloud_spec){.count = 900,
+                                          .sizes = CLOUD_POWER,
+                                          .ratio = 50,
+                                          .fraction = 0.5,
+                                          .dimension = 3,
+                                          .periodic = {true, true, true}});
+    cloud_make(&many, &(struct cloud_spec){.count = 4000,
+                                           .sizes = CLOUD_BIDISPERSE,
+                                           .large = 20,
+                                           .ratio = 6,
+                                           .fraction = 0.1,
+                                           .dimension = 3});
+    struct index *used = index_create("auto", &params, &error),
+                 *fresh = index_create("auto", &params, &error);
+    struct index_description a, b;
+    index_build(used, &many.view);
+    index_build(used, &few.view);
+    index_build(fresh, &few.view);
+    index_describe(used, &a);
+    index_describe(fresh, &b);
+    assert_int_equal(a.choices, 2);
+    assert_int_equal(b.choices, 1);
+    assert_true(a.levels == b.levels && a.predicted == b.predicted && strcmp(a.why, b.why) == 0);
+    for (int l = 0; l < a.levels; l++) {
+        assert_true(a.level[l].cell == b.level[l].cell && a.level[l].particles == b.level[l].particles);
+    }
+    index_destroy(&used);
+    index_destroy(&fresh);
+    cloud_free(&few);
+    cloud_free(&many);
+}
+
+/* All variants that are offered find the same pairs. */
+static void variants_find_the_same(void **state) {
+    (void)state;
+    struct cloud cloud;
+    struct index_params params = {0};
+    cloud_make(&cloud, &(struct cloud_spec){.count = 2000,
+                                            .sizes = CLOUD_POWER,
+                                            .ratio = 30,
+                                            .fraction = 0.5,
+                                            .dimension = 3,
+                                            .periodic = {true, true, true}});
+    struct index *index = cloud_index(&cloud, "auto", &params);
+    struct pair_set expected, found;
+    pair_set_collect(&expected, index, &cloud.view, 3);
+    assert_true(index_trials(index) >= 3);
+    for (int k = 1; k < index_trials(index); k++) {
+        struct index_description description;
+        index_select(index, k);
+        index_build(index, &cloud.view);
+        index_describe(index, &description);
+        assert_int_equal(description.variant, k);
+        pair_set_collect(&found, index, &cloud.view, 3);
+        pair_set_compare(&expected, &found, "variant");
+        pair_set_free(&found);
+    }
+    pair_set_free(&expected);
+    index_destroy(&index);
+    cloud_free(&cloud);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(equal_sizes_share_a_level),  cmocka_unit_test(sizes_far_apart_do_not),
+        cmocka_unit_test(wide_laws_get_a_few_levels), cmocka_unit_test(equal_levels_have_equal_occupancy),
+        cmocka_unit_test(choices_have_no_memory),     cmocka_unit_test(variants_find_the_same),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
