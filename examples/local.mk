@@ -42,9 +42,11 @@ nobase_dist_pkgdata_DATA = \
 	examples/penetration/walls.txt
 
 nobase_dist_pkgdata_SCRIPTS = \
+	examples/bench/auto.sh \
 	examples/bench/bidisperse.sh \
 	examples/bench/chute.sh \
 	examples/bench/penetration.sh \
+	examples/bench/univol.sh \
 	examples/bidisperse/check \
 	examples/bidisperse/run.sh \
 	examples/drum/check \
