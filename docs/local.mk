@@ -2,3 +2,39 @@ EXTRA_DIST += docs/architecture.md docs/building.md docs/scene.md
 EXTRA_DIST += docs/indexes.md docs/images/penetration.png
 EXTRA_DIST += docs/physics.md
 EXTRA_DIST += docs/hard-cases.md
+EXTRA_DIST += docs/accuracy.md \
+	docs/images/verify-beverloo.svg \
+	docs/images/verify-bouncing.svg \
+	docs/images/verify-bowl.svg \
+	docs/images/verify-chain.svg \
+	docs/images/verify-chung-ooi-1.svg \
+	docs/images/verify-chung-ooi-2.svg \
+	docs/images/verify-chung-ooi-3.svg \
+	docs/images/verify-chung-ooi-4.svg \
+	docs/images/verify-chung-ooi-5.svg \
+	docs/images/verify-chung-ooi-6.svg \
+	docs/images/verify-chung-ooi-7.svg \
+	docs/images/verify-chung-ooi-8.svg \
+	docs/images/verify-cradle.svg \
+	docs/images/verify-drift-hertz.svg \
+	docs/images/verify-drift-hooke.svg \
+	docs/images/verify-drum-angle.svg \
+	docs/images/verify-end-of-contact.svg \
+	docs/images/verify-free-fall.svg \
+	docs/images/verify-haff.svg \
+	docs/images/verify-incline.svg \
+	docs/images/verify-janssen.svg \
+	docs/images/verify-many-body.svg \
+	docs/images/verify-moving-wall.svg \
+	docs/images/verify-order-hertz.svg \
+	docs/images/verify-order-hooke.svg \
+	docs/images/verify-periodic.svg \
+	docs/images/verify-plane-mesh.svg \
+	docs/images/verify-restitution-hertz.svg \
+	docs/images/verify-restitution-hooke.svg \
+	docs/images/verify-rolling-decay.svg \
+	docs/images/verify-settling.svg \
+	docs/images/verify-slide-to-roll.svg \
+	docs/images/verify-stack.svg \
+	docs/images/verify-vyas.svg \
+	docs/images/verify-wall-edge.svg

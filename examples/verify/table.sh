@@ -13,7 +13,7 @@ here=$(cd "$(dirname "$0")" && pwd)
         printf 'Reference: %s.\n\n' "$(cat "$results/$name/source" 2>/dev/null)"
         echo '| figure | reference | computed | error | tolerance | order | |'
         echo '|---|---|---|---|---|---|---|'
-        sed 's/^/| /; s/|/ | /g; s/$/ |/; s/|  |/| |/g; s/  */ /g' "$results/$name/figures" 2>/dev/null
+        sed 's/|/ | /g; s/^/| /; s/$/ |/; s/  */ /g' "$results/$name/figures" 2>/dev/null
         [ ! -s "$documents/images/verify-$name.svg" ] || printf '\n![%s](images/verify-%s.svg)\n' "$name" "$name"
     done
 } >"$documents/accuracy.md"
