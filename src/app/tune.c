@@ -1,5 +1,5 @@
-/* Trials of the variants that an index offers: each for two rebuilds, of which the second counts, as the first one
- * sorts into a new order. */
+/* Trials of the variants that an index offers: each for two rebuilds, of which the second counts, as the
+ * first one sorts into a new order. */
 #include "app/simulation.h"
 #include <math.h>
 
