@@ -117,14 +117,15 @@ static void plot_say(FILE *file, const struct speed_row *row, int rows,
     quote(file, path);
     fprintf(file,
             "\nset logscale xy\nset format y '10^{%%T}'\nset xlabel 'time of a run, s'\n"
-            "set ylabel 'error of what is judged, relative'\nset key outside right\nset grid\n"
-            "floor = %.6g\nset title 'speed against error'\n"
-            "plot floor with lines dt 2 lc 'grey' title 'cannot be told apart below'",
+            "set ylabel 'error of what is judged, relative'\nset key outside right samplen 1 width -2\nset "
+            "offsets graph 0.05, graph 0.1, graph 0.05, graph 0.05\nset grid\n"
+            "floor = %.6g\n"
+            "plot floor with lines dt 2 lc 'grey' title 'floor'",
             fmax(reference->floor, PLOT_LEAST));
     if (front)
         fprintf(file, ", \\\n  $front using 1:2 smooth unique with linespoints pt 6 ps 2 lw 2 lc 'black' "
                       "title 'front', "
-                      "\\\n  $front using 1:2:3 with labels offset 0,1.2 font ',9' notitle");
+                      "\\\n  $front using 1:2:3 with labels left offset 0.8,0.6 font ',9' notitle");
     fprintf(file, "%s\n", data);
 }
 

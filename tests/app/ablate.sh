@@ -10,6 +10,7 @@ gravity: [0, 0, -10]
 threads: 1
 step: {dt: 0.001, count: 200}
 contact: {law: hertz}
+classes: {method: geometric, count: 2}
 materials: [{name: soft, density: 1, young: 1e4, poisson: 0.3}]
 material_pairs: [{restitution: 0.9, friction: 0.4}]
 walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}]
