@@ -1,7 +1,7 @@
 EXTRA_DIST += docs/architecture.md docs/building.md docs/scene.md
 EXTRA_DIST += docs/indexes.md docs/images/penetration.png
 EXTRA_DIST += docs/physics.md
-EXTRA_DIST += docs/hard-cases.md
+EXTRA_DIST += docs/packing.md
 EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-beverloo.svg \
 	docs/images/verify-bouncing.svg \
