@@ -76,8 +76,8 @@ static void print_levels(const struct report *report, FILE *file) {
         return;
     if (report->choice[0])
         fprintf(file,
-                "\n  index chosen: %s (%" PRIu64
-                " times); predicted %.4g ms a rebuild, measured %.4g ms\n  %s\n",
+                "\n  index chosen: %s (choice %" PRIu64
+                "); predicted %.4g ms a rebuild, measured %.4g ms\n  %s\n",
                 report->choice, report->choices, 1e3 * report->choice_predicted,
                 1e3 * report->choice_measured, report->choice_why);
     const char *unit = report->dimensionless ? "" : " [m]";
