@@ -5,13 +5,15 @@
 enum { LEVELS_TRIED = 8, LEVELS_PATIENCE = 2, ROUNDS = 4 };
 
 /* Cell edges tried, as multiples of the cut-off of a level. For the level with most particles the model is
- * nearly flat from 1 to 2 and the clock is not: larger ones are for the others. */
-static const double factors[] = {0.5, 0.7, 1.0, 1.4, 2.0, 2.8};
+ * nearly flat from 1 to 2 and the clock is not: larger ones are for the others, and for it where cells of the
+ * cut-off would be nearly all empty. */
+static const double factors[] = {0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 8.0, 16.0};
 enum { FACTORS = sizeof factors / sizeof factors[0], FACTORS_CROWDED = 4 };
 
 /* Worth less than this is not worth it: a level more, or another cut. */
 static const double gain_least = 0.005;
 
+static const double occupancy_dilute = 0.1;
 static const double gap_ratio = 1.5, gap_price = 1.5;
 
 void auto_bins(struct cost_scene *scene, const double *radii, size_t n, double weight) {
@@ -47,10 +49,17 @@ static int crowded(const struct cost_scene *scene, const struct cost_plan *plan)
 
 double auto_edges(const struct cost_scene *scene, struct cost_plan *plan) {
     double cutoff[INDEX_CLASS_MAX];
-    int most = crowded(scene, plan);
+    int most = crowded(scene, plan), limit = FACTORS;
     for (int g = 0; g < plan->levels; g++) {
         cutoff[g] = plan->edge[g] = cost_cutoff(scene, plan, g);
         plan->edge[g] = cutoff[g] = cutoff[g] > 0 ? cutoff[g] : 1;
+    }
+    double particles = 0;
+    for (int bin = 0; bin < scene->bins; bin++) {
+        particles += scene->count[bin];
+    }
+    if (particles * pow(cutoff[most], scene->dimension) > occupancy_dilute * scene->volume) {
+        limit = FACTORS_CROWDED;
     }
     double best = cost_seconds(scene, plan);
     bool better = true;
@@ -58,7 +67,7 @@ double auto_edges(const struct cost_scene *scene, struct cost_plan *plan) {
         better = false;
         for (int g = 0; g < plan->levels; g++) {
             double kept = plan->edge[g];
-            for (int f = 0; f < (g == most ? FACTORS_CROWDED : FACTORS); f++) {
+            for (int f = 0; f < (g == most ? limit : FACTORS); f++) {
                 plan->edge[g] = factors[f] * cutoff[g];
                 double cost = cost_seconds(scene, plan);
                 if (cost < best * (1 - gain_least)) {
