@@ -160,7 +160,7 @@ static void block_sort(const struct pass *pass, struct pairlist_worker *worker, 
 /* With one thread and no ghosts there is nothing to sort. */
 static void block_copy(const struct pass *pass, struct pairlist_worker *worker) {
     const struct index_sink *sink = &worker->sink;
-    if (worker->used + sink->count <= worker->room) {
+    if (sink->count > 0 && worker->used + sink->count <= worker->room) {
         memcpy(pass->list->i + worker->first + worker->used, sink->i, sink->count * sizeof *sink->i);
         memcpy(pass->list->j + worker->first + worker->used, sink->j, sink->count * sizeof *sink->j);
     }
