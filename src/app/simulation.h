@@ -133,8 +133,8 @@ struct simulation {
     double servo_force[WALLS_MAX][3];
 
     struct step_order plain, fused;
-    struct sweep *sweep;          /* the plan of the fused order; NULL: the scene wants the plain one alone */
-    double agreed[CLASS_MAX + 4]; /* bounds of the skin and signals, on their way through all ranks */
+    struct sweep *sweep; /* the plan of the fused order; NULL: the scene wants the plain one alone */
+    double agreed[2 * CLASS_MAX + 4]; /* bounds of the skin and signals, on their way through all ranks */
     struct comm_reduction reduction;
     struct step_signals signals; /* in: this rank's; out of step_run: everybody's */
     struct error error;          /* of a guard or of particles that left; checked after each step */

@@ -87,11 +87,12 @@ static void agree_begin(struct simulation *s) {
     if (s->alone)
         return;
     memcpy(value, s->skin->bound, (size_t)n * sizeof *value);
-    value[n] = s->signals.rebuild;
-    value[n + 1] = s->signals.stop;
-    value[n + 2] = s->signals.checkpoint;
-    value[n + 3] = s->signals.error;
-    comm_max_begin(s->comm, value, n + 4, &s->reduction);
+    memcpy(value + n, s->skin->second, (size_t)n * sizeof *value);
+    value[2 * n] = s->signals.rebuild;
+    value[2 * n + 1] = s->signals.stop;
+    value[2 * n + 2] = s->signals.checkpoint;
+    value[2 * n + 3] = s->signals.error;
+    comm_max_begin(s->comm, value, 2 * n + 4, &s->reduction);
 }
 
 static void agree_end(struct simulation *s) {
@@ -100,24 +101,36 @@ static void agree_end(struct simulation *s) {
     if (!s->alone) {
         comm_max_end(&s->reduction);
         memcpy(s->skin->bound, value, (size_t)n * sizeof *value);
-        memcpy(s->skin->second, value, (size_t)n * sizeof *value);
-        s->signals.rebuild = value[n] > 0;
-        s->signals.stop = value[n + 1] > 0;
-        s->signals.checkpoint = value[n + 2] > 0;
-        s->signals.error = value[n + 3] > 0;
+        memcpy(s->skin->second, value + n, (size_t)n * sizeof *value);
+        s->signals.rebuild = value[2 * n] > 0;
+        s->signals.stop = value[2 * n + 1] > 0;
+        s->signals.checkpoint = value[2 * n + 2] > 0;
+        s->signals.error = value[2 * n + 3] > 0;
     }
     skin_settle(s->skin, n);
+}
+
+/* The two largest displacements of each class, on all ranks. */
+static void measure_all(struct simulation *s) {
+    double two[CLASS_MAX][2];
+    int n = s->classes.count;
+    skin_measure(s->skin, s->particles, n);
+    for (int c = 0; c < n; c++) {
+        two[c][0] = s->skin->bound[c];
+        two[c][1] = s->skin->second[c];
+    }
+    comm_max_two(s->comm, two, n);
+    for (int c = 0; c < n; c++) {
+        s->skin->bound[c] = two[c][0];
+        s->skin->second[c] = two[c][1];
+    }
 }
 
 /* Where the bounds say that a rebuild may be due, displacements are measured. */
 static void measure(struct simulation *s) {
     if (s->signals.rebuild || !skin_due(s->skin, &s->classes))
         return;
-    skin_measure(s->skin, s->particles, s->classes.count);
-    if (!s->alone) {
-        comm_max(s->comm, s->skin->bound, s->classes.count);
-        memcpy(s->skin->second, s->skin->bound, (size_t)s->classes.count * sizeof(double));
-    }
+    measure_all(s);
     s->signals.rebuild = skin_due(s->skin, &s->classes);
 }
 

@@ -3,6 +3,7 @@
 #include "core/memory.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -85,6 +86,30 @@ void comm_sum_int(const struct comm *comm, int64_t *values, int n) {
 
 void comm_max_int(const struct comm *comm, int64_t *values, int n) {
     reduce(comm, values, n, MPI_INT64_T, MPI_MAX);
+}
+
+/* MPI_User_function: merges pairs of largest and second largest. */
+static void merge_two(void *in, void *inout, int *length, MPI_Datatype *type) {
+    const double(*other)[2] = in;
+    double(*mine)[2] = inout;
+    (void)type;
+    for (int k = 0; k < *length; k++) {
+        double largest = fmax(mine[k][0], other[k][0]);
+        double second = fmax(fmin(mine[k][0], other[k][0]), fmax(mine[k][1], other[k][1]));
+        mine[k][0] = largest;
+        mine[k][1] = second;
+    }
+}
+
+void comm_max_two(const struct comm *comm, double (*values)[2], int n) {
+    MPI_Datatype pair;
+    MPI_Op operation;
+    comm_check(MPI_Type_contiguous(2, MPI_DOUBLE, &pair), "MPI_Type_contiguous");
+    comm_check(MPI_Type_commit(&pair), "MPI_Type_commit");
+    comm_check(MPI_Op_create(merge_two, 1, &operation), "MPI_Op_create");
+    comm_check(MPI_Allreduce(MPI_IN_PLACE, values, n, pair, operation, comm->handle), "MPI_Allreduce");
+    comm_check(MPI_Op_free(&operation), "MPI_Op_free");
+    comm_check(MPI_Type_free(&pair), "MPI_Type_free");
 }
 
 void comm_max_begin(const struct comm *comm, double *values, int n, struct comm_reduction *reduction) {

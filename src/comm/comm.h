@@ -53,6 +53,10 @@ void comm_min(const struct comm *comm, double *values, int n);
 void comm_sum_int(const struct comm *comm, int64_t *values, int n);
 void comm_max_int(const struct comm *comm, int64_t *values, int n);
 
+/* The two largest of all ranks' values: of each of the `n` pairs (largest, second largest), in place, the
+ * result on every rank. A value that two ranks have is both. Collective. */
+void comm_max_two(const struct comm *comm, double (*values)[2], int n);
+
 /* comm_max in two halves, so that work can lie between them: `values` may not be touched before _end. One at
  * a time per `reduction`. Collective. */
 struct comm_reduction {

@@ -50,6 +50,21 @@ static void agree_that_all_is_well(void **state) {
     team_finish(team);
 }
 
+static void two_largest(void **state) {
+    struct team *team = *state;
+    const struct comm *comm = &team->comm;
+    int n = comm->size;
+    double r = comm->rank, values[3][2] = {{r, r - 3}, {5, 1}, {r == 0 ? 9 : 2, r == 0 ? 8 : 1}};
+    comm_max_two(comm, values, 3);
+    team_expect(team, values[0][0] == n - 1 && values[0][1] == (n > 1 ? n - 2 : -3), "of ranks: %g %g",
+                values[0][0], values[0][1]);
+    team_expect(team, values[1][0] == 5 && values[1][1] == (n > 1 ? 5 : 1), "of equals: %g %g", values[1][0],
+                values[1][1]);
+    team_expect(team, values[2][0] == 9 && values[2][1] == 8, "of one rank: %g %g", values[2][0],
+                values[2][1]);
+    team_finish(team);
+}
+
 static void reductions(void **state) {
     struct team *team = *state;
     const struct comm *comm = &team->comm;
@@ -126,6 +141,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(agree_on_the_lowest_of_several, &team),
         cmocka_unit_test_prestate(agree_that_all_is_well, &team),
         cmocka_unit_test_prestate(reductions, &team),
+        cmocka_unit_test_prestate(two_largest, &team),
         cmocka_unit_test_prestate(broadcast_and_gather_all, &team),
         cmocka_unit_test_prestate(gather_varying, &team),
     };
