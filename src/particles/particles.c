@@ -16,8 +16,6 @@ static void arrays_resize(struct particles *particles, size_t capacity) {
         void *old = storage_get(particles, a);
         storage_set(particles, a, memory_resize(old, capacity, stride, "particles"));
     }
-    memory_free(particles->spare);
-    particles->spare = NULL;
     particles->capacity = capacity;
 }
 
@@ -34,7 +32,6 @@ void particles_destroy(struct particles **particles) {
         return;
     for (int a = 0; a < STORAGE_ARRAYS; a++)
         memory_free(storage_get(*particles, a));
-    memory_free((*particles)->spare);
     memory_free(*particles);
     *particles = NULL;
 }
@@ -120,38 +117,54 @@ static void copy(char *to, const char *from, size_t bytes) {
     }
 }
 
-/* The widest arrays gather into the spare one and change places with it; narrower ones are copied back from
- * it. Where forces are zero and as wide, their array serves as the spare one. */
+/* Gathers the records of an array one half after the other, each through `spare`, which has room for halves.
+ */
+static void gather_halves(char *array, char *spare, const uint32_t *order, size_t n, size_t stride) {
+    size_t half = stride / 2;
+    for (size_t offset = 0; offset < stride; offset += half) {
+#pragma omp parallel
+        {
+#pragma omp for schedule(static)
+            for (size_t k = 0; k < n; k++)
+                memcpy(spare + k * half, array + (size_t)order[k] * stride + offset, half);
+#pragma omp for schedule(static)
+            for (size_t k = 0; k < n; k++)
+                memcpy(array + k * stride + offset, spare + k * half, half);
+        }
+    }
+}
+
+/* Arrays as wide as the spare one gather into it and change places with it; others are copied back from it.
+ * While forces are zero their array is the spare one. */
 void particles_reorder(struct particles *particles, const uint32_t *order) {
     assert(particles->ghosts == 0);
-    const size_t widest = sizeof(struct particle_state), n = particles->owned;
-    const size_t force_stride = storage_stride(STORAGE_FORCE, particles->features);
-    const bool lend = particles->force_clear && force_stride == widest;
-    if (!lend && particles->spare == NULL)
-        particles->spare = memory_allocate(particles->capacity, widest, "particles, second array");
-    void *spare = lend ? (void *)particles->force : particles->spare;
+    const size_t force_stride = storage_stride(STORAGE_FORCE, particles->features), n = particles->owned;
+    const bool lend = particles->force_clear;
+    const size_t width = lend ? force_stride : sizeof(struct particle_state);
+    void *spare = lend ? (void *)particles->force
+                       : memory_allocate(particles->capacity, width, "particles, second array");
     for (int a = 0; a < STORAGE_ARRAYS; a++) {
-        if (!storage_present(a, particles->features) || (a == STORAGE_FORCE && particles->force_clear))
+        if (!storage_present(a, particles->features) || (a == STORAGE_FORCE && lend))
             continue;
         size_t stride = storage_stride(a, particles->features);
         void *now = storage_get(particles, a);
+        if (stride > width) {
+            gather_halves(now, spare, order, n, stride);
+            continue;
+        }
         gather(spare, now, order, n, stride);
-        if (stride == widest) {
+        if (stride == width) {
             storage_set(particles, a, spare);
             spare = now;
         } else {
             copy(now, spare, n * stride);
         }
     }
-    if (lend)
+    if (lend) {
         particles->force = spare;
-    else
-        particles->spare = spare;
-    if (particles->force_clear)
         copy((char *)particles->force, NULL, n * force_stride);
-    if (force_stride == widest) { /* the next time the forces lend theirs */
-        memory_free(particles->spare);
-        particles->spare = NULL;
+    } else {
+        memory_free(spare);
     }
     particles->revision++;
 }
@@ -198,7 +211,7 @@ double particles_mass(const struct particles *particles, size_t i) {
 }
 
 size_t particles_bytes_each(const struct particles *particles) {
-    size_t bytes = particles->spare ? sizeof(struct particle_state) : 0;
+    size_t bytes = 0;
     for (int a = 0; a < STORAGE_ARRAYS; a++)
         if (storage_present(a, particles->features))
             bytes += storage_stride(a, particles->features);

@@ -52,8 +52,6 @@ struct particles {
     uint8_t *group;      /* GROUP: index into the scene's groups, 0 = free */
     double *density;     /* GROUP: mass / volume, kept because inverse_mass is 0 while motion is prescribed */
     int32_t (*image)[3]; /* IMAGE: box crossings; unwrapped position = x + image * edge */
-    void *spare; /* what a reorder gathers into, 64 bytes a particle, where forces cannot lend their array;
-                    allocated at first use */
 };
 
 /* Makes an empty set with room for `capacity` particles. Destroy frees it and nulls the pointer. One thread.
