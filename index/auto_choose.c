@@ -14,7 +14,7 @@ enum { FACTORS = sizeof factors / sizeof factors[0], FACTORS_CROWDED = 4 };
 static const double gain_least = 0.005;
 
 static const double occupancy_dilute = 0.1;
-static const double gap_ratio = 1.5, gap_price = 1.5;
+static const double gap_ratio = 1.5, gap_price = 1.1;
 
 void auto_bins(struct cost_scene *scene, const double *radii, size_t n, double weight) {
     double low = log(radii[0]), high = log(radii[n - 1]);
