@@ -160,3 +160,15 @@ tests_test_pack_LDADD = $(PACK_LIBS) $(TEST_LIBS)
 tests_test_pack_draw_SOURCES = tests/test_pack_draw.c
 tests_test_pack_draw_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
 tests_test_pack_draw_LDADD = $(PACK_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_exact
+tests_test_exact_SOURCES = tests/test_exact.c
+tests_test_exact_LDADD = $(CORE_LIBS) $(TEST_LIBS)
+
+# A tool of tests/app/reproducible.sh
+EXTRA_PROGRAMS += tests/checkpoint_lines
+CLEANFILES += tests/checkpoint_lines
+tests/app/reproducible.log: tests/checkpoint_lines
+tests_checkpoint_lines_SOURCES = tests/checkpoint_lines.c
+tests_checkpoint_lines_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_checkpoint_lines_LDADD = $(OUTPUT_LIBS)

@@ -219,6 +219,8 @@ static void print_all(const struct simulation *s) {
     printf("  %d rank%s, %d thread%s each, newton %s; %zu pairs and %zu contacts at the start on rank 0\n",
            s->comm->size, s->comm->size == 1 ? "" : "s", s->threads, s->threads == 1 ? "" : "s",
            s->view.newton ? "on" : "off", s->list->primary_count, s->sums.contacts);
+    if (scene->reproducible)
+        printf("  reproducible: pairs across ranks are computed on both sides (newton off, full copies)\n");
     print_terms(s);
     printf("\npasses of a step\n");
     step_plan_print(s, stdout);

@@ -229,6 +229,7 @@ static void report_fill(const struct run *run, double setup, struct report *repo
     report->ranks = s->comm->size;
     report->threads = s->threads;
     report->newton = s->scene->ghosts.newton;
+    report->reproducible = s->scene->reproducible;
     snprintf(report->index, sizeof report->index, "%s", s->scene->index.name);
     snprintf(report->law, sizeof report->law, "%s", s->law.options.normal == LAW_HERTZ ? "hertz" : "hooke");
     snprintf(report->integrator, sizeof report->integrator, "%s", s->scene->integrator);

@@ -191,6 +191,8 @@ bool simulation_prepare(struct simulation *s, struct error *error) {
     if (scene->walls > 0 && !walls_create(&s->walls, scene->wall, scene->walls, &s->law, &scene->box,
                                           s->threads, error, s->comm->rank == 0 ? stderr : NULL))
         return false;
+    if (s->walls && scene->reproducible)
+        walls_set_exact(s->walls);
     if (scene->domain.kind == DOMAIN_BISECTION && !domain_possible(s, error))
         return false;
     s->domain = domain_create(s->comm, &scene->box, &scene->domain, error);
@@ -214,6 +216,7 @@ static void parts_create(struct simulation *s) {
                                         .list = s->list,
                                         .history = s->history,
                                         .law = &s->law,
+                                        .ordered = s->scene->reproducible,
                                         .overlap_bound = s->scene->guards.overlap_bound};
 }
 

@@ -239,11 +239,22 @@ static void wall_run(struct simulation *s) {
     }
 }
 
+/* Forces on walls summed without rounding: rank 0 gets those of all ranks. */
+static void walls_agree(struct simulation *s) {
+    int count;
+    int64_t *words = walls_exact(s->walls, &count);
+    if (!s->alone)
+        comm_sum_int(s->comm, words, count);
+    walls_close(s->walls, s->contact.dt, s->comm->rank == 0);
+}
+
 static void finish_run(struct simulation *s) {
     s->sums = (struct force_sums){0};
     force_loop_finish(s->loop, &s->contact, &s->sums);
     if (s->walls)
         walls_finish(s->walls, &s->contact, &s->sums);
+    if (s->walls && s->scene->reproducible)
+        walls_agree(s);
     s->dissipated += s->sums.dissipated;
     guards_check(s);
 }

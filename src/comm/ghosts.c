@@ -42,8 +42,9 @@ struct ghosts {
     size_t sent;
     uint32_t *border; /* owned particles that have copies, each once */
     size_t border_count;
-    uint8_t *image;   /* code of each ghost */
-    uint32_t *number; /* of each ghost: owned + k */
+    uint8_t *image;     /* code of each ghost */
+    uint32_t *number;   /* of each ghost: owned + k */
+    double (*place)[3]; /* in_place: where the original of each ghost stood when it was made */
     size_t held;
     char *to_buffer, *from_buffer; /* values of all copies sent, and of all held */
     size_t to_room, from_room;
@@ -82,11 +83,13 @@ static void plan_free(struct ghosts *ghosts) {
     memory_free(ghosts->border);
     memory_free(ghosts->image);
     memory_free(ghosts->number);
+    memory_free(ghosts->place);
     memory_free(ghosts->to_message);
     memory_free(ghosts->from_message);
     ghosts->to = ghosts->from = NULL;
     ghosts->original = ghosts->border = ghosts->number = NULL;
     ghosts->image = NULL;
+    ghosts->place = NULL;
     ghosts->to_message = ghosts->from_message = NULL;
     ghosts->to_count = ghosts->from_count = ghosts->sent = ghosts->border_count = ghosts->held = 0;
     memset(ghosts->class_count, 0, sizeof ghosts->class_count);
@@ -133,7 +136,7 @@ static void unpack(const struct ghosts *ghosts, struct particles *particles, uns
     for (size_t k = first; k < first + n; k += PART) {
         size_t part = first + n - k < PART ? first + n - k : PART;
         fields_unpack(particles, use, particles->owned + k, part, buffer + (k - first) * each);
-        for (size_t g = k; g < k + part; g++) {
+        for (size_t g = k; g < k + part && !ghosts->options.in_place; g++) {
             const double *shift = ghosts->shift[ghosts->image[g]];
             double *x = particles->state[particles->owned + g].x;
             for (int d = 0; d < 3; d++)
@@ -187,10 +190,14 @@ static void plan_receives(struct ghosts *ghosts, const struct shadows *shadows,
 static void append_copies(struct ghosts *ghosts, const struct shadows *shadows, struct particles *particles) {
     size_t owned = particles->owned;
     particles_reserve(particles, owned + ghosts->held);
+    if (ghosts->options.in_place)
+        ghosts->place = memory_allocate(ghosts->held, sizeof *ghosts->place, "places of originals");
 #pragma omp parallel for schedule(static) if (ghosts->held > PART)
     for (size_t k = 0; k < ghosts->held; k++) {
         const double *shift = ghosts->shift[ghosts->image[k]];
         fields_unpack(particles, FIELD_GHOST, owned + k, 1, shadows->shadow[shadows->held.item[k]].fields);
+        if (ghosts->place)
+            memcpy(ghosts->place[k], particles->state[owned + k].x, sizeof *ghosts->place);
         for (int d = 0; d < 3; d++)
             particles->state[owned + k].x[d] += shift[d];
     }
@@ -337,6 +344,13 @@ const uint32_t *ghosts_originals(const struct ghosts *ghosts, size_t *count) {
     return ghosts->border;
 }
 
+const uint8_t *ghosts_unshift(struct ghosts *ghosts, struct particles *particles) {
+    assert(ghosts->options.in_place && particles->ghosts == ghosts->held);
+    for (size_t k = 0; k < ghosts->held; k++)
+        memcpy(particles->state[particles->owned + k].x, ghosts->place[k], sizeof *ghosts->place);
+    return ghosts->image;
+}
+
 unsigned ghosts_image(const struct ghosts *ghosts, size_t k) {
     assert(k < ghosts->held);
     return ghosts->image[k];
@@ -372,7 +386,8 @@ void ghosts_count(const struct ghosts *ghosts, struct ghosts_counts *counts) {
 size_t ghosts_memory(const struct ghosts *ghosts) {
     return sizeof *ghosts + ghosts->to_room + ghosts->from_room +
            ghosts->sent * (sizeof *ghosts->original + sizeof *ghosts->border) +
-           ghosts->held * (sizeof *ghosts->number + sizeof *ghosts->image) +
+           ghosts->held * (sizeof *ghosts->number + sizeof *ghosts->image +
+                           (ghosts->place ? sizeof *ghosts->place : 0)) +
            (ghosts->to_count + ghosts->from_count) * (sizeof(struct peer) + sizeof(struct exchange_message));
 }
 

@@ -20,7 +20,8 @@ enum ghosts_sync { GHOSTS_AUTO, GHOSTS_NEIGHBOURS, GHOSTS_SHADOW };
 
 struct ghosts_options {
     bool newton;
-    bool reduced; /* small particles travel only as far as small partners; needs newton */
+    bool reduced;  /* small particles travel only as far as small partners; needs newton */
+    bool in_place; /* copies stand where their originals do once pairs are known: ghosts_unshift */
     enum ghosts_sync sync;
 };
 
@@ -67,6 +68,12 @@ void ghosts_reverse(struct ghosts *ghosts, struct particles *particles);
 /* The owned particles that have copies elsewhere (or here), increasing, each once: what an integrator moves
  * first. Borrowed until the next ghosts_make or ghosts_drop. */
 const uint32_t *ghosts_originals(const struct ghosts *ghosts, size_t *count);
+
+/* With options.in_place, after the search for pairs: puts all copies where their originals stand, to the last
+ * bit (x + image * edge has lost some), where ghosts_forward then keeps them. Returns the image code of each
+ * copy, which their pairs must take over (pairlist_add_images); borrowed until the next ghosts_make or
+ * ghosts_drop. Not collective. */
+const uint8_t *ghosts_unshift(struct ghosts *ghosts, struct particles *particles);
 
 /* The image code under which copy number k (of particles.owned + k) stands. */
 unsigned ghosts_image(const struct ghosts *ghosts, size_t k);

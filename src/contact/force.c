@@ -11,6 +11,7 @@ struct force_loop {
     struct force_thread **thread; /* each in pages of its own */
     size_t slot_doubles;          /* in use, a thread */
     size_t slot_capacity;
+    struct force_ordered *ordered; /* NULL: forces are added at once */
 };
 
 /* True if this CPU runs the kernel. */
@@ -57,13 +58,15 @@ void force_loop_destroy(struct force_loop **loop) {
         memory_free((*loop)->thread[t]->slots);
         memory_free((*loop)->thread[t]);
     }
+    force_ordered_destroy(&(*loop)->ordered);
     memory_free((*loop)->thread);
     memory_free(*loop);
     *loop = NULL;
 }
 
 size_t force_loop_memory(const struct force_loop *loop) {
-    return (size_t)loop->threads * (sizeof *loop->thread[0] + loop->slot_capacity * sizeof(double));
+    return (size_t)loop->threads * (sizeof *loop->thread[0] + loop->slot_capacity * sizeof(double)) +
+           (loop->ordered ? force_ordered_memory(loop->ordered) : 0);
 }
 
 const char *force_loop_kernel(const struct force_loop *loop) {
@@ -90,6 +93,20 @@ static void force_loop_reset(struct force_loop *loop, struct history *history) {
         if (history)
             history->part[1 - history->now][t].count = 0;
     }
+    if (loop->ordered)
+        force_ordered_clear(loop->ordered);
+}
+
+/* Ledgers for the threads where forces are summed in order, and none where not. */
+static void force_loop_set_ordered(struct force_loop *loop, bool ordered) {
+    if (ordered == (loop->ordered != NULL))
+        return;
+    if (ordered)
+        loop->ordered = force_ordered_create(loop->threads);
+    else
+        force_ordered_destroy(&loop->ordered);
+    for (int t = 0; t < loop->threads; t++)
+        loop->thread[t]->ledger = ordered ? force_ordered_ledger(loop->ordered, t) : NULL;
 }
 
 void force_loop_prepare(struct force_loop *loop, const struct force_context *context) {
@@ -97,12 +114,13 @@ void force_loop_prepare(struct force_loop *loop, const struct force_context *con
     assert(list->threads == loop->threads);
     assert(context->law->range == 0.0);
     assert((context->history != NULL) == (context->law->history_components > 0));
-    loop->slot_doubles = list->slot_count * (size_t)context->particles->force_stride;
+    loop->slot_doubles = context->ordered ? 0 : list->slot_count * (size_t)context->particles->force_stride;
     for (int t = 0; t < loop->threads && loop->slot_doubles > loop->slot_capacity; t++)
         loop->thread[t]->slots =
             memory_resize(loop->thread[t]->slots, loop->slot_doubles, sizeof(double), "force slots");
     if (loop->slot_doubles > loop->slot_capacity)
         loop->slot_capacity = loop->slot_doubles;
+    force_loop_set_ordered(loop, context->ordered);
     force_loop_reset(loop, context->history);
 }
 
@@ -154,7 +172,11 @@ static void force_sums_add(struct force_sums *total, const struct force_sums *pa
 
 void force_loop_finish(struct force_loop *loop, const struct force_context *context,
                        struct force_sums *sums) {
-    force_loop_add_slots(loop, context);
+    if (loop->ordered)
+        force_ordered_add(loop->ordered, context->particles->owned, context->particles->force,
+                          (size_t)context->particles->force_stride);
+    else
+        force_loop_add_slots(loop, context);
     *sums = (struct force_sums){0};
     for (int t = 0; t < loop->threads; t++)
         force_sums_add(sums, &loop->thread[t]->sums);

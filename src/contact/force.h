@@ -37,6 +37,7 @@ struct force_context {
     const struct law *law;
     double dt;            /* by which histories advance; 0 in the first evaluation of a run (they stay) */
     bool want_sums;       /* fill sums.* beyond contacts and overlap_max (observables due) */
+    bool ordered;         /* forces are summed in an order that no layout changes (force_ordered.h) */
     double overlap_bound; /* guard: largest overlap / smaller radius allowed; overlap_max is always found */
 };
 

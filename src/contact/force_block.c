@@ -208,6 +208,33 @@ static inline int force_before(const struct force_task *task, size_t end) {
     return low;
 }
 
+/* Writes down what contact k gives to i (side 0) or j (side 1). */
+static void force_enter(const struct force_task *task, int k, int side, int components) {
+    const struct force_batch *b = &task->thread->batch;
+    struct force_ledger *ledger = task->thread->ledger;
+    const size_t stride = (size_t)task->context->particles->force_stride, at = ledger->count++;
+    unsigned image = pair_image(task->context->list->j[b->pair[k] + task->pair_base]);
+    double *share = ledger->share + at * stride;
+    ledger->particle[at] = side ? b->j[k] : b->i[k];
+    ledger->source[at] = (struct force_source){task->context->particles->id[side ? b->i[k] : b->j[k]],
+                                               side ? box_image_opposite(image) : image};
+    memset(share, 0, stride * sizeof *share);
+    force_add(share, b, k, side, components);
+}
+
+/* The forces of the batch written down, to be summed in order. One-sided: others have the other side. */
+static void force_record(const struct force_task *task, int both, int one, int components) {
+    struct force_thread *thread = task->thread;
+    int count = thread->batch.count;
+    force_ledger_reserve(thread->ledger, thread->ledger->count + 2 * (size_t)count,
+                         (size_t)task->context->particles->force_stride);
+    for (int k = 0; k < count; k++) {
+        force_enter(task, k, 0, components);
+        if (k < both || k >= one)
+            force_enter(task, k, 1, components);
+    }
+}
+
 /* The forces of the batch added to the particles, by segment of the list. */
 static inline void force_scatter(const struct force_task *task, int components) {
     const struct particles *particles = task->context->particles;
@@ -223,6 +250,11 @@ static inline void force_scatter(const struct force_task *task, int components) 
         force_transpose(&thread->batch, thread->batch.moment, 4);
     if (components == 6)
         force_transpose(&thread->batch, thread->batch.rolling, 8);
+    thread->sums.contact_sides += 2 * (size_t)count - (size_t)(one - both);
+    if (thread->ledger) {
+        force_record(task, both, one, components);
+        return;
+    }
     for (int k = 0; k < both; k++) {
         force_add(force + b->i[k] * stride, b, k, 0, components);
         force_add(force + b->j[k] * stride, b, k, 1, components);
@@ -231,7 +263,6 @@ static inline void force_scatter(const struct force_task *task, int components) 
         force_add(force + b->i[k] * stride, b, k, 0, components);
     for (int k = one; k < count; k++)
         force_add(slots + (size_t)slot_of[b->j[k]] * stride, b, k, 1, components);
-    thread->sums.contact_sides += 2 * (size_t)count - (size_t)(one - both);
 }
 
 /* The largest overlap so far, relative to the smaller radius, and whose. */

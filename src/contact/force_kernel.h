@@ -24,6 +24,7 @@
 #define SCREE_CONTACT_FORCE_KERNEL_H
 
 #include "contact/force.h"
+#include "contact/force_ordered.h"
 #include "contact/law_kernel.h"
 
 /* FORCE_AHEAD: how many pairs ahead partners are fetched; lists are padded by more than that. */
@@ -67,7 +68,8 @@ struct force_thread {
     size_t candidates;
     size_t cursor; /* merge pointer into the old history records */
     struct force_sums sums;
-    double *slots; /* force_stride doubles a busy particle */
+    double *slots;               /* force_stride doubles a busy particle */
+    struct force_ledger *ledger; /* NULL: forces are added at once */
 };
 
 /* One block's work, as force.c sets it up. */

@@ -4,6 +4,8 @@ libcontact_la_SOURCES = \
 	src/contact/force.h \
 	src/contact/force_contacts.c \
 	src/contact/force_kernel.h \
+	src/contact/force_ordered.c \
+	src/contact/force_ordered.h \
 	src/contact/force_physics.h \
 	src/contact/law.c \
 	src/contact/law.h \

@@ -135,6 +135,14 @@ void walls_force_block(struct walls *walls, const struct force_context *context,
  * wall counts as one contact, two sides) and make the wall forces. One thread. */
 void walls_finish(struct walls *walls, const struct force_context *context, struct force_sums *sums);
 
+/* From now on forces on walls are summed without rounding (core/exact.h), so that they do not depend on the
+ * division among threads and ranks. walls_finish then leaves them open: walls_exact gives the `count` words
+ * of this rank's sums, to be added up over ranks in place, and walls_close makes the forces of them, on one
+ * rank: `mine` there, and 0 elsewhere. */
+void walls_set_exact(struct walls *walls);
+int64_t *walls_exact(struct walls *walls, int *count);
+void walls_close(struct walls *walls, double dt, bool mine);
+
 /* Force and torque (about the wall's centre) of the particles on each wall in the last evaluation, this
  * rank's part: 6 doubles a wall. */
 void walls_forces(const struct walls *walls, double (*force_torque)[6]);

@@ -144,6 +144,7 @@ void walls_destroy(struct walls **walls) {
     memory_free(w->scratch);
     memory_free(w->wall);
     memory_free(w->force);
+    memory_free(w->exact);
     memory_free(w->particle);
     memory_free(w->first);
     memory_free(w->piece);

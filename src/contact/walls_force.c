@@ -85,20 +85,35 @@ static void add_to(double *out, double s, struct law_vector v) {
     out[2] += s * v.z;
 }
 
+static void add_exactly(struct exact *out, struct law_vector v) {
+    exact_add(&out[0], v.x);
+    exact_add(&out[1], v.y);
+    exact_add(&out[2], v.z);
+}
+
+/* Force and torque on wall w. */
+static void apply_to_wall(const struct wall_task *task, int w, const struct wall_contact *c) {
+    struct law_vector arm = law_add(c->at, -1.0, task->walls->wall[w].centre_now);
+    struct law_vector torque = law_add(law_cross(arm, c->out.force), 1.0, c->out.rolling);
+    if (task->scratch->exact) {
+        add_exactly(task->scratch->exact[w], c->out.force);
+        add_exactly(task->scratch->exact[w] + 3, torque);
+        return;
+    }
+    add_to(task->scratch->force[w], 1.0, c->out.force);
+    add_to(task->scratch->force[w] + 3, 1.0, torque);
+}
+
 /* Forces and torques on the particle and on the wall. */
 static void apply(const struct wall_task *task, int w, const struct wall_contact *c) {
     struct particles *p = task->context->particles;
-    const struct wall *wall = &task->walls->wall[w];
     double *force = p->force + task->particle * (size_t)p->force_stride;
-    double *on_wall = task->scratch->force[w];
     add_to(force, -1.0, c->out.force);
     if (task->law.friction) {
         add_to(force + 4, c->lever, c->out.moment);
         add_to(force + 4, -1.0, c->out.rolling);
     }
-    add_to(on_wall, 1.0, c->out.force);
-    add_to(on_wall + 3, 1.0, law_cross(law_add(c->at, -1.0, wall->centre_now), c->out.force));
-    add_to(on_wall + 3, 1.0, c->out.rolling);
+    apply_to_wall(task, w, c);
 }
 
 static void account(const struct wall_task *task, int w, const struct wall_contact *c) {
@@ -223,15 +238,55 @@ static double wall_work(const struct wall *wall, const double before[6], const d
     return -0.5 * dt * (law_dot(force, velocity) + law_dot(torque, wall->twist.omega));
 }
 
-void walls_finish(struct walls *walls, const struct force_context *context, struct force_sums *sums) {
+/* The forces on a wall are known. */
+static void set_force(struct walls *walls, int w, const double force[6], double dt) {
+    if (walls->wall[w].moving)
+        walls->work += wall_work(&walls->wall[w], walls->force[w], force, dt);
+    memcpy(walls->force[w], force, sizeof walls->force[w]);
+}
+
+static void join_threads(struct walls *walls) {
+    size_t bytes = (size_t)walls->count * sizeof *walls->exact;
+    memset(walls->exact, 0, bytes);
+    for (int t = 0; t < walls->threads; t++) {
+        for (int w = 0; w < walls->count; w++)
+            for (int c = 0; c < 6; c++)
+                exact_join(&walls->exact[w][c], &walls->scratch[t]->exact[w][c]);
+        memset(walls->scratch[t]->exact, 0, bytes);
+    }
+}
+
+void walls_set_exact(struct walls *walls) {
+    size_t count = (size_t)walls->count;
+    walls->exact = memory_allocate_zero(count, sizeof *walls->exact, "forces on walls");
+    for (int t = 0; t < walls->threads; t++)
+        walls->scratch[t]->exact =
+            memory_allocate_zero(count, sizeof *walls->scratch[t]->exact, "forces on walls");
+}
+
+int64_t *walls_exact(struct walls *walls, int *count) {
+    *count = 6 * walls->count * (int)EXACT_WORDS;
+    return walls->exact[0][0].word;
+}
+
+void walls_close(struct walls *walls, double dt, bool mine) {
     for (int w = 0; w < walls->count; w++) {
+        double force[6] = {0};
+        for (int c = 0; mine && c < 6; c++)
+            force[c] = exact_value(&walls->exact[w][c]);
+        set_force(walls, w, force, dt);
+    }
+}
+
+void walls_finish(struct walls *walls, const struct force_context *context, struct force_sums *sums) {
+    if (walls->exact)
+        join_threads(walls);
+    for (int w = 0; walls->exact == NULL && w < walls->count; w++) {
         double force[6] = {0};
         for (int t = 0; t < walls->threads; t++)
             for (int c = 0; c < 6; c++)
                 force[c] += walls->scratch[t]->force[w][c];
-        if (walls->wall[w].moving)
-            walls->work += wall_work(&walls->wall[w], walls->force[w], force, context->dt);
-        memcpy(walls->force[w], force, sizeof force);
+        set_force(walls, w, force, context->dt);
     }
     for (int t = 0; t < walls->threads; t++) {
         add_sums(sums, &walls->scratch[t]->sums);

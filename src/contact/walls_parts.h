@@ -14,6 +14,7 @@
 #include "contact/wall_grid.h"
 #include "contact/wall_motion.h"
 #include "contact/wall_touch.h"
+#include "core/exact.h"
 
 /* One wall. */
 struct wall {
@@ -64,7 +65,8 @@ struct wall_scratch {
     int32_t *from;  /* old record that a contact goes on with, -1: none */
     uint8_t *taken; /* old record has found its contact */
     struct force_sums sums;
-    double (*force)[6]; /* force and torque on each wall */
+    double (*force)[6];       /* force and torque on each wall */
+    struct exact (*exact)[6]; /* instead, where they are summed without rounding; else NULL */
 };
 
 struct walls {
@@ -84,7 +86,8 @@ struct walls {
     struct wall_records records[2];
     struct wall_scratch **scratch; /* each thread's in pages of its own */
 
-    double (*force)[6]; /* on each wall in the last evaluation */
+    double (*force)[6];       /* on each wall in the last evaluation */
+    struct exact (*exact)[6]; /* their sums, while they are open; NULL: they are rounded */
     double work;
 };
 

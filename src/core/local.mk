@@ -4,6 +4,8 @@ libcore_la_SOURCES = \
 	src/core/checksum.h \
 	src/core/error.c \
 	src/core/error.h \
+	src/core/exact.c \
+	src/core/exact.h \
 	src/core/memory.c \
 	src/core/memory.h \
 	src/core/random.c \

@@ -139,9 +139,10 @@ void report_print(const struct report *report, FILE *file) {
             report_speed(report));
     if (report->stopped[0])
         fprintf(file, "  stopped early at step %" PRIu64 ": %s\n", report->step_last, report->stopped);
-    fprintf(file, "  index %s, law %s, integrator %s, newton %s, %d rank%s x %d thread%s\n", report->index,
-            report->law, report->integrator, report->newton ? "on" : "off", report->ranks,
-            report->ranks == 1 ? "" : "s", report->threads, report->threads == 1 ? "" : "s");
+    fprintf(file, "  index %s, law %s, integrator %s, newton %s%s, %d rank%s x %d thread%s\n", report->index,
+            report->law, report->integrator, report->newton ? "on" : "off",
+            report->reproducible ? ", reproducible" : "", report->ranks, report->ranks == 1 ? "" : "s",
+            report->threads, report->threads == 1 ? "" : "s");
     fprintf(file, "  %s pairs, %s contacts", grouped(report->pairs, a), grouped(report->contacts, b));
     fprintf(file, ", %s rebuilds (%s dangerous)", grouped(report->rebuilds, a),
             grouped(report->dangerous_rebuilds, b));

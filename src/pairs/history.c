@@ -62,13 +62,13 @@ size_t history_memory(const struct history *history) {
     return bytes;
 }
 
-/* The vector from i to j through the pair's image. */
+/* The vector from i to j through the pair's image; the mirrored pair has its negative to the last bit. */
 static void pair_separation(const struct pairlist *list, const struct particles *particles, uint32_t i,
                             uint32_t j, double separation[3]) {
     const double *shift = list->shift[pair_image(j)];
     const double *xi = particles->state[i].x, *xj = particles->state[pair_partner(j)].x;
     for (int d = 0; d < 3; d++)
-        separation[d] = xj[d] + shift[d] - xi[d];
+        separation[d] = (xj[d] - xi[d]) + shift[d];
 }
 
 /* One record of the list, on its way into rows. */
@@ -115,13 +115,14 @@ static bool record_walk_next(struct record_walk *walk, struct record *record) {
     return false;
 }
 
+/* A zero of a row has no sign, whichever way round the pair was. */
 static void row_fill(struct history_row *row, const struct record *record, int64_t id_i, int64_t id_j,
                      int components, const double separation[3]) {
     double sign = id_i < id_j ? 1 : -1;
     for (int c = 0; c < components; c++)
-        row->value[c] = sign * record->value[c];
+        row->value[c] = sign * record->value[c] + 0.0;
     for (int d = 0; d < 3; d++)
-        row->separation[d] = sign * separation[d];
+        row->separation[d] = sign * separation[d] + 0.0;
 }
 
 /* Counts a cursor up; `shared` where other threads may count the same one. */

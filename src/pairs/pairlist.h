@@ -88,6 +88,11 @@ void pairlist_view(struct index_view *view, const struct particles *particles,
 void pairlist_build(struct pairlist *list, const struct index *index, const struct index_view *view,
                     const struct particles *particles, const struct box *box);
 
+/* Adds the image under which each ghost stands (`image[k]`: image code of ghost k, of particle owned + k) to
+ * the image codes of its pairs: from then on they are those from the original, whose position the ghost must
+ * be given. One thread; once after pairlist_build. */
+void pairlist_add_images(struct pairlist *list, size_t owned, const uint8_t *image);
+
 /* First pair number of a thread: what its history counts from. */
 static inline size_t pairlist_thread_first(const struct pairlist *list, int thread) {
     int b = list->thread_block[thread];

@@ -279,6 +279,16 @@ static bool finish_sources(struct scene *scene, struct error *error) {
     return true;
 }
 
+/* Reproducible: both sides of a pair are computed where they are, so that no sums travel back. */
+static void finish_ghosts(struct scene *scene) {
+    if (scene->reproducible) {
+        scene->ghosts.newton = false;
+        scene->ghosts_name = 0;
+    }
+    scene->ghosts.in_place = scene->reproducible;
+    scene->ghosts.reduced = scene->ghosts_name == 1;
+}
+
 bool finish_scene(struct scene *scene, struct error *error) {
     if (!finish_box(scene, error) ||
         !names_differ(scene, "materials", scene->material[0].name, sizeof(scene->material[0]),
@@ -288,7 +298,7 @@ bool finish_scene(struct scene *scene, struct error *error) {
         !finish_groups(scene, error) || !finish_sources(scene, error))
         return false;
     finish_step(scene);
-    scene->ghosts.reduced = scene->ghosts_name == 1;
+    finish_ghosts(scene);
     scene->classes.skin_given = !isnan(scene->classes.skin);
     if (!scene->classes.skin_given)
         scene->classes.skin = -1;

@@ -124,6 +124,7 @@ struct scene {
 
     struct scene_index index;
     struct classes_options classes;
+    bool reproducible; /* the same bits on any layout; newton and ghosts then do not matter */
     struct ghosts_options ghosts;
     struct domain_options domain;
     int ghosts_name; /* full, reduced */

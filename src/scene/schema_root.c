@@ -344,6 +344,9 @@ static const struct schema_row root_rows[] = {
      .help = "a pair across ranks is computed once, its force sent back (on), or on both sides (off)"},
     {.key = "ghosts", .type = SCHEMA_NAME, .names = ghosts_names, .fallback = "full",
      AT(struct scene, ghosts_name), .help = "which copies a rank gets"},
+    {.key = "reproducible", .type = SCHEMA_BOOL, .fallback = "false", AT(struct scene, reproducible),
+     .help = "the same bits on any index, ranks, threads, domain and sync: forces are summed by the partner's id, pairs "
+             "across ranks computed on both sides (as with newton: off, ghosts: full, whatever these say)"},
     {.key = "domain", .type = SCHEMA_SECTION, .sub = &domain_table, .main = "name",
      .help = "the division of the box among ranks"},
     {.key = "sync", .type = SCHEMA_NAME, .names = sync_names, .fallback = "auto",

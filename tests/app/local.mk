@@ -6,3 +6,5 @@ dist_check_SCRIPTS += tests/app/ablate.sh tests/app/bad_input.sh tests/app/folde
 dist_check_SCRIPTS += tests/app/ranks.sh
 
 dist_check_SCRIPTS += tests/app/verify.sh
+
+dist_check_SCRIPTS += tests/app/reproducible.sh

@@ -1,0 +1,199 @@
+#!/usr/bin/env bash
+# reproducible: true gives the same bits on any index, ranks x threads, domain and sync (all of them with SCREE_LONG). Each
+# scene is run to a checkpoint, after at least three rebuilds with migration; all that it holds (state, forces, springs,
+# poses) must be that of brute on one rank and thread to the last bit.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+cd "$out" || exit 1
+
+lines=$top_builddir/tests/checkpoint_lines
+[ -x "$lines" ] || make -s -C "$top_builddir" tests/checkpoint_lines || exit 1
+
+# without Zoltan there are only bricks
+bisection=bisection
+grep -q 'define HAVE_ZOLTAN 1' "$top_builddir/config.h" || bisection=brick
+
+common='units: none
+reproducible: true
+output: {checkpoint: {at_end: true}}
+guards: {overlap_bound: 1.5, speed: off}
+domain: {name: brick}
+observables: {every: 10, list: [{name: load}]}
+'
+# Friction, rolling, a frozen particle, a wall that oscillates, one that is pushed until the force on it is right, a mesh
+printf 'solid step\nfacet normal 0 0 1\nouter loop\nvertex 1 1 1.5\nvertex 5 1 1.5\nvertex 3 5 1.5\nendloop\nendfacet\nendsolid\n' >step.stl
+{
+    echo "$common"
+    cat <<'END'
+box: {lower: [0, 0, 0], upper: [6, 6, 9], periodic: [true, true, false]}
+gravity: [0, 0, -1]
+step: {dt: 0.001, count: 100}
+materials: [{name: soft, density: 1}, {name: hard, density: 2}]
+contact: {law: hooke, rolling: spring}
+material_pairs: [{restitution: 0.6, friction: 0.5, rolling_friction: 0.05, k_n: 1500}]
+walls:
+  - {name: floor, shape: plane, material: hard, point: [0, 0, 0.2], normal: [0, 0, 1],
+     motion: [{kind: oscillate, direction: [0, 0, 1], amplitude: 0.1, frequency: 5}]}
+  - {name: lid, shape: plane, material: hard, point: [0, 0, 8.2], normal: [0, 0, -1],
+     motion: [{kind: servo, direction: [0, 0, 1], force: 50, speed_max: 2}]}
+  - {name: step, shape: mesh, material: soft, file: step.stl}
+groups: [{name: stuck, motion: frozen, select: {ids: [12]}}]
+particles:
+  sources:
+    - {from: random, count: 12, material: hard, velocity_sigma: 4, sizes: 0.9, region: {shape: box, lower: [0, 0, 1.6], upper: [6, 6, 8]}}
+    - {from: random, count: 300, material: soft, velocity_sigma: 4, sizes: {law: uniform, min: 0.22, max: 0.35}, region: {shape: box, lower: [0, 0, 1.6], upper: [6, 6, 8]}}
+skin: {relative: 0.2}
+END
+} >bed.yaml
+# Radii 10 : 1, Hertz's law
+{
+    echo "$common"
+    cat <<'END'
+box: {lower: [0, 0, 0], upper: [8, 8, 8], periodic: true}
+step: {dt: 0.0002, count: 60, force: true}
+materials: [{name: soft, density: 1, young: 10000, poisson: 0.3}, {name: hard, density: 2, young: 30000, poisson: 0.2}]
+contact: {law: hertz}
+material_pairs: [{restitution: 0.7, friction: 0.4}]
+skin: {length: 0.05}
+particles:
+  sources:
+    - {from: random, count: 20, material: hard, sizes: 0.9, velocity_sigma: 12}
+    - {from: random, count: 900, material: soft, sizes: 0.09, velocity_sigma: 12}
+END
+} >ten.yaml
+# A ball of half the box, so many contacts that its class is busy
+{
+    echo "$common"
+    cat <<'END'
+box: {lower: [0, 0, 0], upper: [8, 8, 8], periodic: true}
+step: {dt: 0.0005, count: 40}
+materials: [{name: soft, density: 1}, {name: hard, density: 2}]
+contact: {law: hooke}
+material_pairs: [{restitution: 0.7, friction: 0.4, k_n: 1000}]
+skin: {length: 0.1}
+particles:
+  sources:
+    - {from: single, position: [3, 4, 4.5], radius: 2, material: hard, velocity: [5, 3, 1]}
+    - {from: random, count: 1500, material: soft, sizes: {law: uniform, min: 0.08, max: 0.25}, velocity_sigma: 8}
+END
+} >boulder.yaml
+# Thinner than two cut-offs: the same two particles meet through two images, with a spring in each
+{
+    echo "$common"
+    cat <<'END'
+box: {lower: [0, 0, 0], upper: [2.5, 6, 6], periodic: true}
+step: {dt: 0.0005, count: 60}
+materials: [{name: soft, density: 1}, {name: hard, density: 2}]
+contact: {law: hooke, rolling: spring}
+material_pairs: [{restitution: 0.7, friction: 0.4, rolling_friction: 0.1, k_n: 500}]
+skin: {length: 0.1}
+particles:
+  sources:
+    - {from: single, position: [0.3, 2, 3], radius: 1.1, material: hard, velocity: [3, 1, 0]}
+    - {from: single, position: [1.5, 2.9, 4.2], radius: 1.0, material: hard, velocity: [0, -4, -4]}
+    - {from: random, count: 200, material: soft, sizes: {law: uniform, min: 0.15, max: 0.25}, velocity_sigma: 6}
+END
+} >thin.yaml
+# Particles that come, go and leave; 2D; a blade that turns
+{
+    echo "$common"
+    cat <<'END'
+box: {dimension: 2, lower: [0, 0, 0], upper: [12, 12, 1], periodic: [true, false, false], leave: delete}
+gravity: [0, -5, 0]
+step: {dt: 0.0005, count: 400}
+materials: [{name: soft, density: 1}, {name: hard, density: 2}]
+contact: {law: hooke}
+material_pairs: [{restitution: 0.7, friction: 0.4, k_n: 3000}]
+walls:
+  - {name: slope, shape: plane, material: hard, point: [0, -1, 0], normal: [0, 1, 0], motion: [{kind: rotate, direction: [0, 0, 1], point: [6, -1, 0], rate: 0.4}]}
+particles:
+  sources:
+    - {from: random, count: 12, material: hard, sizes: 0.8, velocity_sigma: 6, region: {shape: box, lower: [0, 0.3, 0], upper: [12, 8, 1]}}
+    - {from: random, count: 400, material: soft, sizes: {law: uniform, min: 0.1, max: 0.16}, velocity_sigma: 6, region: {shape: box, lower: [0, 0.3, 0], upper: [12, 8, 1]}}
+insertions: [{rate: 500, material: soft, sizes: 0.15, region: {shape: box, lower: [1, 9, 0], upper: [11, 11, 1]}}]
+END
+} >flow.yaml
+
+# contents DIR FILE: the last checkpoint in lines, sorted
+contents() {
+    local last
+    last=$(find "$1" -name 'checkpoint-*.h5' | sed 's/.*checkpoint-\([0-9]*\)\.h5/\1/' | sort -n | tail -n 1)
+    "$lines" "$1/checkpoint-$last.h5" >unsorted && sort unsorted >"$2"
+}
+
+reference() {
+    run_scene 1 "$1.yaml" "$1-first" --set index=brute --set threads=1 && contents "$1-first" "$1.lines" || return 1
+    echo "  $(grep -c '^particle' "$1.lines") particles, $(grep -c contact "$1.lines") sides with springs," \
+        "$(number "$1-first/report.json" rebuilds) rebuilds"
+    [ "$(number "$1-first/report.json" rebuilds)" -ge 4 ] && [ "$(grep -c contact "$1.lines")" -ge 12 ]
+}
+
+# layout CASE RANKS THREADS INDEX DOMAIN SYNC [SETTING...]
+layout() {
+    local case=$1 ranks=$2 threads=$3 index=$4 domain=${5/bisection/$bisection} sync=$6 setting flags=()
+    shift 6
+    for setting in "$@"; do flags+=(--set "$setting"); done
+    run_scene "$ranks" "$case.yaml" "$case-other" --overwrite --set threads="$threads" --set index="$index" \
+        --set domain="$domain" --set sync="$sync" "${flags[@]}" && contents "$case-other" other.lines || return 1
+    cmp "$case.lines" other.lines
+}
+
+twice() {
+    awk '$1 == "contact" { print $2, $3 }' thin.lines | sort | uniq -d | grep -q .
+}
+
+# Two layouts of the fast mode differ: what is compared does see the last bit
+differs() {
+    run_scene 1 bed.yaml fast --set reproducible=false --set threads=1 && contents fast fast.lines &&
+        run_scene 4 bed.yaml fast --overwrite --set reproducible=false --set threads=1 && contents fast fast-4.lines || return 1
+    grep '^particle' fast.lines >particles && grep '^particle' fast-4.lines >particles-4 || return 1
+    [ "$(wc -l <particles)" = "$(wc -l <particles-4)" ] && ! cmp -s particles particles-4
+}
+
+# What one layout wrote half-way another goes on with
+goes_on() {
+    run_scene "$1" bed.yaml half --overwrite --set threads=2 --set index=multi --set output.checkpoint.every=50 --set step.count=50 &&
+        run_scene "$2" bed.yaml half --overwrite --resume half/checkpoint-50.h5 --set threads=1 --set step.count=100 &&
+        contents half half.lines || return 1
+    cmp whole.lines half.lines
+}
+
+for case in bed ten boulder thin flow; do
+    check "$case: the reference moves enough" reference $case
+    for setting in '1 2 linkcell brick auto' '2 1 multi bisection auto' '4 2 hgrid brick shadow' '8 1 bytype bisection shadow' \
+        '8 2 auto brick auto' '2 2 hgrid bisection auto index.measure=true domain.weights=time domain.threshold=1.001' \
+        '1 1 bytype brick auto step.fused=false' '3 1 brute bisection auto newton=true ghosts=reduced'; do
+        case $setting$bisection in
+        *weights*brick) setting='2 2 hgrid brick auto' ;;
+        *measure*) setting=${setting/hgrid/auto} ;;
+        esac
+        check "$case: ranks, threads, index, domain, sync: $setting" layout $case $setting
+    done
+done
+for case in flow bed; do
+    check "$case: with next neighbours alone" layout $case 2 2 linkcell brick neighbours
+done
+check 'thin: two particles meet through two images' twice
+check 'thin: ranks across the thin direction' layout thin 4 1 hgrid brick auto domain.x=2
+check 'thin: four of them' layout thin 4 2 linkcell brick auto domain.x=4
+check 'in the fast mode the layout shows in the last bits' differs
+run_scene 1 bed.yaml whole --set output.checkpoint.every=50 && contents whole whole.lines
+check 'bed: 4 ranks go on with what 1 x 2 wrote' goes_on 1 4
+check 'bed: 1 rank goes on with what 3 x 2 wrote' goes_on 3 1
+
+if [ -n "${SCREE_LONG:-}" ]; then
+    for case in bed ten boulder thin flow; do
+        for index in brute linkcell multi bytype hgrid auto; do
+            for place in 'brick shadow' 'brick auto' 'bisection shadow' 'bisection auto'; do
+                for ranks in 1 2 4 8; do
+                    for threads in 1 2; do
+                        check "$case: ranks, threads, index, domain, sync: $ranks $threads $index $place" \
+                            layout $case $ranks $threads $index $place
+                    done
+                done
+            done
+        done
+    done
+fi
+
+finish
