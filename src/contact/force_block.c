@@ -208,31 +208,34 @@ static inline int force_before(const struct force_task *task, size_t end) {
     return low;
 }
 
-/* Writes down what contact k gives to i (side 0) or j (side 1). */
-static void force_enter(const struct force_task *task, int k, int side, int components) {
+/* Writes down what contact k gives to i (side 0) or j (side 1), as entry `at`. */
+static inline __attribute__((always_inline)) void force_enter(const struct force_task *task,
+                                                              const struct force_ledger ledger, size_t at,
+                                                              int k, int side, int components) {
     const struct force_batch *b = &task->thread->batch;
-    struct force_ledger *ledger = task->thread->ledger;
-    const size_t stride = (size_t)task->context->particles->force_stride, at = ledger->count++;
+    const size_t stride = components ? 8 : (size_t)task->context->particles->force_stride;
+    const int64_t *id = task->context->particles->id;
     unsigned image = pair_image(task->context->list->j[b->pair[k] + task->pair_base]);
-    double *share = ledger->share + at * stride;
-    ledger->particle[at] = side ? b->j[k] : b->i[k];
-    ledger->source[at] = (struct force_source){task->context->particles->id[side ? b->i[k] : b->j[k]],
-                                               side ? box_image_opposite(image) : image};
-    memset(share, 0, stride * sizeof *share);
+    double share[8] __attribute__((aligned(32))) = {0.0};
     force_add(share, b, k, side, components);
+    ledger.particle[at] = side ? b->j[k] : b->i[k];
+    ledger.source[at] =
+        (struct force_source){id[side ? b->i[k] : b->j[k]], side ? box_image_opposite(image) : image};
+    memcpy(ledger.share + at * stride, share, stride * sizeof *share);
 }
 
 /* The forces of the batch written down, to be summed in order. One-sided: others have the other side. */
-static void force_record(const struct force_task *task, int both, int one, int components) {
-    struct force_thread *thread = task->thread;
-    int count = thread->batch.count;
-    force_ledger_reserve(thread->ledger, thread->ledger->count + 2 * (size_t)count,
-                         (size_t)task->context->particles->force_stride);
-    for (int k = 0; k < count; k++) {
-        force_enter(task, k, 0, components);
+static __attribute__((noinline)) void force_record(const struct force_task *task, int both, int one,
+                                                   int components) {
+    struct force_ledger *ledger = task->thread->ledger;
+    size_t at = ledger->count, count = (size_t)task->thread->batch.count;
+    force_ledger_reserve(ledger, at + 2 * count, (size_t)task->context->particles->force_stride);
+    for (int k = 0; k < (int)count; k++) {
+        force_enter(task, *ledger, at++, k, 0, components);
         if (k < both || k >= one)
-            force_enter(task, k, 1, components);
+            force_enter(task, *ledger, at++, k, 1, components);
     }
+    ledger->count = at;
 }
 
 /* The forces of the batch added to the particles, by segment of the list. */

@@ -3,6 +3,7 @@
  * no thread waits for another, and none writes where another does. */
 #include "contact/force_ordered.h"
 #include "core/memory.h"
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -140,19 +141,33 @@ static void range_fill(const struct force_ordered *o, struct force_range *range,
     }
 }
 
-static void range_add(const struct force_ordered *o, struct force_range *range, double *force,
-                      size_t stride) {
-    range_count(o, range);
-    range_fill(o, range, stride);
+/* The sums of all particles of the range, with a constant stride. */
+static inline __attribute__((always_inline)) void range_sum(const struct force_range *range, double *force,
+                                                            const size_t stride) {
     for (size_t i = range->first; i < range->last; i++) {
         size_t first = range->start[i - range->first], n = range->start[i - range->first + 1] - first;
         struct force_place *place = range->place + first;
-        double *sum = force + i * stride;
+        double sum[8];
+        if (n == 0)
+            continue;
         places_sort(place, n);
+        memcpy(sum, force + i * stride, stride * sizeof *sum);
         for (size_t k = 0; k < n; k++)
             for (size_t c = 0; c < stride; c++)
                 sum[c] += place[k].share[c];
+        memcpy(force + i * stride, sum, stride * sizeof *sum);
     }
+}
+
+static void range_add(const struct force_ordered *o, struct force_range *range, double *force,
+                      size_t stride) {
+    assert(stride == 4 || stride == 8);
+    range_count(o, range);
+    range_fill(o, range, stride);
+    if (stride == 8)
+        range_sum(range, force, 8);
+    else
+        range_sum(range, force, 4);
 }
 
 void force_ordered_add(struct force_ordered *o, size_t owned, double *force, size_t stride) {
