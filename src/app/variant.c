@@ -104,6 +104,8 @@ static void put_searches(struct list *list, const struct scene *scene, const str
         put(list, "classes", VARIANT_CLASSES, 1, "1 size class");
     put(list, "order", VARIANT_FUSED, scene->step.fused ? 0 : 1,
         scene->step.fused ? "plain step" : "fused step");
+    if (!scene->reproducible)
+        put(list, "order", VARIANT_REPRODUCIBLE, 1, "reproducible");
 }
 
 int variant_list(struct variant *variant, const struct scene *scene, const struct variant_facts *facts) {
@@ -202,6 +204,9 @@ static double change_apply(const struct variant_change *change, const struct var
         break;
     case VARIANT_FUSED:
         scene->step.fused = change->value > 0;
+        break;
+    case VARIANT_REPRODUCIBLE:
+        scene_make_reproducible(scene);
         break;
     }
     return 1;

@@ -19,7 +19,8 @@ enum variant_kind {
     VARIANT_SKIN,         /* skins times `value` */
     VARIANT_INDEX,        /* index number `value` of the registry */
     VARIANT_CLASSES,      /* sizes merged into `value` classes */
-    VARIANT_FUSED         /* the order of the step: 1 fused, 0 plain */
+    VARIANT_FUSED,        /* the order of the step: 1 fused, 0 plain */
+    VARIANT_REPRODUCIBLE  /* forces summed in the same order on every layout */
 };
 
 struct variant_change {

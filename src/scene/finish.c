@@ -279,14 +279,11 @@ static bool finish_sources(struct scene *scene, struct error *error) {
     return true;
 }
 
-/* Reproducible: both sides of a pair are computed where they are, so that no sums travel back. */
-static void finish_ghosts(struct scene *scene) {
-    if (scene->reproducible) {
-        scene->ghosts.newton = false;
-        scene->ghosts_name = 0;
-    }
-    scene->ghosts.in_place = scene->reproducible;
-    scene->ghosts.reduced = scene->ghosts_name == 1;
+/* Both sides of a pair are computed where they are, so that no sums travel back. */
+void scene_make_reproducible(struct scene *scene) {
+    scene->reproducible = scene->ghosts.in_place = true;
+    scene->ghosts.newton = scene->ghosts.reduced = false;
+    scene->ghosts_name = 0;
 }
 
 bool finish_scene(struct scene *scene, struct error *error) {
@@ -298,7 +295,9 @@ bool finish_scene(struct scene *scene, struct error *error) {
         !finish_groups(scene, error) || !finish_sources(scene, error))
         return false;
     finish_step(scene);
-    finish_ghosts(scene);
+    scene->ghosts.reduced = scene->ghosts_name == 1;
+    if (scene->reproducible)
+        scene_make_reproducible(scene);
     scene->classes.skin_given = !isnan(scene->classes.skin);
     if (!scene->classes.skin_given)
         scene->classes.skin = -1;

@@ -163,6 +163,9 @@ unsigned scene_features(const struct scene *scene, const struct law *law);
 /* Motion of the groups and gravity as the integrator wants them; dt stays 0. */
 void scene_integrator(const struct scene *scene, struct integrator_context *context);
 
+/* Sets `reproducible` in a scene that was read, and what follows from it. */
+void scene_make_reproducible(struct scene *scene);
+
 /* Number of a material, group or wall by name, or -1. */
 int scene_material(const struct scene *scene, const char *name);
 int scene_group(const struct scene *scene, const char *name);
