@@ -30,14 +30,17 @@ static void *ensure(void *array, size_t old, size_t count, size_t size, const ch
     return memory_allocate(count, size, what);
 }
 
-static void reserve_slots(struct cells *cells, size_t count) {
+static void reserve_slots(struct cells *cells, size_t count, bool coordinates) {
     size_t old = cells->capacity;
+    cells->particle = ensure(cells->particle, old, count, sizeof(uint32_t), "index particles");
+    cells->capacity = count > old ? count : old;
+    if (!coordinates) {
+        return;
+    }
     cells->x = ensure(cells->x, old, count, sizeof(float), "index coordinates");
     cells->y = ensure(cells->y, old, count, sizeof(float), "index coordinates");
     cells->z = ensure(cells->z, old, count, sizeof(float), "index coordinates");
     cells->r = ensure(cells->r, old, count, sizeof(float), "index radii");
-    cells->particle = ensure(cells->particle, old, count, sizeof(uint32_t), "index particles");
-    cells->capacity = count > old ? count : old;
 }
 
 /* Puts particle i into a slot; what it finds goes into the bounds of `cells`, a thread's own copy. */
@@ -86,8 +89,9 @@ static void merge_bounds(struct cells *cells, const struct cells *mine, bool ord
     }
 }
 
-/* Sweep 1. */
-static void find_keys(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source) {
+/* Sweep 1; without `coordinates` for the keys alone. */
+static void find_keys(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
+                      bool coordinates) {
     const struct members *members = source->members;
     size_t first = members->begin[source->group];
     cells->in_order = true;
@@ -108,7 +112,11 @@ static void find_keys(struct cells *cells, struct cells_scratch *scratch, const 
             ordered = ordered && key >= previous;
             previous = key;
             scratch->key[k] = key;
-            put_slot(&mine, source, k, i, x);
+            if (coordinates) {
+                put_slot(&mine, source, k, i, x);
+            } else {
+                cells->particle[k] = (uint32_t)i;
+            }
         }
 #pragma omp barrier
         if (range.begin > 0 && range.begin < range.end) {
@@ -197,11 +205,12 @@ static void sparse_pencils(struct cells *cells, const uint64_t *key) {
 }
 
 /* Makes room for everything and takes the keys. */
-static void start(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source) {
+static void start(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
+                  bool coordinates) {
     const struct members *members = source->members;
     cells->count = members->begin[source->group + 1] - members->begin[source->group];
     cells->sparse = source->sparse;
-    reserve_slots(cells, cells->count);
+    reserve_slots(cells, cells->count, coordinates);
     cells_scratch_reserve(scratch, cells->count);
     size_t begins = source->sparse ? cells->count + 1 : (size_t)source->grid->cells + 1;
     if (cells->begin_capacity > 4 * begins + 4096) {
@@ -209,7 +218,7 @@ static void start(struct cells *cells, struct cells_scratch *scratch, const stru
     }
     cells->begin = ensure(cells->begin, cells->begin_capacity, begins, sizeof(uint32_t), "index cells");
     cells->begin_capacity = begins > cells->begin_capacity ? begins : cells->begin_capacity;
-    find_keys(cells, scratch, source);
+    find_keys(cells, scratch, source, coordinates);
 }
 
 static void sort(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source) {
@@ -224,7 +233,7 @@ static void sort(struct cells *cells, struct cells_scratch *scratch, const struc
 
 void cells_build(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
                  uint32_t *slot_of) {
-    start(cells, scratch, source);
+    start(cells, scratch, source, true);
     if (!cells->in_order) {
         sort(cells, scratch, source);
         gather_slots(cells, source);
@@ -247,7 +256,7 @@ void cells_build(struct cells *cells, struct cells_scratch *scratch, const struc
 
 void cells_order(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
                  uint32_t *order) {
-    start(cells, scratch, source);
+    start(cells, scratch, source, false);
     if (!cells->in_order) {
         sort(cells, scratch, source);
     }
@@ -269,7 +278,7 @@ void cells_free(struct cells *cells) {
 }
 
 size_t cells_memory(const struct cells *cells) {
-    return cells->capacity * (4 * sizeof(float) + sizeof(uint32_t)) +
+    return cells->capacity * ((cells->x ? 4 * sizeof(float) : 0) + sizeof(uint32_t)) +
            (cells->x_cell_capacity + cells->begin_capacity) * sizeof(uint32_t) +
            cells->pencil_capacity * sizeof(uint64_t) +
            cells->hash_capacity * (sizeof(uint64_t) + sizeof(uint32_t));

@@ -57,6 +57,14 @@ size_t cells_scratch_memory(const struct cells_scratch *scratch) {
     return scratch->capacity * each + scratch->histogram_capacity * sizeof(size_t);
 }
 
+/* The buckets are large and soon done with: others may have their memory until the next sort. */
+static void free_buckets(struct cells_scratch *scratch) {
+    memory_free(scratch->bucket_key);
+    memory_free(scratch->bucket_particle);
+    scratch->bucket_key = NULL;
+    scratch->bucket_particle = NULL;
+}
+
 /* Room for the buckets' entries and for a histogram a thread, with one column more for the bucket ends. */
 static void reserve_buckets(struct cells_scratch *scratch, const struct buckets *buckets, int threads) {
     if (scratch->bucket_key == NULL) {
@@ -151,6 +159,7 @@ void cells_sort_dense(struct cells_scratch *scratch, const struct cells_sort_job
         }
     }
     begin[cells] = (uint32_t)job->count;
+    free_buckets(scratch);
 }
 
 static void insertion_sort(uint64_t *key, uint32_t *particle, size_t n) {
@@ -228,4 +237,5 @@ void cells_sort_sparse(struct cells_scratch *scratch, const struct cells_sort_jo
                        scratch->bucket_particle + at, n);
         }
     }
+    free_buckets(scratch);
 }
