@@ -33,7 +33,7 @@ void history_destroy(struct history **history) {
 static void part_reserve(struct history_part *part, int components, size_t contacts) {
     if (contacts <= part->capacity)
         return;
-    part->capacity = contacts + contacts / 4 + 256;
+    part->capacity = contacts + contacts / 16 + 1024;
     part->pair = memory_resize(part->pair, part->capacity, sizeof *part->pair, "contact history");
     part->value = memory_resize(part->value, part->capacity, (size_t)components * sizeof *part->value,
                                 "contact history");
