@@ -1,7 +1,10 @@
 /* A row: each rank's parts -> one sum and one maximum over ranks -> components -> columns. Sums over
- * particles go chunk by chunk, the chunks in order, so that the number of threads does not change a bit. */
+ * particles go chunk by chunk, the chunks in order, so that the number of threads does not change a bit.
+ * Where the run is reproducible they are summed without rounding (core/exact.h), so that ranks and index do
+ * not either. */
 #include "output/observables_kinds.h"
 
+#include "core/exact.h"
 #include "core/memory.h"
 #include "output/file.h"
 #include "output/lines.h"
@@ -31,8 +34,42 @@ static void over_particles(const struct output_view *view, const struct observab
     memory_free(partial);
 }
 
-/* The parts of this rank, of all items one after another. */
-static double *find_parts(struct observables *o, const struct output_view *view) {
+/* Adds up the parts of all owned particles without rounding. */
+static void over_particles_exactly(const struct output_view *view, const struct observable_item *item,
+                                   struct exact *sum) {
+    const struct observable_kind *kind = observables_kind(item->kind);
+#pragma omp parallel
+    {
+        struct exact mine[OBSERVABLE_PARTS_MAX] = {0};
+#pragma omp for schedule(static)
+        for (size_t i = 0; i < view->particles->owned; i++) {
+            double one[OBSERVABLE_PARTS_MAX] = {0};
+            kind->of_particle(view, item, i, one);
+            for (int k = 0; k < kind->parts; k++)
+                exact_add(&mine[k], one[k]);
+        }
+#pragma omp critical(observables_exact)
+        for (int k = 0; k < kind->parts; k++)
+            exact_join(&sum[k], &mine[k]);
+    }
+}
+
+/* The parts of one item that are sums over ranks, without rounding. */
+static void item_exactly(const struct observable_context *context, struct observable_item *item,
+                         struct exact *sum) {
+    const struct observable_kind *kind = observables_kind(item->kind);
+    double own[OBSERVABLE_PARTS_MAX] = {0};
+    if (kind->of_particle)
+        over_particles_exactly(context->view, item, sum);
+    if (kind->of_rank)
+        kind->of_rank(context, item, own);
+    for (int k = 0; k < kind->parts; k++)
+        exact_add(&sum[k], own[k]);
+}
+
+/* The parts of this rank, of all items one after another. Those that are summed over ranks go to `exact`
+ * instead, if there is such a thing. */
+static double *find_parts(struct observables *o, const struct output_view *view, struct exact *exact) {
     struct observable_context context = {.view = view, .wall_force = (const double(*)[6])o->wall_force};
     double *part = memory_allocate_zero((size_t)o->parts, sizeof *part, "parts of observables");
     if (view->walls)
@@ -41,6 +78,10 @@ static double *find_parts(struct observables *o, const struct output_view *view)
         struct observable_item *item = &o->item[k];
         const struct observable_kind *kind = observables_kind(item->kind);
         double own[OBSERVABLE_PARTS_MAX] = {0};
+        if (exact && kind->combine == OBSERVABLE_SUM) {
+            item_exactly(&context, item, exact + item->first_part);
+            continue;
+        }
         if (kind->of_particle)
             over_particles(view, item, own);
         if (kind->of_rank)
@@ -48,6 +89,18 @@ static double *find_parts(struct observables *o, const struct output_view *view)
         memcpy(part + item->first_part, own, (size_t)kind->parts * sizeof *part);
     }
     return part;
+}
+
+/* Sums over ranks that were kept without rounding. */
+static void combine_exactly(const struct observables *o, const struct comm *comm, struct exact *exact,
+                            double *part) {
+    comm_sum_int(comm, exact[0].word, o->parts * (int)EXACT_WORDS);
+    for (int k = 0; k < o->items; k++) {
+        const struct observable_kind *kind = observables_kind(o->item[k].kind);
+        int first = o->item[k].first_part;
+        for (int p = first; kind->combine == OBSERVABLE_SUM && p < first + kind->parts; p++)
+            part[p] = exact_value(&exact[p]);
+    }
 }
 
 /* Combines the parts of all ranks. */
@@ -67,8 +120,14 @@ static void combine(const struct observables *o, const struct comm *comm, double
 }
 
 static void find_values(struct observables *o, const struct output_view *view) {
-    double *part = find_parts(o, view);
+    bool reproducible = view->contact && view->contact->ordered && o->parts > 0;
+    struct exact *exact =
+        reproducible ? memory_allocate_zero((size_t)o->parts, sizeof *exact, "parts of observables") : NULL;
+    double *part = find_parts(o, view, exact);
     combine(o, view->comm, part);
+    if (exact)
+        combine_exactly(o, view->comm, exact, part);
+    memory_free(exact);
     for (int k = 0; k < o->items; k++) {
         const struct observable_item *item = &o->item[k];
         const struct observable_kind *kind = observables_kind(item->kind);
