@@ -74,7 +74,7 @@ static struct force_sums plain_forces(const struct particles *p, const struct la
                 add_vector(force[j] + 4, 1.0, out.rolling);
                 sums.elastic_normal += out.normal_energy;
                 sums.elastic_tangential += out.spring_energy;
-                sums.dissipated += out.dissipated;
+                sums.taken += out.taken;
                 double length = in.overlap - p->state[i].radius - p->state[j].radius;
                 sums.virial[0] -= length * in.normal.x * out.force.x;
                 sums.virial[3] -= 0.5 * length * (in.normal.x * out.force.y + in.normal.y * out.force.x);
@@ -91,7 +91,7 @@ static void check_sums(const struct force_sums *got, const struct force_sums *wa
     assert_near(got->overlap_max, want->overlap_max, 1e-12);
     assert_near(got->elastic_normal / want->elastic_normal, 1.0, 1e-11);
     assert_near(got->elastic_tangential, want->elastic_tangential, 1e-11 * want->elastic_normal);
-    assert_near(got->dissipated, want->dissipated, 1e-11 * want->elastic_normal);
+    assert_near(got->taken, want->taken, 1e-11 * want->elastic_normal);
     assert_near(got->virial[0] / want->virial[0], 1.0, 1e-11);
     assert_near(got->virial[3], want->virial[3], 1e-11 * fabs(want->virial[0]));
 }

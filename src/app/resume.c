@@ -9,7 +9,7 @@
 
 /* What the counters of a checkpoint mean; insertions follow, three numbers each. */
 enum { COUNTER_STEP_BASE, COUNTER_TIME_BASE, COUNTER_INSERTED, COUNTER_DELETED, COUNTER_INSERTION };
-enum { SUM_DISSIPATED, SUM_WALL_WORK };
+enum { SUM_TAKEN, SUM_WALL_WORK };
 enum { INSERTION_COUNTERS = 3 };
 
 _Static_assert((int)COUNTER_INSERTION + INSERTION_COUNTERS * (int)INSERTIONS_MAX <= (int)CHECKPOINT_COUNTERS,
@@ -40,7 +40,7 @@ static void numbers_put(const struct simulation *s, struct checkpoint_numbers *n
         counter[1] = s->insertion_state[k].tried;
         counter[2] = bits_of(s->insertion_state[k].mass);
     }
-    n->sum[SUM_DISSIPATED] = s->dissipated;
+    n->sum[SUM_TAKEN] = s->taken;
     n->sum[SUM_WALL_WORK] = s->walls ? walls_work(s->walls) : 0;
 }
 
@@ -56,7 +56,7 @@ static void numbers_take(struct simulation *s, const struct checkpoint_numbers *
         const uint64_t *counter = &n->counter[COUNTER_INSERTION + INSERTION_COUNTERS * k];
         s->insertion_state[k] = (struct insertion_state){counter[0], counter[1], double_of(counter[2])};
     }
-    s->dissipated = n->sum[SUM_DISSIPATED];
+    s->taken = n->sum[SUM_TAKEN];
     if (s->walls)
         walls_set_work(s->walls, n->sum[SUM_WALL_WORK]);
     s->resumed_dt = n->dt;

@@ -145,7 +145,7 @@ struct output_view simulation_view(const struct simulation *s) {
                                 .walls = s->walls,
                                 .contact = &s->contact,
                                 .sums = &s->sums,
-                                .dissipated = s->dissipated,
+                                .taken = s->taken,
                                 .step = s->step,
                                 .time = s->time,
                                 .load = {.ghosts = ghosts.ghosts,
@@ -271,7 +271,7 @@ static void run_begin(struct simulation *s) {
     rebuild_from_rows(s, &rows);
     s->contact.want_sums = true;
     step_forces(s);
-    s->dissipated = 0;
+    s->taken = 0;
 #pragma omp parallel for schedule(static)
     for (int b = 0; b < s->list->block_count; b++)
         integrator_stagger(s->particles, &s->motion, s->list->blocks[b].first_row,

@@ -115,7 +115,7 @@ struct simulation {
     struct force_loop *loop;
     struct force_context contact;
     struct force_sums sums; /* of the last evaluation, this rank's part */
-    double dissipated;      /* energy since the start, this rank's part */
+    double taken;           /* sum of force_sums.taken since the start, this rank's part */
     bool sums_each_step;    /* dissipated energy is observed */
 
     struct insertion insertion[INSERTIONS_MAX];

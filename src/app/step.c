@@ -255,7 +255,7 @@ static void finish_run(struct simulation *s) {
         walls_finish(s->walls, &s->contact, &s->sums);
     if (s->walls && s->scene->reproducible)
         walls_agree(s);
-    s->dissipated += s->sums.dissipated;
+    s->taken += s->sums.taken;
     guards_check(s);
 }
 

@@ -159,7 +159,7 @@ static void force_loop_add_slots(const struct force_loop *loop, const struct for
 static void force_sums_add(struct force_sums *total, const struct force_sums *part) {
     total->elastic_normal += part->elastic_normal;
     total->elastic_tangential += part->elastic_tangential;
-    total->dissipated += part->dissipated;
+    total->taken += part->taken;
     for (int c = 0; c < 6; c++)
         total->virial[c] += part->virial[c];
     total->contact_sides += part->contact_sides;

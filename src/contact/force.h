@@ -12,8 +12,9 @@
 /* Sums of a force evaluation of this rank; a pair that two threads or ranks compute counts half on each. */
 struct force_sums {
     double elastic_normal;     /* energy stored in normal springs */
-    double elastic_tangential; /* and in tangential and rolling ones */
-    double dissipated;  /* work taken by dampers and sliding in this step (energy; exact to first order) */
+    double elastic_tangential; /* and in tangential and rolling ones; taken before */
+    double taken;       /* work taken in this step by normal dampers and by all tangential forces, springs
+                           included (energy; exact to first order) */
     double virial[6];   /* sum of x_ij F_ij: xx yy zz xy xz yz, energy */
     double overlap_max; /* largest overlap / smaller radius, and who */
     int64_t overlap_id[2];

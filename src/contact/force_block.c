@@ -298,7 +298,7 @@ static void force_account(const struct force_task *task) {
         const double *d = b->record[k], *f = b->share[k];
         sums->elastic_normal += weight * b->energy[0][k];
         sums->elastic_tangential += weight * b->energy[1][k];
-        sums->dissipated += weight * b->energy[2][k];
+        sums->taken += weight * b->energy[2][k];
         sums->virial[0] += weight * d[0] * f[0];
         sums->virial[1] += weight * d[1] * f[1];
         sums->virial[2] += weight * d[2] * f[2];

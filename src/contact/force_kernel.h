@@ -50,7 +50,7 @@ struct force_batch {
     double moment[3][FORCE_BATCH];                      /* torque per lever */
     double rolling[3][FORCE_BATCH];                     /* torque on j */
     double lever[2][FORCE_BATCH];                       /* of i, of j */
-    double energy[3][FORCE_BATCH];                      /* normal, springs, dissipated; if asked for */
+    double energy[3][FORCE_BATCH];                      /* normal, springs, work taken; if asked for */
     double share[FORCE_BATCH][12];                      /* force 0 moment 0 rolling 0, as records have them */
     uint32_t i[FORCE_BATCH], j[FORCE_BATCH];            /* particle numbers, without image code */
     uint32_t pair[FORCE_BATCH];                         /* pair number - first pair of the thread */

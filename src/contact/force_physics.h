@@ -73,7 +73,7 @@ LAW_INLINE void force_respond(struct law_case law, struct force_batch *b, int k,
     if (law.energies) {
         b->energy[0][k] = out.normal_energy;
         b->energy[1][k] = out.spring_energy;
-        b->energy[2][k] = out.dissipated;
+        b->energy[2][k] = out.taken;
     }
     if (!law.friction)
         return;

@@ -76,7 +76,8 @@ struct law_response {
     struct law_vector spring, roll; /* the springs to remember */
     double normal_energy;           /* stored in the normal spring */
     double spring_energy;           /* stored in the tangential and rolling springs */
-    double dissipated;              /* in this step by dampers and sliding */
+    double taken; /* work taken in this step by the normal damper and by all tangential forces: what it
+                     exceeds the growth of spring_energy by is dissipated */
 };
 
 LAW_INLINE double law_dot(struct law_vector a, struct law_vector b) {
@@ -150,7 +151,8 @@ LAW_INLINE double law_lever(struct law_case law, double radius, double overlap) 
  * and lets it slide where the force passes `limit`: the force is cut to the limit, and the spring takes the
  * length with which spring and damper give that, the damper seeing the spring's own change (slider in series,
  * dissipation never negative) or all of `rate` (relaxation 0). `rate` is taken in the half-step plane if
- * synchronised. Returns the force; energies are added to the response. */
+ * synchronised. Returns the force; energies are added to the response; the work is that of the mean of the
+ * forces before and after the step. */
 LAW_INLINE struct law_vector law_slide(struct law_case law, struct law_step step,
                                        const struct law_contact *in, struct law_vector rate,
                                        struct law_vector *spring, double stiffness, double damping,
@@ -173,10 +175,10 @@ LAW_INLINE struct law_vector law_slide(struct law_case law, struct law_step step
     *spring = law_add(trial, (1.0 - keep_spring) * (size * inverse), force);
     force = law_scale(keep_force, force);
     if (law.energies) {
-        struct law_vector slip = law_add(trial, -1.0, *spring);
-        struct law_vector stretch = law_add(law_scale(step.dt, rate), -1.0, slip);
+        struct law_vector way = law_scale(step.dt, rate); /* slip = trial - spring; stretch = way - slip */
+        struct law_vector stretch = law_add(way, -1.0, law_add(trial, -1.0, *spring));
         out->spring_energy += 0.5 * stiffness * law_dot(*spring, *spring);
-        out->dissipated -= step.dt * law_dot(force, rate) + stiffness * law_dot(*spring, stretch);
+        out->taken -= law_dot(law_add(force, 0.5 * stiffness, stretch), way);
     }
     return force;
 }
@@ -217,7 +219,7 @@ LAW_INLINE struct law_response law_respond(struct law_case law, struct law_step 
     out.force = law_scale(force, in->normal);
     if (law.energies) {
         out.normal_energy = (law.hertz ? 0.4 : 0.5) * elastic * in->overlap;
-        out.dissipated = (elastic - force) * rate * step.dt;
+        out.taken = (elastic - force) * rate * step.dt;
     }
     if (law.friction)
         law_rub(law, step, in, force, scale, base, &out);

@@ -130,7 +130,7 @@ static void account(const struct wall_task *task, int w, const struct wall_conta
     struct law_vector d = law_scale(c->lever, c->in.normal), f = c->out.force;
     sums->elastic_normal += c->out.normal_energy;
     sums->elastic_tangential += c->out.spring_energy;
-    sums->dissipated += c->out.dissipated;
+    sums->taken += c->out.taken;
     sums->virial[0] += d.x * f.x;
     sums->virial[1] += d.y * f.y;
     sums->virial[2] += d.z * f.z;
@@ -219,7 +219,7 @@ void walls_force_block(struct walls *walls, const struct force_context *context,
 static void add_sums(struct force_sums *total, const struct force_sums *part) {
     total->elastic_normal += part->elastic_normal;
     total->elastic_tangential += part->elastic_tangential;
-    total->dissipated += part->dissipated;
+    total->taken += part->taken;
     for (int c = 0; c < 6; c++)
         total->virial[c] += part->virial[c];
     total->contact_sides += part->contact_sides;

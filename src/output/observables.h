@@ -48,7 +48,7 @@ bool observables_open(struct observables *observables, const struct comm *comm, 
 bool observables_need_sums(const struct observables *observables);
 
 /* True if a column shows dissipated energy: then every force evaluation needs want_sums, and the caller adds
- * up force_sums.dissipated. */
+ * up force_sums.taken. */
 bool observables_need_work(const struct observables *observables);
 
 /* Computes one row and, where opened, writes and flushes it. Collective. */

@@ -145,7 +145,8 @@ static void elastic_tangential(const struct observable_context *context, struct 
 
 static void dissipated(const struct observable_context *context, struct observable_item *item, double *part) {
     (void)item;
-    part[0] = context->view->dissipated;
+    const struct force_sums *sums = context->view->sums;
+    part[0] = context->view->taken - (sums ? sums->elastic_tangential : 0);
 }
 
 static void wall_work(const struct observable_context *context, struct observable_item *item, double *part) {
@@ -263,7 +264,8 @@ static const struct observable_kind kinds[] = {
      .needs_sums = true,
      .of_rank = elastic_tangential,
      .relevant = has_history},
-    {.info = ALL("energy_dissipated", "energy", "J", 1, "work taken by dampers and sliding since the start"),
+    {.info = ALL("energy_dissipated", "energy", "J", 1,
+                 "work taken since the start by dampers, sliding and springs of contacts that ended"),
      .parts = 1,
      .needs_sums = true,
      .needs_work = true,

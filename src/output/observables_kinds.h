@@ -36,7 +36,7 @@ struct observable_kind {
     int parts;
     enum observable_combine combine;
     bool needs_sums; /* force_sums beyond contacts and overlap */
-    bool needs_work; /* force_sums.dissipated of every step */
+    bool needs_work; /* force_sums.taken of every step */
     /* This rank's parts, already zero. One of the two is there: of the whole rank, or added up over free
      * particles. */
     void (*of_rank)(const struct observable_context *context, struct observable_item *item, double *part);

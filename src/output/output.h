@@ -37,7 +37,7 @@ struct output_view {
     const struct walls *walls;               /* NULL: none */
     const struct force_context *contact;     /* NULL: no particle contacts (contact lists) */
     const struct force_sums *sums;           /* of the last evaluation, this rank's part; NULL: zeros */
-    double dissipated;                       /* energy, since the start, this rank's part */
+    double taken;                            /* sum of force_sums.taken since the start, this rank's part */
     uint64_t step;
     double time;
     struct output_load load;

@@ -76,7 +76,7 @@ static void fixture_make(struct fixture *f, struct team *team) {
                                    .box = &f->cloud.box,
                                    .motion = &f->motion,
                                    .sums = &f->sums,
-                                   .dissipated = 100,
+                                   .taken = 100,
                                    .step = 0};
     f->run = (struct output_run){.directory = f->folder.path, .materials = 2, .material = f->material};
 }
