@@ -199,7 +199,9 @@ bool simulation_prepare(struct simulation *s, struct error *error) {
     if (s->domain == NULL)
         return false;
     domain_wrap(s->domain, s->wrap);
-    s->index = index_create(scene->index.name, &scene->index.params, error);
+    struct index_params params = scene->index.params;
+    params.instructions = (int)scene->simd;
+    s->index = index_create(scene->index.name, &params, error);
     return s->index != NULL && sources_prepare(s, error);
 }
 
@@ -218,6 +220,17 @@ static void parts_create(struct simulation *s) {
                                         .law = &s->law,
                                         .ordered = s->scene->reproducible,
                                         .overlap_bound = s->scene->guards.overlap_bound};
+}
+
+/* The vector instructions that the scene asks for. */
+static bool simd_choose(const struct simulation *s, struct error *error) {
+    char place[SCENE_PATH_MAX];
+    const char *wanted = scene_simd_name(s->scene->simd);
+    if (s->scene->simd == SCENE_SIMD_AUTO || force_loop_choose(s->loop, wanted))
+        return true;
+    return error_set(error, ERROR_USER,
+                     "%s: simd: %s is not what this program and CPU have; the widest is %s",
+                     scene_place(s->scene, "simd", place, sizeof place), wanted, force_loop_kernel(s->loop));
 }
 
 static bool mine(void *context, const double x[3]) {
@@ -282,6 +295,8 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
     unsigned features = scene_features(s->scene, &s->law);
     s->particles = particles_create(features, 0);
     parts_create(s);
+    if (!simd_choose(s, error))
+        return false;
     struct rebuild_rows rows = {0};
     bool good = resume ? resume_read(s, resume, &rows, error) : particles_make(s, error);
     if (!good)

@@ -42,6 +42,12 @@ struct scene_step {
     double speed_max; /* largest impact speed expected for the stable step; 0: from the particles */
 };
 
+/* Vector instructions used at most; the numbers are those of enum index_instructions. */
+enum scene_simd { SCENE_SIMD_AUTO, SCENE_SIMD_BASELINE, SCENE_SIMD_V3, SCENE_SIMD_V4 };
+
+/* Their names: those of the force loop's kernels. */
+const char *scene_simd_name(enum scene_simd simd);
+
 enum scene_group_motion { SCENE_FREE, SCENE_FROZEN, SCENE_MOVING };
 
 /* A group: group 0 is "free" and always there. A particle belongs to the group that its source names, else to
@@ -101,6 +107,7 @@ struct scene {
     struct scene_step step;
     char integrator[SCENE_NAME_MAX];
     int threads; /* 0: as many as OpenMP offers */
+    enum scene_simd simd;
 
     struct law_options law;
     int materials;

@@ -118,6 +118,12 @@ static const struct schema_table pair_table = TABLE(pair_rows);
 static const struct schema_name law_names[] = {{"hooke", LAW_HOOKE, "linear spring and dashpot"},
                                                {"hertz", LAW_HERTZ, "elastic spheres, Hertz and Mindlin"},
                                                {0}};
+static const struct schema_name simd_names[] = {
+    {"auto", SCENE_SIMD_AUTO, NULL},
+    {"baseline", SCENE_SIMD_BASELINE, "what every CPU of the kind has"},
+    {"x86-64-v3", SCENE_SIMD_V3, "AVX2"},
+    {"x86-64-v4", SCENE_SIMD_V4, "AVX-512"},
+    {0}};
 static const struct schema_name damping_names[] = {
     {"restitution", LAW_DAMPING_RESTITUTION, "from the restitution asked for"},
     {"coefficient", LAW_DAMPING_COEFFICIENT,
@@ -314,6 +320,8 @@ static const struct schema_row root_rows[] = {
      .fallback = "synchronised_verlet", AT(struct scene, integrator), .help = "how the motion is integrated"},
     {.key = "threads", .type = SCHEMA_INT, .range = "[0, 1024]", .fallback = "0", AT(struct scene, threads),
      .help = "threads a rank; 0: OMP_NUM_THREADS, or all cores"},
+    {.key = "simd", .type = SCHEMA_NAME, .names = simd_names, .fallback = "auto", AT(struct scene, simd),
+     .help = "vector instructions of search and forces; auto: the widest that the CPU has. Pairs and forces are the same"},
     {.key = "contact", .type = SCHEMA_SECTION, .sub = &contact_table, .main = "law",
      .offset = offsetof(struct scene, law), .help = "the contact law, of walls too"},
     {.key = "materials", .type = SCHEMA_LIST, .sub = &material_table, .required = true,
@@ -360,3 +368,7 @@ static const struct schema_row root_rows[] = {
      .help = "numbers about the run, a row at a time, in observables.csv"},
 };
 const struct schema_table schema_root = TABLE(root_rows);
+
+const char *scene_simd_name(enum scene_simd simd) {
+    return simd_names[simd].name;
+}
