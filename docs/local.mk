@@ -36,6 +36,7 @@ EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-settling.svg \
 	docs/images/verify-slide-to-roll.svg \
 	docs/images/verify-stack.svg \
+	docs/images/verify-turning-wall.svg \
 	docs/images/verify-vyas.svg \
 	docs/images/verify-wall-edge.svg
 EXTRA_DIST += docs/hard-cases.md

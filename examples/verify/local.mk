@@ -68,6 +68,10 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/slide-to-roll/scene.yaml \
 	examples/verify/stack/scene.yaml \
 	examples/verify/style.gp \
+	examples/verify/turning-wall/disc.txt \
+	examples/verify/turning-wall/hertz.yaml \
+	examples/verify/turning-wall/plane.yaml \
+	examples/verify/turning-wall/scene.yaml \
 	examples/verify/vyas/plot.gp \
 	examples/verify/vyas/ratio-100.txt \
 	examples/verify/vyas/scene.yaml \
@@ -110,5 +114,6 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/settling/check \
 	examples/verify/slide-to-roll/check \
 	examples/verify/stack/check \
+	examples/verify/turning-wall/check \
 	examples/verify/vyas/check \
 	examples/verify/wall-edge/check
