@@ -54,11 +54,34 @@ static void test_nothing_moves(void **state) {
     skin_destroy(&skin);
 }
 
+/* One step ahead, also right after a rebuild, when nothing has moved yet. */
+static void test_the_next_step_is_foreseen(void **state) {
+    (void)state;
+    struct size_classes classes = one_class();
+    struct skin *skin = skin_create();
+    struct particles *none = particles_create(0, 1);
+    double speed = 2;
+    skin_moved(skin, &speed, 1, 0.2, 0); /* 0.4 each, and 0.8 each after one step more */
+    skin_settle(skin, 1);
+    assert_false(skin_due(skin, &classes));
+    assert_true(skin_nearly_due(skin, &classes));
+    skin_reset(skin, none);
+    assert_false(skin_nearly_due(skin, &classes));
+    skin_moved(skin, &speed, 1, 0.3, 0); /* 0.6 each */
+    skin_settle(skin, 1);
+    skin_reset(skin, none);
+    assert_true(skin_nearly_due(skin, &classes));
+    assert_false(skin_due(skin, &classes));
+    particles_destroy(&none);
+    skin_destroy(&skin);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_two_particles_share_the_skin),
         cmocka_unit_test(test_moving_walls_count_against_particles_alone),
         cmocka_unit_test(test_nothing_moves),
+        cmocka_unit_test(test_the_next_step_is_foreseen),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -87,12 +87,16 @@ void skin_measure(struct skin *skin, const struct particles *particles, int clas
 
 /* Do the bounds, each grown by `more` x its last growth, exceed a skin? */
 static bool exceeded(const struct skin *skin, const struct size_classes *classes, double more) {
+    double first[CLASS_MAX + 1], second[CLASS_MAX + 1];
+    for (int c = 0; c <= classes->count; c++) {
+        first[c] = skin->bound[c] + more * skin->growth[c];
+        second[c] = skin->second[c] + more * skin->growth[c];
+    }
     for (int a = 0; a < classes->count; a++) {
         for (int b = a; b <= classes->count;
              b++) { /* the last is walls; walls among themselves do not matter */
-            double moved = skin->bound[a] + (a == b ? skin->second[b] : skin->bound[b]) +
-                           more * (skin->growth[a] + skin->growth[b]);
-            bool still = skin->bound[a] == 0 && skin->bound[b] == 0;
+            double moved = first[a] + (a == b ? second[b] : first[b]);
+            bool still = first[a] == 0 && first[b] == 0;
             if (!still && moved > classes->skin[a][b])
                 return true;
         }
