@@ -10,8 +10,8 @@
 #include <math.h>
 
 double load_seconds(const struct simulation *s) {
-    static const enum timer_stage work[] = {TIMER_ADVANCE, TIMER_CONTACT, TIMER_WALL,   TIMER_REORDER,
-                                            TIMER_INDEX,   TIMER_PAIRS,   TIMER_HISTORY};
+    static const enum timer_stage work[] = {TIMER_ADVANCE, TIMER_SWEEP, TIMER_CONTACT, TIMER_WALL,
+                                            TIMER_REORDER, TIMER_INDEX, TIMER_PAIRS,   TIMER_HISTORY};
     double seconds = 0;
     for (size_t k = 0; k < sizeof work / sizeof work[0]; k++)
         seconds += s->timers.seconds[work[k]];
