@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include <stdio.h>
+#include <stdlib.h>
 
 void team_start(struct team *team, int *argc, char ***argv) {
     *team = (struct team){0};
@@ -36,6 +37,12 @@ bool team_note(struct team *team, bool good, const char *file, int line, const c
     error_set(&team->error, ERROR_SYSTEM, "%s:%d: rank %d of %d: %s", file, line, team->comm.rank,
               team->comm.size, text);
     return false;
+}
+
+void team_skip(const struct team *team, const char *why) {
+    print_message("skipped on %d ranks: %s\n", team->comm.size, why);
+    skip();
+    abort();
 }
 
 void team_finish(struct team *team) {

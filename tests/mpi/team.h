@@ -20,6 +20,9 @@ int team_stop(struct team *team);
 bool team_note(struct team *team, bool good, const char *file, int line, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
 
+/* Ends a test that these ranks cannot make, and says why. All ranks alike. */
+_Noreturn void team_skip(const struct team *team, const char *why);
+
 /* Ends a test: fails it on all ranks if it failed on one. Collective. */
 void team_finish(struct team *team);
 

@@ -135,7 +135,7 @@ static void no_pair_without_partner(void **state) {
 static void several_images_on_one_rank(void **state) {
     struct team *team = *state;
     if (team->comm.size == 1)
-        skip();
+        team_skip(team, "on one rank the index wraps, and there are no copies");
     struct fixture fixture;
     fixture_make(&fixture, team, SCENE_BOULDERS_SLABS, PARTICLES);
     fixture_rebuild(&fixture);
