@@ -14,6 +14,7 @@ libapp_la_SOURCES = \
 	src/app/rebuild.c \
 	src/app/resume.c \
 	src/app/run.c src/app/run.h \
+	src/app/run_report.c src/app/run_report.h \
 	src/app/sample.c src/app/sample.h \
 	src/app/simulation.c src/app/simulation.h \
 	src/app/sources.c \

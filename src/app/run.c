@@ -3,6 +3,7 @@
 #include "app/guards.h"
 #include "app/load.h"
 #include "app/outputs.h"
+#include "app/run_report.h"
 #include "core/memory.h"
 #include "output/checkpoint.h"
 #include "output/progress.h"
@@ -38,14 +39,11 @@ struct run {
     struct output_run output;
     const struct run_options *options;
     struct progress progress;
-    uint64_t first, last;        /* steps */
-    double began;                /* seconds: the loop */
-    double checkpoint_last;      /* seconds: the last checkpoint by wall clock */
-    bool checkpoint_due;         /* decided in the step before */
-    struct ghosts_counts before; /* the loop: what set-up sent */
-    double particle_steps;       /* sum over steps of the particles moved */
-    int stopped;                 /* signal that ended it */
-    int lock;                    /* of the folder */
+    uint64_t last; /* step */
+    struct run_record record;
+    double checkpoint_last; /* seconds: the last checkpoint by wall clock */
+    bool checkpoint_due;    /* decided in the step before */
+    int lock;               /* of the folder */
 };
 
 bool run_directory(const struct comm *comm, const struct run_options *options, struct error *error) {
@@ -104,7 +102,7 @@ static bool step_once(struct run *run, struct error *error) {
     s->contact.want_sums =
         s->sums_each_step || watched || (run->outputs && outputs_want_sums(run->outputs, s, s->step + 1));
     step_run(s, rebuild);
-    run->particle_steps += (double)s->total;
+    run->record.particle_steps += (double)s->total;
     if (s->step % POSITIONS_EVERY == 0)
         guards_check_positions(s);
     if (guards_energy_due(s, s->step))
@@ -134,130 +132,12 @@ static bool steps(struct run *run, struct error *error) {
         if (s->signals.error || (s->alone && s->error.kind != ERROR_NONE))
             return false;
         if (stopping) {
-            run->stopped = run_signal ? run_signal : SIGTERM;
+            run->record.stopped = run_signal ? run_signal : SIGTERM;
             return true;
         }
         stopping = s->signals.stop;
     }
     return true;
-}
-
-static void report_levels(const struct simulation *s, struct report *report) {
-    struct index_description description;
-    index_describe(s->index, &description);
-    report->levels = description.levels < REPORT_LEVELS_MAX ? description.levels : REPORT_LEVELS_MAX;
-    snprintf(report->choice, sizeof report->choice, "%s", description.choice);
-    snprintf(report->choice_why, sizeof report->choice_why, "%s", description.why);
-    report->choices = description.choices;
-    double seconds[2] = {description.predicted, tune_measured(s)};
-    comm_max(s->comm, seconds, 2);
-    report->choice_predicted = seconds[0];
-    report->choice_measured = seconds[1];
-    for (int l = 0; l < report->levels; l++) {
-        const struct index_level *level = &description.level[l];
-        int64_t counts[2] = {(int64_t)level->cells, (int64_t)level->particles};
-        comm_sum_int(s->comm, counts, 2);
-        report->level[l] = (struct report_level){.cell = level->cell,
-                                                 .cells = (uint64_t)counts[0],
-                                                 .particles = (uint64_t)counts[1],
-                                                 .radius_min = level->radius_min,
-                                                 .radius_max = level->radius_max};
-    }
-}
-
-/* Pairs by sides, as contacts: with newton off one that crosses ranks is in the lists of both. */
-static int64_t pair_sides(const struct pairlist *list) {
-    size_t sides = 0;
-    for (int b = 0; b < list->block_count; b++) {
-        const struct pair_block *block = &list->blocks[b];
-        size_t one = block->slotted - block->one_sided;
-        sides += 2 * (block->end_pair - block->first_pair) - one;
-    }
-    return (int64_t)sides;
-}
-
-/* How copies spread, and why. */
-static void report_sync(const struct simulation *s, const struct ghosts_counts *ghosts,
-                        struct report *report) {
-    static const char *const asked[] = {
-        [GHOSTS_AUTO] = "auto: ", [GHOSTS_NEIGHBOURS] = "", [GHOSTS_SHADOW] = "shadow: "};
-    double farthest[2] = {ghosts->reach, -ghosts->clearance};
-    comm_max(s->comm, farthest, 2);
-    const char *words = asked[s->scene->ghosts.sync];
-    if (s->alone)
-        snprintf(report->sync, sizeof report->sync, "%sone rank, no copies", words);
-    else if (ghosts->rounds <= 1)
-        snprintf(report->sync, sizeof report->sync,
-                 "%sneighbours (no particle must be known beyond them: what is no neighbour is %.4g away)",
-                 words, -farthest[1]);
-    else
-        snprintf(report->sync, sizeof report->sync,
-                 "%sshadow (a particle must be known up to %.4g away; what is no neighbour begins at %.4g), "
-                 "%d rounds",
-                 words, farthest[0], -farthest[1], ghosts->rounds);
-}
-
-static void report_classes(const struct simulation *s, const struct ghosts_counts *ghosts,
-                           struct report *report) {
-    int64_t sums[2 * CLASS_MAX];
-    report->classes = s->classes.count;
-    for (int c = 0; c < CLASS_MAX; c++) {
-        sums[c] = (int64_t)ghosts->ghosts_class[c];
-        sums[CLASS_MAX + c] = (int64_t)ghosts->bytes_class[c];
-    }
-    comm_sum_int(s->comm, sums, 2 * CLASS_MAX);
-    for (int c = 0; c < report->classes; c++)
-        report->size_class[c] = (struct report_class){.radius_min = s->classes.radius_min[c],
-                                                      .radius_max = s->classes.radius_max[c],
-                                                      .particles = s->classes.population[c],
-                                                      .ghosts = (uint64_t)sums[c],
-                                                      .bytes = (uint64_t)sums[CLASS_MAX + c]};
-}
-
-static void report_fill(const struct run *run, double setup, struct report *report) {
-    const struct simulation *s = run->s;
-    struct ghosts_counts ghosts;
-    ghosts_count(s->ghosts, &ghosts);
-    int64_t sums[3] = {pair_sides(s->list), (int64_t)s->sums.contact_sides, (int64_t)memory_peak()};
-    comm_sum_int(s->comm, sums, 3);
-    report->steps = s->step - run->first;
-    report->particle_steps = run->particle_steps;
-    report->step_last = s->step;
-    report->time = s->time;
-    report->dt = s->dt;
-    report->particles = s->total;
-    report->ranks = s->comm->size;
-    report->threads = s->threads;
-    report->newton = s->scene->ghosts.newton;
-    report->reproducible = s->scene->reproducible;
-    snprintf(report->index, sizeof report->index, "%s", s->scene->index.name);
-    snprintf(report->law, sizeof report->law, "%s", s->law.options.normal == LAW_HERTZ ? "hertz" : "hooke");
-    snprintf(report->integrator, sizeof report->integrator, "%s", s->scene->integrator);
-    report_levels(s, report);
-    report_sync(s, &ghosts, report);
-    report_classes(s, &ghosts, report);
-    snprintf(report->domain, sizeof report->domain, "%s", domain_bisects(s->domain) ? "bisection" : "brick");
-    report->divisions = s->load.divisions;
-    report->pairs = (uint64_t)sums[0] / 2;
-    report->contacts = (uint64_t)sums[1] / 2;
-    report->rebuilds = s->skin->rebuilds > 0 ? s->skin->rebuilds - 1 : 0;
-    report->dangerous_rebuilds = s->skin->dangerous;
-    report->bytes_per_particle = s->total ? (double)sums[2] / (double)s->total : 0;
-    report->inserted = s->inserted;
-    report->deleted = s->deleted;
-    report->seed = s->scene->seed;
-    report->dimensionless = s->scene->units == SCENE_UNITS_NONE;
-    if (run->stopped)
-        snprintf(report->stopped, sizeof report->stopped, "signal %d", run->stopped);
-    struct report_mine mine = {.timers = &s->timers,
-                               .ghosts = ghosts.ghosts,
-                               .messages = ghosts.messages - run->before.messages,
-                               .bytes = ghosts.bytes - run->before.bytes,
-                               .work = load_seconds(s),
-                               .waiting = load_waiting(s),
-                               .seconds = timer_now() - run->began,
-                               .seconds_setup = setup};
-    report_gather(report, s->comm, &mine);
 }
 
 static bool report_out(const struct run *run, const struct report *report, struct error *error) {
@@ -311,16 +191,16 @@ static bool watch_begin(const struct run *run, struct error *error) {
 static void run_loop(struct run *run, struct error *error) {
     struct simulation *s = run->s;
     struct progress_options progress = s->scene->output.progress;
-    run->first = s->step;
+    run->record.first = s->step;
     run->last = last_step(s);
-    ghosts_count(s->ghosts, &run->before);
+    ghosts_count(s->ghosts, &run->record.before);
     s->load.seconds = 0;
     memset(&s->timers, 0, sizeof s->timers);
     timer_start(&s->timers, TIMER_OTHER);
-    run->began = run->checkpoint_last = timer_now();
+    run->record.began = run->checkpoint_last = timer_now();
     if (run->options->quiet || s->comm->rank != 0)
         progress.mode = PROGRESS_OFF;
-    progress_start(&run->progress, &progress, stderr, run->first, run->last);
+    progress_start(&run->progress, &progress, stderr, run->record.first, run->last);
     steps(run, error);
     progress_finish(&run->progress);
     timer_stop(&s->timers, TIMER_OTHER);
@@ -349,10 +229,10 @@ int run_scene(const struct comm *comm, const struct scene *scene, const struct r
                                      .material = scene->material};
     signals_catch();
     if (run_open(&run, error) && watch_begin(&run, error)) {
-        double setup = timer_now() - start;
+        run.record.setup = timer_now() - start;
         run_loop(&run, error);
         report_create(&own, comm->size);
-        report_fill(&run, setup, &own);
+        run_report_fill(run.s, &run.record, &own);
         outputs_close(&run.outputs, comm, error);
         struct error unwritten = {0};
         if (!report_out(&run, &own, &unwritten) && error->kind == ERROR_NONE)
@@ -367,5 +247,5 @@ int run_scene(const struct comm *comm, const struct scene *scene, const struct r
     folder_unlock(&run.lock);
     simulation_destroy(&run.s);
     memory_free(echo);
-    return error->kind != ERROR_NONE ? (int)error->kind : run.stopped ? 128 + run.stopped : 0;
+    return error->kind != ERROR_NONE ? (int)error->kind : run.record.stopped ? 128 + run.record.stopped : 0;
 }

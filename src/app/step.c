@@ -18,7 +18,8 @@
  *     servo, walls
  *     early      (several ranks) what others look at moves (pairs/sweep.h); values leave for the copies
  *     sweep      (one rank: early particles,) block by block: late ones move, then the block's forces
- *     copies     values arrive; forces of pairs with copies; meanwhile the ranks agree on bounds
+ *     receive    values arrive; meanwhile the ranks agree on bounds
+ *     copies     forces of pairs with copies
  *     verify     did a particle leave its skin after all? Then forces are made anew after a rebuild
  *     wall, finish, reverse
  *
@@ -203,10 +204,13 @@ static void sweep_run(struct simulation *s) {
     agree_begin(s);
 }
 
-static void copies_run(struct simulation *s) {
-    const struct pairlist *list = s->list;
+static void receive_run(struct simulation *s) {
     ghosts_forward_end(s->ghosts, s->particles);
     copies_clear(s);
+}
+
+static void copies_run(struct simulation *s) {
+    const struct pairlist *list = s->list;
 #pragma omp parallel num_threads(s->threads)
     {
         int t = omp_get_thread_num();
@@ -298,7 +302,8 @@ static const struct step_pass fused_passes[] = {
     {"walls", "walls that move", TIMER_WALL, needs_motion, walls_run},
     {"early", "several ranks", TIMER_ADVANCE, needs_copies, early_run},
     {"sweep", NULL, TIMER_SWEEP, NULL, sweep_run},
-    {"copies", "several ranks", TIMER_COMM, needs_copies, copies_run},
+    {"receive", "several ranks", TIMER_COMM, needs_copies, receive_run},
+    {"copies", "several ranks", TIMER_CONTACT, needs_copies, copies_run},
     {"verify", NULL, TIMER_DECIDE, NULL, verify_run},
     {"wall", "walls", TIMER_WALL, needs_walls, wall_run},
     {"finish", NULL, TIMER_CONTACT, NULL, finish_run},
