@@ -126,7 +126,8 @@ static inline bool rig_make(struct rig *rig, const struct law *law, struct layou
                                           .list = &rig->list,
                                           .history = rig->history,
                                           .law = law,
-                                          .want_sums = true};
+                                          .want_sums = true,
+                                          .want_virial = true};
     force_loop_prepare(rig->loop, &rig->context);
     return true;
 }

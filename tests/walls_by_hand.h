@@ -129,7 +129,8 @@ static inline void world_rebuild(struct world *w, const uint32_t *order) {
 static inline void world_forces(struct world *w, double dt) {
     struct particles *p = w->particles;
     size_t n = p->owned, stride = (size_t)p->force_stride;
-    w->context = (struct force_context){.particles = p, .law = &w->law, .dt = dt, .want_sums = true};
+    w->context = (struct force_context){
+        .particles = p, .law = &w->law, .dt = dt, .want_sums = true, .want_virial = true};
     if (n > 0)
         memset(p->force, 0, n * stride * sizeof *p->force);
     for (int t = 0; t < w->threads; t++) /* blocks of threads in any order, two a thread */

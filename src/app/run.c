@@ -99,8 +99,8 @@ static bool step_once(struct run *run, struct error *error) {
     const struct run_watch *watch = run->options->watch;
     bool watched = watch && watch->due(watch->context, s->step + 1);
     signals_ask(run);
-    s->contact.want_sums =
-        s->sums_each_step || watched || (run->outputs && outputs_want_sums(run->outputs, s, s->step + 1));
+    s->contact.want_virial = watched || (run->outputs && outputs_want_sums(run->outputs, s, s->step + 1));
+    s->contact.want_sums = s->contact.want_virial || s->sums_each_step;
     step_run(s, rebuild);
     run->record.particle_steps += (double)s->total;
     if (s->step % POSITIONS_EVERY == 0)

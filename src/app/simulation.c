@@ -218,15 +218,15 @@ static void parts_create(struct simulation *s) {
                                         .list = s->list,
                                         .history = s->history,
                                         .law = &s->law,
-                                        .ordered = s->scene->reproducible,
-                                        .overlap_bound = s->scene->guards.overlap_bound};
+                                        .ordered = s->scene->reproducible};
 }
 
 /* The vector instructions that the scene asks for. */
 static bool simd_choose(const struct simulation *s, struct error *error) {
     char place[SCENE_PATH_MAX];
     const char *wanted = scene_simd_name(s->scene->simd);
-    if (s->scene->simd == SCENE_SIMD_AUTO || force_loop_choose(s->loop, wanted))
+    if (s->scene->simd == SCENE_SIMD_AUTO ||
+        (force_loop_choose(s->loop, wanted) && (s->walls == NULL || walls_choose(s->walls, wanted))))
         return true;
     return error_set(error, ERROR_USER,
                      "%s: simd: %s is not what this program and CPU have; the widest is %s",
@@ -282,7 +282,7 @@ static bool index_suits(struct simulation *s, struct error *error) {
 static void run_begin(struct simulation *s) {
     struct rebuild_rows rows = {0};
     rebuild_from_rows(s, &rows);
-    s->contact.want_sums = true;
+    s->contact.want_sums = s->contact.want_virial = true;
     step_forces(s);
     s->taken = 0;
 #pragma omp parallel for schedule(static)
@@ -295,7 +295,8 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
     unsigned features = scene_features(s->scene, &s->law);
     s->particles = particles_create(features, 0);
     parts_create(s);
-    if (!simd_choose(s, error))
+    simd_choose(s, error);
+    if (!comm_agree(s->comm, error)) /* ranks may have different CPUs */
         return false;
     struct rebuild_rows rows = {0};
     bool good = resume ? resume_read(s, resume, &rows, error) : particles_make(s, error);
@@ -308,7 +309,8 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
     if (!simulation_classify(s, error) || !box_suffices(s, error) || !timing_choose(s, error))
         return false;
     particles_classify(s->particles, &s->classes);
-    if (!index_suits(s, error))
+    index_suits(s, error);
+    if (!comm_agree(s->comm, error)) /* each rank looks at its own particles */
         return false;
     if (resume)
         resume_begin(s, &rows);

@@ -14,36 +14,9 @@ struct force_loop {
     struct force_ordered *ordered; /* NULL: forces are added at once */
 };
 
-/* True if this CPU runs the kernel. */
-static bool force_kernel_runs(const struct force_kernel *kernel) {
-#ifdef FORCE_X86_KERNELS
-    if (kernel == &force_kernel_v4)
-        return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-               __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
-               __builtin_cpu_supports("avx512vl") && force_kernel_runs(&force_kernel_v3);
-    if (kernel == &force_kernel_v3)
-        return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-               __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
-#endif
-    return kernel == &force_kernel_baseline;
-}
-
-/* Kernel number k, best first, or NULL. */
-static const struct force_kernel *force_kernel_get(int k) {
-    static const struct force_kernel *const kernels[] = {
-#ifdef FORCE_X86_KERNELS
-        &force_kernel_v4, &force_kernel_v3,
-#endif
-        &force_kernel_baseline, NULL};
-    return kernels[k];
-}
-
 struct force_loop *force_loop_create(int threads) {
     struct force_loop *loop = memory_allocate_zero(1, sizeof *loop, "force loop");
-    int k = 0;
-    while (!force_kernel_runs(force_kernel_get(k)))
-        k++;
-    loop->kernel = force_kernel_get(k);
+    loop->kernel = force_kernel_find(NULL);
     loop->threads = threads;
     loop->thread = memory_allocate_zero((size_t)threads, sizeof *loop->thread, "force loop");
     for (int t = 0; t < threads; t++)
@@ -74,12 +47,10 @@ const char *force_loop_kernel(const struct force_loop *loop) {
 }
 
 bool force_loop_choose(struct force_loop *loop, const char *kernel) {
-    for (int k = 0; force_kernel_get(k); k++)
-        if (strcmp(force_kernel_get(k)->name, kernel) == 0 && force_kernel_runs(force_kernel_get(k))) {
-            loop->kernel = force_kernel_get(k);
-            return true;
-        }
-    return false;
+    const struct force_kernel *found = force_kernel_find(kernel);
+    if (found)
+        loop->kernel = found;
+    return found != NULL;
 }
 
 /* Ready for the first block: nothing summed, nothing remembered, old records from the start. */

@@ -36,10 +36,10 @@ struct force_context {
     const struct pairlist *list;
     struct history *history; /* NULL where the law has none */
     const struct law *law;
-    double dt;            /* by which histories advance; 0 in the first evaluation of a run (they stay) */
-    bool want_sums;       /* fill sums.* beyond contacts and overlap_max (observables due) */
-    bool ordered;         /* forces are summed in an order that no layout changes (force_ordered.h) */
-    double overlap_bound; /* guard: largest overlap / smaller radius allowed; overlap_max is always found */
+    double dt;        /* by which histories advance; 0 in the first evaluation of a run (they stay) */
+    bool want_sums;   /* fill the energies of the sums; contacts and overlap_max always are */
+    bool want_virial; /* and the virial; only with want_sums */
+    bool ordered;     /* forces are summed in an order that no layout changes (force_ordered.h) */
 };
 
 /* A force loop's own memory (slots, batches of each thread), and which compiled kernel it runs: that of the

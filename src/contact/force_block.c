@@ -1,5 +1,6 @@
 /* One block of the pair list through the force loop: filter, gather, physics, scatter (force_kernel.h).
  * Compiled once for each instruction set, under the name that FORCE_KERNEL gives. */
+#include "contact/force_account.h"
 #include "contact/force_kernel.h"
 #include "contact/force_physics.h"
 #include <string.h>
@@ -91,13 +92,29 @@ static inline void force_gather(const struct force_view view, struct force_threa
     b->padded = (count + FORCE_LANES - 1) / FORCE_LANES * FORCE_LANES;
 }
 
-/* Finds the old springs of the batch's contacts: both run in the order of the pairs. */
+/* The springs of the batch where each of its contacts has one: records lie side by side. */
+static inline void force_recall_run(struct force_batch *restrict b, const double *restrict value,
+                                    int components) {
+    int count = b->count;
+    for (int k = 0; k < count; k++)
+        for (int c = 0; c < components; c++)
+            b->spring[c][k] = value[k * components + c];
+}
+
+/* Finds the old springs of the batch's contacts: both run in the order of the pairs. Most often no contact
+ * has come or gone. */
 static inline void force_recall(const struct history_part old, struct force_thread *restrict thread,
                                 int components) {
     struct force_batch *restrict b = &thread->batch;
-    size_t cursor = thread->cursor;
-    int count = b->count;
-    for (int k = 0; k < count; k++) {
+    size_t cursor = thread->cursor, count = (size_t)b->count;
+    while (cursor < old.count && old.pair[cursor] < b->pair[0])
+        cursor++;
+    if (cursor + count <= old.count && memcmp(old.pair + cursor, b->pair, count * sizeof *b->pair) == 0) {
+        force_recall_run(b, old.value + cursor * (size_t)components, components);
+        thread->cursor = cursor + count;
+        return;
+    }
+    for (size_t k = 0; k < count; k++) {
         uint32_t pair = b->pair[k];
         while (cursor < old.count && old.pair[cursor] < pair)
             cursor++;
@@ -194,20 +211,6 @@ static inline void force_add(double *record, const struct force_batch *restrict 
     sum[1] += torque;
 }
 
-/* How many of the batch's contacts, which run in the order of pairs, lie before pair `end` of the list. */
-static inline int force_before(const struct force_task *task, size_t end) {
-    const struct force_batch *b = &task->thread->batch;
-    int low = 0, high = b->count;
-    while (low < high) {
-        int middle = (low + high) / 2;
-        if (b->pair[middle] + task->pair_base < end)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
 /* Writes down what contact k gives to i (side 0) or j (side 1), as entry `at`. */
 static inline __attribute__((always_inline)) void force_enter(const struct force_task *task,
                                                               const struct force_ledger ledger, size_t at,
@@ -268,49 +271,14 @@ static inline void force_scatter(const struct force_task *task, int components) 
         force_add(slots + (size_t)slot_of[b->j[k]] * stride, b, k, 1, components);
 }
 
-/* The largest overlap so far, relative to the smaller radius, and whose. */
-static inline void force_watch(const struct force_task *task) {
-    const struct force_batch *restrict b = &task->thread->batch;
-    struct force_sums *sums = &task->thread->sums;
-    double largest = sums->overlap_max;
-    int above = 0;
-#pragma omp simd reduction(| : above)
-    for (int k = 0; k < b->padded; k++)
-        above |=
-            b->overlap[k] > largest * (b->radius[0][k] < b->radius[1][k] ? b->radius[0][k] : b->radius[1][k]);
-    for (int k = 0; above && k < b->count; k++) {
-        double relative = b->overlap[k] / fmin(b->radius[0][k], b->radius[1][k]);
-        if (relative <= sums->overlap_max)
-            continue;
-        sums->overlap_max = relative;
-        sums->overlap_id[0] = task->context->particles->id[b->i[k]];
-        sums->overlap_id[1] = task->context->particles->id[b->j[k]];
-    }
-}
-
-/* Energies and virial of the batch; a one-sided pair counts half. */
-static void force_account(const struct force_task *task) {
-    const struct force_batch *b = &task->thread->batch;
-    struct force_sums *sums = &task->thread->sums;
-    int both = force_before(task, task->block->one_sided), one = force_before(task, task->block->slotted);
-    for (int k = 0; k < b->count; k++) {
-        double weight = k >= both && k < one ? 0.5 : 1.0;
-        const double *d = b->record[k], *f = b->share[k];
-        sums->elastic_normal += weight * b->energy[0][k];
-        sums->elastic_tangential += weight * b->energy[1][k];
-        sums->taken += weight * b->energy[2][k];
-        sums->virial[0] += weight * d[0] * f[0];
-        sums->virial[1] += weight * d[1] * f[1];
-        sums->virial[2] += weight * d[2] * f[2];
-        sums->virial[3] += weight * 0.5 * (d[0] * f[1] + d[1] * f[0]);
-        sums->virial[4] += weight * 0.5 * (d[0] * f[2] + d[2] * f[0]);
-        sums->virial[5] += weight * 0.5 * (d[1] * f[2] + d[2] * f[1]);
-    }
-}
+/* The loops that this law needs. */
+struct force_phases {
+    force_physics *measure, *respond;
+};
 
 /* Takes the first `count` candidates through gather, physics and scatter. */
 static inline void force_flush(const struct force_task *task, const struct force_view view,
-                               force_physics *physics, int count, int components) {
+                               const struct force_phases *phases, int count, int components) {
     struct force_thread *thread = task->thread;
     force_gather(view, thread, count, (uint32_t)(task->block->first_pair - task->pair_base));
     if (components)
@@ -318,13 +286,13 @@ static inline void force_flush(const struct force_task *task, const struct force
     if (!task->context->law->uniform)
         force_mix(task);
     force_pad(&thread->batch);
-    physics(&thread->batch, &task->step);
+    phases->measure(&thread->batch, task->step);
+    phases->respond(&thread->batch, task->step);
     force_scatter(task, components);
     if (components)
         force_remember(task->new, &thread->batch, components);
     force_watch(task);
-    if (task->energies)
-        force_account(task);
+    force_sum(task);
     thread->candidates -= (size_t)count;
     memmove(thread->candidate, thread->candidate + count, thread->candidates * sizeof thread->candidate[0]);
 }
@@ -333,16 +301,18 @@ static inline void force_flush(const struct force_task *task, const struct force
 static inline __attribute__((always_inline)) void force_sweep(const struct force_task *task, int components) {
     const struct force_view view = force_view_of(task);
     struct force_thread *thread = task->thread;
-    force_physics *physics = force_physics_find(&task->context->law->options, task->energies);
+    const struct law_options *options = &task->context->law->options;
+    const struct force_phases phases = {force_measure_find(options),
+                                        force_respond_find(options, task->energies)};
     size_t pairs = task->block->end_pair - task->block->first_pair;
     thread->candidates = 0;
     for (size_t first = 0; first < pairs; first += FORCE_CHUNK) {
         force_filter(view, thread, first, first + FORCE_CHUNK < pairs ? first + FORCE_CHUNK : pairs);
         while (thread->candidates >= FORCE_BATCH)
-            force_flush(task, view, physics, FORCE_BATCH, components);
+            force_flush(task, view, &phases, FORCE_BATCH, components);
     }
     if (thread->candidates > 0)
-        force_flush(task, view, physics, (int)thread->candidates, components);
+        force_flush(task, view, &phases, (int)thread->candidates, components);
 }
 
 static void force_block(const struct force_task *task) {
@@ -357,4 +327,10 @@ static void force_block(const struct force_task *task) {
         force_sweep(task, 0);
 }
 
-const struct force_kernel FORCE_KERNEL = {FORCE_KERNEL_NAME, force_block};
+static void force_answer(const struct law_options *options, bool energies, struct force_batch *batch,
+                         struct law_step step) {
+    batch->padded = (batch->count + FORCE_LANES - 1) / FORCE_LANES * FORCE_LANES;
+    force_respond_find(options, energies)(batch, step);
+}
+
+const struct force_kernel FORCE_KERNEL = {FORCE_KERNEL_NAME, force_block, force_answer};

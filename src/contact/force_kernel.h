@@ -1,5 +1,5 @@
-/* Inside of the force loop: what force.c hands to the compiled kernels, and a batch of contacts. Nobody else
- * includes this.
+/* Inside of the force loop: what force.c hands to the compiled kernels, and a batch of contacts. The walls
+ * use batches and `respond` for their contacts (walls_force.c). Nobody else includes this.
  *
  * force_block.c is compiled several times, for several instruction sets, and the best one that the CPU has is
  * chosen at run time. All give the same bits: no sum depends on the vector length, and nothing is contracted
@@ -14,7 +14,8 @@
  *
  *   gather   the records of the two particles, their difference written to the batch
  *   recall   old springs, found by the merge pointer
- *   physics  two vectorised loops, specialised for the law: geometry, law_respond
+ *   measure  a vectorised loop, specialised for the law: geometry
+ *   respond  another: law_respond
  *   scatter  forces to i, and to j or its slot, by segment
  *   remember springs to the other history buffer
  *
@@ -30,8 +31,8 @@
 /* FORCE_AHEAD: how many pairs ahead partners are fetched; lists are padded by more than that. */
 enum { FORCE_CHUNK = 512, FORCE_BATCH = 64, FORCE_LANES = 8, FORCE_AHEAD = 16 };
 
-/* Contacts on their way through the phases. Entry k of each array belongs to contact k; the entries up to the
- * next multiple of FORCE_LANES repeat the last contact. */
+/* Contacts on their way through the phases. Entry k of each array belongs to contact k; the loops run to the
+ * next multiple of FORCE_LANES: what lies there repeats the last contact, or is left from earlier ones. */
 struct force_batch {
     double record[FORCE_BATCH][8];      /* x_j - x_i, v_j - v_i, r_i + r_j, 1/m_i + 1/m_j */
     double omega[FORCE_BATCH][8];       /* omega_i 0 omega_j 0 */
@@ -57,7 +58,7 @@ struct force_batch {
     int count, padded;
 };
 
-typedef void force_physics(struct force_batch *batch, const struct law_step *step);
+typedef void force_physics(struct force_batch *batch, struct law_step step);
 
 /* A thread's own memory. */
 struct force_thread {
@@ -87,7 +88,14 @@ struct force_task {
 struct force_kernel {
     const char *name;                             /* the instruction set */
     void (*block)(const struct force_task *task); /* computes a block */
+    /* The law alone over the first `count` contacts of a batch whose overlap ... spring are filled in, for
+     * contacts that are no pairs: fills force ... energy. */
+    void (*respond)(const struct law_options *options, bool energies, struct force_batch *batch,
+                    struct law_step step);
 };
+
+/* The kernel of that name, or with NULL the best one; NULL if there is none or this CPU cannot run it. */
+const struct force_kernel *force_kernel_find(const char *name);
 
 extern const struct force_kernel force_kernel_baseline;
 #ifdef FORCE_X86_KERNELS

@@ -88,51 +88,65 @@ LAW_INLINE void force_respond(struct law_case law, struct force_batch *b, int k,
 /* Two loops, as one is so long that a processor cannot begin a contact before the last has waited for all its
  * roots and divisions. Their bodies are functions, as variables inside of an `omp simd` loop would become
  * arrays. */
-LAW_INLINE void force_physics_of(struct law_case law, struct force_batch *restrict b, struct law_step step) {
+LAW_INLINE void force_measure_all(struct law_case law, struct force_batch *restrict b, struct law_step step) {
     int count = b->padded;
 #pragma omp simd
     for (int k = 0; k < count; k++)
         force_measure(law, b, k, step);
+}
+
+LAW_INLINE void force_respond_all(struct law_case law, struct force_batch *restrict b, struct law_step step) {
+    int count = b->padded;
 #pragma omp simd
     for (int k = 0; k < count; k++)
         force_respond(law, b, k, step);
 }
 
-/* The specialisations: force_physics_table[normal and damper][friction][energies]. */
-#define FORCE_PHYSICS(name, ...)                                                                             \
-    static void name##_plain(struct force_batch *b, const struct law_step *step) {                           \
-        force_physics_of((struct law_case){__VA_ARGS__}, b, *step);                                          \
-    }                                                                                                        \
-    static void name##_energies(struct force_batch *b, const struct law_step *step) {                        \
-        force_physics_of((struct law_case){__VA_ARGS__, .energies = true}, b, *step);                        \
+/* The specialisations: of the geometry force_measure_table[hertz][friction], of the law
+ * force_respond_table[normal and damper][friction][energies]. */
+#define FORCE_PHYSICS(phase, name, ...)                                                                      \
+    static void name(struct force_batch *b, struct law_step step) {                                          \
+        phase((struct law_case){__VA_ARGS__}, b, step);                                                      \
     }
-#define FORCE_PHYSICS_FAMILY(name, ...)                                                                      \
-    FORCE_PHYSICS(name##_smooth, __VA_ARGS__)                                                                \
-    FORCE_PHYSICS(name##_rough, __VA_ARGS__, .friction = true)                                               \
-    FORCE_PHYSICS(name##_rough_half, __VA_ARGS__, .friction = true, .synchronised = true)                    \
-    FORCE_PHYSICS(name##_rolling, __VA_ARGS__, .friction = true, .rolling = true)                            \
-    FORCE_PHYSICS(name##_rolling_half, __VA_ARGS__, .friction = true, .rolling = true, .synchronised = true)
+#define FORCE_PHYSICS_FAMILY(phase, name, ...)                                                               \
+    FORCE_PHYSICS(phase, name##_smooth, __VA_ARGS__)                                                         \
+    FORCE_PHYSICS(phase, name##_rough, __VA_ARGS__, .friction = true)                                        \
+    FORCE_PHYSICS(phase, name##_rough_half, __VA_ARGS__, .friction = true, .synchronised = true)             \
+    FORCE_PHYSICS(phase, name##_rolling, __VA_ARGS__, .friction = true, .rolling = true)                     \
+    FORCE_PHYSICS(phase, name##_rolling_half, __VA_ARGS__, .friction = true, .rolling = true,                \
+                  .synchronised = true)
 #define FORCE_PHYSICS_ROW(name)                                                                              \
-    {                                                                                                        \
-        {name##_smooth_plain, name##_smooth_energies}, {name##_rough_plain, name##_rough_energies},          \
-            {name##_rough_half_plain, name##_rough_half_energies},                                           \
-            {name##_rolling_plain, name##_rolling_energies}, {                                               \
-            name##_rolling_half_plain, name##_rolling_half_energies                                          \
-        }                                                                                                    \
-    }
+    { name##_smooth, name##_rough, name##_rough_half, name##_rolling, name##_rolling_half }
 
-FORCE_PHYSICS_FAMILY(force_given, .coefficient = true)
-FORCE_PHYSICS_FAMILY(force_hooke, .coefficient = false)
-FORCE_PHYSICS_FAMILY(force_hertz, .hertz = true)
+FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_hooke, .hertz = false)
+FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_hertz, .hertz = true)
+FORCE_PHYSICS_FAMILY(force_respond_all, force_given, .coefficient = true)
+FORCE_PHYSICS_FAMILY(force_respond_all, force_given_energies, .coefficient = true, .energies = true)
+FORCE_PHYSICS_FAMILY(force_respond_all, force_hooke, .coefficient = false)
+FORCE_PHYSICS_FAMILY(force_respond_all, force_hooke_energies, .coefficient = false, .energies = true)
+FORCE_PHYSICS_FAMILY(force_respond_all, force_hertz, .hertz = true)
+FORCE_PHYSICS_FAMILY(force_respond_all, force_hertz_energies, .hertz = true, .energies = true)
 
-static force_physics *const force_physics_table[3][5][2] = {
-    FORCE_PHYSICS_ROW(force_given), FORCE_PHYSICS_ROW(force_hooke), FORCE_PHYSICS_ROW(force_hertz)};
+static force_physics *const force_measure_table[2][5] = {FORCE_PHYSICS_ROW(force_measure_hooke),
+                                                         FORCE_PHYSICS_ROW(force_measure_hertz)};
+static force_physics *const force_respond_table[3][2][5] = {
+    {FORCE_PHYSICS_ROW(force_given), FORCE_PHYSICS_ROW(force_given_energies)},
+    {FORCE_PHYSICS_ROW(force_hooke), FORCE_PHYSICS_ROW(force_hooke_energies)},
+    {FORCE_PHYSICS_ROW(force_hertz), FORCE_PHYSICS_ROW(force_hertz_energies)}};
 
-static inline force_physics *force_physics_find(const struct law_options *options, bool energies) {
+static inline int force_friction_of(struct law_case law) {
+    return !law.friction ? 0 : 1 + 2 * law.rolling + law.synchronised;
+}
+
+static inline force_physics *force_measure_find(const struct law_options *options) {
+    struct law_case law = law_case_of(options, false);
+    return force_measure_table[law.hertz][force_friction_of(law)];
+}
+
+static inline force_physics *force_respond_find(const struct law_options *options, bool energies) {
     struct law_case law = law_case_of(options, energies);
     int normal = law.hertz ? 2 : law.coefficient ? 0 : 1;
-    int friction = !law.friction ? 0 : 1 + 2 * law.rolling + law.synchronised;
-    return force_physics_table[normal][friction][energies];
+    return force_respond_table[normal][energies][force_friction_of(law)];
 }
 
 #endif

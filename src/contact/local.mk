@@ -2,8 +2,10 @@ noinst_LTLIBRARIES += libcontact.la
 libcontact_la_SOURCES = \
 	src/contact/force.c \
 	src/contact/force.h \
+	src/contact/force_account.h \
 	src/contact/force_contacts.c \
 	src/contact/force_kernel.h \
+	src/contact/force_kernels.c \
 	src/contact/force_ordered.c \
 	src/contact/force_ordered.h \
 	src/contact/force_physics.h \

@@ -104,6 +104,10 @@ bool walls_create(struct walls **walls, const struct wall_options *options, int 
                   const struct box *box, int threads, struct error *error, FILE *notes);
 void walls_destroy(struct walls **walls);
 
+/* Takes another compiled kernel for the law than the best, as force_loop_choose does. All give the same bits.
+ */
+bool walls_choose(struct walls *walls, const char *kernel);
+
 int walls_count(const struct walls *walls);
 const struct wall_options *walls_options(const struct walls *walls, int wall);
 

@@ -97,6 +97,8 @@ static void scratch_create(struct walls *walls) {
     walls->scratch = memory_allocate_zero((size_t)walls->threads, sizeof *walls->scratch, "walls");
     for (int t = 0; t < walls->threads; t++) {
         walls->scratch[t] = memory_allocate_zero(1, sizeof *walls->scratch[t], "walls");
+        walls->scratch[t]->batch =
+            memory_allocate_zero(1, sizeof *walls->scratch[t]->batch, "contacts with walls");
         walls->scratch[t]->force =
             memory_allocate_zero((size_t)walls->count, sizeof *walls->force, "forces on walls");
     }
@@ -109,6 +111,7 @@ bool walls_create(struct walls **walls, const struct wall_options *options, int 
     w->count = count;
     w->threads = threads;
     w->law = law;
+    w->kernel = force_kernel_find(NULL);
     w->box = *box;
     box_image_shifts(box, w->shift);
     w->wall = memory_allocate_zero((size_t)count, sizeof *w->wall, "walls");
@@ -121,6 +124,13 @@ bool walls_create(struct walls **walls, const struct wall_options *options, int 
             return false;
         }
     return true;
+}
+
+bool walls_choose(struct walls *walls, const char *kernel) {
+    const struct force_kernel *found = force_kernel_find(kernel);
+    if (found)
+        walls->kernel = found;
+    return found != NULL;
 }
 
 void walls_destroy(struct walls **walls) {

@@ -1,4 +1,5 @@
-/* Forces of the walls on the particles: one sphere and its contacts at a time, by the law of the pairs. */
+/* Forces of the walls on the particles: contacts are found one sphere at a time, collected, and taken through
+ * the law of the pairs in batches. */
 #include "contact/walls_parts.h"
 #include "core/memory.h"
 #include <string.h>
@@ -12,71 +13,91 @@ struct wall_task {
     struct law_step step;
     size_t candidate; /* its number */
     size_t particle;
-};
-
-/* A contact as the law took it. */
-struct wall_contact {
-    struct law_contact in;
-    struct law_response out;
-    struct law_vector at; /* the contact point, in the wall's image */
-    double lever;
+    struct force_contact *list; /* where contacts are only listed; else NULL: they act */
+    size_t listed;
 };
 
 static struct law_vector spring_at(const double *value) {
     return value ? wall_vector(value) : (struct law_vector){0.0, 0.0, 0.0};
 }
 
-/* The springs that a contact goes on with, turned where they come from another feature. */
-static void recall_springs(const struct wall_task *task, int w, const struct wall_touch *touch, int32_t from,
-                           struct law_vector x, struct law_contact *in) {
-    if (from < 0)
-        return;
-    const struct walls *walls = task->walls;
-    const struct wall_records *old = &walls->records[walls->now];
-    size_t record = walls->first[task->candidate] + (size_t)from;
-    const double *value = old->value + record * (size_t)walls->law->history_components;
-    in->spring = spring_at(value);
-    if (task->law.rolling)
-        in->roll = spring_at(value + 3);
-    if (old->key[record].feature == touch->feature)
-        return;
-    double distance;
-    struct law_vector before = walls_toward(&walls->wall[w], old->key[record].feature, x, &distance);
-    in->spring = walls_carry(in->spring, before, touch->normal);
-    in->roll = walls_carry(in->roll, before, touch->normal);
+static void put(double row[3][FORCE_BATCH], int k, struct law_vector v) {
+    row[0][k] = v.x;
+    row[1][k] = v.y;
+    row[2][k] = v.z;
 }
 
-/* Evaluates the contact `touch` of the task's particle with wall w; `from` is its old record. */
-static struct wall_contact evaluate(const struct wall_task *task, int w, const struct wall_touch *touch,
-                                    int32_t from) {
+static struct law_vector get(double row[3][FORCE_BATCH], int k) {
+    return (struct law_vector){row[0][k], row[1][k], row[2][k]};
+}
+
+/* The springs that contact k goes on with, turned where they come from another feature. */
+static void recall_springs(const struct wall_task *task, int w, const struct wall_touch *touch, int32_t from,
+                           struct law_vector x, int k) {
+    const struct walls *walls = task->walls;
+    const struct wall_records *old = &walls->records[walls->now];
+    struct force_batch *b = &task->scratch->batch->contact;
+    struct law_vector none = {0.0, 0.0, 0.0};
+    put(b->spring, k, none);
+    put(b->spring + 3, k, none);
+    if (from < 0)
+        return;
+    size_t record = walls->first[task->candidate] + (size_t)from;
+    const double *value = old->value + record * (size_t)walls->law->history_components;
+    struct law_vector spring = spring_at(value), roll = task->law.rolling ? spring_at(value + 3) : none;
+    if (old->key[record].feature != touch->feature) {
+        double distance;
+        struct law_vector before = walls_toward(&walls->wall[w], old->key[record].feature, x, &distance);
+        spring = walls_carry(spring, before, touch->normal);
+        roll = walls_carry(roll, before, touch->normal);
+    }
+    put(b->spring, k, spring);
+    put(b->spring + 3, k, roll);
+}
+
+/* Coefficients of the particle's and the wall's material. */
+static void set_coefficients(const struct wall_task *task, int w, struct force_batch *b, int k) {
+    int mine = particles_material(task->context->particles, task->particle);
+    const struct law_coefficients *c = &task->context->law->pair[mine][task->walls->wall[w].options.material];
+    b->coefficient[0][k] = c->k_n;
+    b->coefficient[1][k] = c->k_t;
+    b->coefficient[2][k] = c->c_n;
+    b->coefficient[3][k] = c->c_t;
+    b->coefficient[4][k] = c->friction;
+    b->coefficient[5][k] = c->rolling_friction;
+}
+
+/* Puts the contact `touch` of the task's particle with wall w into the batch; `from` is its old record. */
+static void collect(const struct wall_task *task, int w, const struct wall_touch *touch, int32_t from) {
+    struct force_batch *b = &task->scratch->batch->contact;
+    int k = b->count++;
+    struct wall_entry *entry = &task->scratch->batch->entry[k];
     const struct wall *wall = &task->walls->wall[w];
     const struct particles *p = task->context->particles;
     const struct particle_state *state = &p->state[task->particle];
-    const struct law *law = task->context->law;
-    struct wall_contact c = {0};
     struct wall_sphere sphere = {
         .x = law_add(wall_vector(state->x), -1.0, walls_shift(task->walls, w, touch->image)),
         .v = wall_vector(state->v),
         .radius = state->radius};
-    c.in = (struct law_contact){.overlap = state->radius - touch->distance,
-                                .mass = state->inverse_mass > 0.0 ? 1.0 / state->inverse_mass : 0.0,
-                                .radius = state->radius,
-                                .normal = touch->normal,
-                                .coefficients =
-                                    law->pair[particles_material(p, task->particle)][wall->options.material]};
-    c.lever = law_max(law_lever(task->law, state->radius, c.in.overlap), 0.0);
-    c.at = law_add(sphere.x, c.lever, touch->normal);
-    c.in.velocity = law_add(wall_twist_at(&wall->twist, c.at), -1.0, sphere.v);
-    if (task->law.friction) {
-        struct law_vector omega = wall_vector(p->omega[task->particle]);
-        c.in.surface = law_scale(c.lever, omega);
-        c.in.spin = law_add(wall->twist.omega, -1.0, omega);
-        c.in.half_normal =
-            task->law.synchronised ? walls_half_normal(wall, touch, &sphere, task->step.dt) : touch->normal;
-        recall_springs(task, w, touch, from, sphere.x, &c.in);
-    }
-    c.out = law_respond(task->law, task->step, &c.in);
-    return c;
+    double overlap = state->radius - touch->distance;
+    double lever = law_max(law_lever(task->law, state->radius, overlap), 0.0);
+    struct law_vector at = law_add(sphere.x, lever, touch->normal);
+    *entry =
+        (struct wall_entry){task->candidate, task->particle, {w, touch->feature}, at, lever, state->radius};
+    b->overlap[k] = overlap;
+    b->mass[k] = state->inverse_mass > 0.0 ? 1.0 / state->inverse_mass : 0.0;
+    b->effective[k] = state->radius;
+    put(b->normal, k, touch->normal);
+    put(b->velocity, k, law_add(wall_twist_at(&wall->twist, at), -1.0, sphere.v));
+    set_coefficients(task, w, b, k);
+    if (!task->law.friction)
+        return;
+    struct law_vector omega = wall_vector(p->omega[task->particle]);
+    put(b->surface, k, law_scale(lever, omega));
+    put(b->spin, k, law_add(wall->twist.omega, -1.0, omega));
+    put(b->half_normal, k,
+        task->law.synchronised ? walls_half_normal(wall, touch, &sphere, task->step.dt) : touch->normal);
+    recall_springs(task, w, touch, from, sphere.x, k);
 }
 
 static void add_to(double *out, double s, struct law_vector v) {
@@ -91,46 +112,39 @@ static void add_exactly(struct exact *out, struct law_vector v) {
     exact_add(&out[2], v.z);
 }
 
-/* Force and torque on wall w. */
-static void apply_to_wall(const struct wall_task *task, int w, const struct wall_contact *c) {
-    struct law_vector arm = law_add(c->at, -1.0, task->walls->wall[w].centre_now);
-    struct law_vector torque = law_add(law_cross(arm, c->out.force), 1.0, c->out.rolling);
+/* Force and torque of contact k on its wall. */
+static void apply_to_wall(const struct wall_task *task, int k) {
+    struct force_batch *b = &task->scratch->batch->contact;
+    const struct wall_entry *entry = &task->scratch->batch->entry[k];
+    int w = entry->key.wall;
+    struct law_vector arm = law_add(entry->at, -1.0, task->walls->wall[w].centre_now);
+    struct law_vector force = get(b->force, k), torque = law_cross(arm, force);
+    if (task->law.rolling)
+        torque = law_add(torque, 1.0, get(b->rolling, k));
     if (task->scratch->exact) {
-        add_exactly(task->scratch->exact[w], c->out.force);
+        add_exactly(task->scratch->exact[w], force);
         add_exactly(task->scratch->exact[w] + 3, torque);
         return;
     }
-    add_to(task->scratch->force[w], 1.0, c->out.force);
+    add_to(task->scratch->force[w], 1.0, force);
     add_to(task->scratch->force[w] + 3, 1.0, torque);
 }
 
-/* Forces and torques on the particle and on the wall. */
-static void apply(const struct wall_task *task, int w, const struct wall_contact *c) {
+/* Forces and torques of contact k on the particle and on the wall. */
+static void apply(const struct wall_task *task, int k) {
     struct particles *p = task->context->particles;
-    double *force = p->force + task->particle * (size_t)p->force_stride;
-    add_to(force, -1.0, c->out.force);
-    if (task->law.friction) {
-        add_to(force + 4, c->lever, c->out.moment);
-        add_to(force + 4, -1.0, c->out.rolling);
-    }
-    apply_to_wall(task, w, c);
+    struct force_batch *b = &task->scratch->batch->contact;
+    const struct wall_entry *entry = &task->scratch->batch->entry[k];
+    double *force = p->force + entry->particle * (size_t)p->force_stride;
+    add_to(force, -1.0, get(b->force, k));
+    if (task->law.friction)
+        add_to(force + 4, entry->lever, get(b->moment, k));
+    if (task->law.rolling)
+        add_to(force + 4, -1.0, get(b->rolling, k));
+    apply_to_wall(task, k);
 }
 
-static void account(const struct wall_task *task, int w, const struct wall_contact *c) {
-    struct force_sums *sums = &task->scratch->sums;
-    double relative = c->in.overlap / c->in.radius;
-    sums->contact_sides += 2;
-    if (relative > sums->overlap_max) {
-        sums->overlap_max = relative;
-        sums->overlap_id[0] = task->context->particles->id[task->particle];
-        sums->overlap_id[1] = -(int64_t)(w + 1);
-    }
-    if (!task->law.energies)
-        return;
-    struct law_vector d = law_scale(c->lever, c->in.normal), f = c->out.force;
-    sums->elastic_normal += c->out.normal_energy;
-    sums->elastic_tangential += c->out.spring_energy;
-    sums->taken += c->out.taken;
+static void account_virial(struct force_sums *sums, struct law_vector d, struct law_vector f) {
     sums->virial[0] += d.x * f.x;
     sums->virial[1] += d.y * f.y;
     sums->virial[2] += d.z * f.z;
@@ -139,17 +153,68 @@ static void account(const struct wall_task *task, int w, const struct wall_conta
     sums->virial[5] += 0.5 * (d.y * f.z + d.z * f.y);
 }
 
-/* Writes the record that follows: the springs of this contact. */
-static void remember(const struct wall_task *task, int w, const struct wall_touch *touch,
-                     const struct wall_contact *c) {
+static void account(const struct wall_task *task, int k) {
+    struct force_sums *sums = &task->scratch->sums;
+    struct force_batch *b = &task->scratch->batch->contact;
+    const struct wall_entry *entry = &task->scratch->batch->entry[k];
+    double relative = b->overlap[k] / entry->radius;
+    sums->contact_sides += 2;
+    if (relative > sums->overlap_max) {
+        sums->overlap_max = relative;
+        sums->overlap_id[0] = task->context->particles->id[entry->particle];
+        sums->overlap_id[1] = -(int64_t)(entry->key.wall + 1);
+    }
+    if (!task->law.energies)
+        return;
+    sums->elastic_normal += b->energy[0][k];
+    sums->elastic_tangential += b->energy[1][k];
+    sums->taken += b->energy[2][k];
+    if (task->context->want_virial)
+        account_virial(sums, law_scale(entry->lever, get(b->normal, k)), get(b->force, k));
+}
+
+/* Writes the record that follows: the springs of contact k. */
+static void remember(const struct wall_task *task, int k) {
     struct walls *walls = task->walls;
-    size_t components = (size_t)walls->law->history_components;
+    const struct force_batch *b = &task->scratch->batch->contact;
+    const struct wall_entry *entry = &task->scratch->batch->entry[k];
+    int components = walls->law->history_components;
     struct wall_records *new = &walls->records[1 - walls->now];
-    size_t record = walls->first[task->candidate] + (size_t) new->count[task->candidate]++;
-    const double spring[HISTORY_COMPONENTS_MAX] = {c->out.spring.x, c->out.spring.y, c->out.spring.z,
-                                                   c->out.roll.x,   c->out.roll.y,   c->out.roll.z};
-    new->key[record] = (struct wall_key){w, touch->feature};
-    memcpy(new->value + record *components, spring, components * sizeof *spring);
+    size_t record = walls->first[entry->candidate] + (size_t) new->count[entry->candidate]++;
+    new->key[record] = entry->key;
+    for (int c = 0; c < components; c++)
+        new->value[record * (size_t)components + (size_t)c] = b->spring[c][k];
+}
+
+/* Contact k for the contact list. */
+static struct force_contact contact_of(const struct wall_task *task, int k) {
+    struct force_batch *b = &task->scratch->batch->contact;
+    const struct wall_entry *entry = &task->scratch->batch->entry[k];
+    struct law_vector n = get(b->normal, k), f = get(b->force, k);
+    return (struct force_contact){.id_i = task->context->particles->id[entry->particle],
+                                  .id_j = -(int64_t)(entry->key.wall + 1),
+                                  .normal = {n.x, n.y, n.z},
+                                  .overlap = b->overlap[k],
+                                  .force = {f.x, f.y, f.z}};
+}
+
+/* Takes the batch through the law, and what comes of it to where it belongs. */
+static void flush(struct wall_task *task) {
+    struct force_batch *b = &task->scratch->batch->contact;
+    if (b->count == 0)
+        return;
+    task->walls->kernel->respond(&task->context->law->options, task->law.energies, b, task->step);
+    for (int k = 0; k < b->count; k++) {
+        if (task->list) {
+            task->list[task->listed++] = contact_of(task, k);
+            continue;
+        }
+        apply(task, k);
+        account(task, k);
+        if (task->walls->law->history_components > 0)
+            remember(task, k);
+    }
+    b->count = 0;
 }
 
 /* Finds the contacts of candidate k with the wall of the pieces from `first` on, in scratch; sets *last to
@@ -169,21 +234,19 @@ static size_t find_contacts(const struct walls *walls, size_t k, size_t first, s
     return count;
 }
 
-static void force_particle(struct wall_task *task) {
+/* Collects the contacts of the task's particle. */
+static void take_particle(struct wall_task *task) {
     struct walls *walls = task->walls;
     struct wall_scratch *scratch = task->scratch;
     const struct particle_state *state = &task->context->particles->state[task->particle];
     size_t k = task->candidate, last;
-    walls->records[1 - walls->now].count[k] = 0;
     for (size_t first = walls->first[k]; first < walls->first[k + 1]; first = last) {
         int w = walls->piece[first].wall;
         size_t count = find_contacts(walls, k, first, &last, wall_vector(state->x), state->radius, scratch);
         for (size_t c = 0; c < count; c++) {
-            struct wall_contact contact = evaluate(task, w, &scratch->touch[c], scratch->from[c]);
-            apply(task, w, &contact);
-            account(task, w, &contact);
-            if (walls->law->history_components > 0)
-                remember(task, w, &scratch->touch[c], &contact);
+            if (scratch->batch->contact.count == FORCE_BATCH)
+                flush(task);
+            collect(task, w, &scratch->touch[c], scratch->from[c]);
         }
     }
 }
@@ -211,8 +274,10 @@ void walls_force_block(struct walls *walls, const struct force_context *context,
     for (size_t k = candidate_from(walls, first); k < walls->candidates && walls->particle[k] < last; k++) {
         task.candidate = k;
         task.particle = walls->particle[k];
-        force_particle(&task);
+        walls->records[1 - walls->now].count[k] = 0;
+        take_particle(&task);
     }
+    flush(&task);
 }
 
 /* Adds one thread's sums; largest overlaps are compared. */
@@ -312,43 +377,23 @@ void walls_set_work(struct walls *walls, double work) {
     walls->work = work;
 }
 
-static struct force_contact contact_of(const struct wall_task *task, int w, const struct wall_contact *c) {
-    return (struct force_contact){.id_i = task->context->particles->id[task->particle],
-                                  .id_j = -(int64_t)(w + 1),
-                                  .normal = {c->in.normal.x, c->in.normal.y, c->in.normal.z},
-                                  .overlap = c->in.overlap,
-                                  .force = {c->out.force.x, c->out.force.y, c->out.force.z}};
-}
-
 size_t walls_contacts(const struct walls *walls, const struct force_context *context,
                       struct force_contact **contacts) {
-    struct wall_scratch scratch = {0};
+    struct wall_scratch scratch = {.batch = memory_allocate_zero(1, sizeof *scratch.batch, "contact list")};
     struct wall_task task = {.walls = (struct walls *)walls, /* only read */
                              .context = context,
                              .scratch = &scratch,
                              .law = law_case_of(&context->law->options, false),
                              .step = law_step_of(&context->law->options, 0.0)};
-    size_t count = 0;
     *contacts = memory_allocate(walls->first[walls->candidates], sizeof **contacts, "contact list");
+    task.list = *contacts;
     for (size_t k = 0; k < walls->candidates; k++) {
-        const struct particle_state *state = &context->particles->state[walls->particle[k]];
-        size_t last;
         task.candidate = k;
         task.particle = walls->particle[k];
         walls_scratch_reserve(&scratch, walls->first[k + 1] - walls->first[k]);
-        for (size_t first = walls->first[k]; first < walls->first[k + 1]; first = last) {
-            int w = walls->piece[first].wall;
-            size_t found =
-                find_contacts(walls, k, first, &last, wall_vector(state->x), state->radius, &scratch);
-            for (size_t c = 0; c < found; c++) {
-                struct wall_contact contact = evaluate(&task, w, &scratch.touch[c], scratch.from[c]);
-                (*contacts)[count++] = contact_of(&task, w, &contact);
-            }
-        }
+        take_particle(&task);
     }
-    memory_free(scratch.near);
-    memory_free(scratch.touch);
-    memory_free(scratch.from);
-    memory_free(scratch.taken);
-    return count;
+    flush(&task);
+    walls_scratch_free(&scratch);
+    return task.listed;
 }

@@ -10,6 +10,7 @@
 #ifndef SCREE_CONTACT_WALLS_PARTS_H
 #define SCREE_CONTACT_WALLS_PARTS_H
 
+#include "contact/force_kernel.h"
 #include "contact/wall.h"
 #include "contact/wall_grid.h"
 #include "contact/wall_motion.h"
@@ -57,13 +58,26 @@ struct wall_records {
     double *value; /* history_components doubles a record */
 };
 
-/* What a thread needs for one particle, and its sums. */
+/* Contacts on their way through the law, which takes them FORCE_BATCH at a time, in the order of the
+ * candidates. The batch has what the law knows of contact k, and its answer; entry k whose it is. */
+struct wall_batch {
+    struct force_batch contact;
+    struct wall_entry {
+        size_t candidate, particle;
+        struct wall_key key;
+        struct law_vector at; /* the contact point, in the wall's image */
+        double lever, radius;
+    } entry[FORCE_BATCH];
+};
+
+/* What a thread needs for one particle, its batch, and its sums. */
 struct wall_scratch {
     size_t capacity;
     struct wall_nearest *near;
     struct wall_touch *touch;
     int32_t *from;  /* old record that a contact goes on with, -1: none */
     uint8_t *taken; /* old record has found its contact */
+    struct wall_batch *batch;
     struct force_sums sums;
     double (*force)[6];       /* force and torque on each wall */
     struct exact (*exact)[6]; /* instead, where they are summed without rounding; else NULL */
@@ -73,7 +87,8 @@ struct walls {
     int count, threads;
     struct wall *wall;
     struct box box;
-    const struct law *law; /* borrowed */
+    const struct law *law;             /* borrowed */
+    const struct force_kernel *kernel; /* the law over a batch of contacts */
     double shift[BOX_IMAGE_CODES][4];
 
     size_t candidates, candidate_capacity, piece_capacity;
