@@ -129,6 +129,12 @@ CLEANFILES += tests/bench_force
 tests_bench_force_SOURCES = tests/bench_force.c
 tests_bench_force_LDADD = $(INTEGRATE_LIBS)
 
+# make tests/bench_triad: what memory and units give at most
+EXTRA_PROGRAMS += tests/bench_triad
+CLEANFILES += tests/bench_triad
+tests_bench_triad_SOURCES = tests/bench_triad.c
+tests_bench_triad_LDADD = $(CORE_LIBS)
+
 check_PROGRAMS += \
 	tests/test_mesh \
 	tests/test_wall \

@@ -2,7 +2,8 @@
  *
  *     bench_index [key=value ...]
  *
- * law, exponent, ratio, particles, large, fraction, open, skin, inflate: the packing (bench_scene.h)
+ * file: a packing from a LAMMPS data file; or law, exponent, ratio, particles, large, fraction: one made here
+ * open, skin, inflate: see bench_scene.h
  * index (hgrid), levels (0: as `auto` chooses; -1: one for each factor of two;
  * else so many of equal occupancy), factor (cell edges as a
  * multiple of the cut-offs; 0: as `auto` chooses), threads, repetitions, instructions
@@ -318,7 +319,11 @@ static void set(struct bench *bench, const char *key, const char *value) {
             return;
         }
     }
-    if (strcmp(key, "law") == 0) {
+    if (strcmp(key, "file") == 0) {
+        strcpy(bench->spec.law, "file");
+        bench->spec.file = value;
+        bench->spec.exponent = bench->spec.ratio = bench->spec.fraction = 0;
+    } else if (strcmp(key, "law") == 0) {
         snprintf(bench->spec.law, sizeof bench->spec.law, "%s", value);
     } else if (strcmp(key, "index") == 0) {
         bench->index = value;

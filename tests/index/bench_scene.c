@@ -2,10 +2,13 @@
 
 #include "core/memory.h"
 #include "core/random.h"
+#include "output/lammps_data.h"
 #include "particles/box.h"
 #include "scene/placegrid.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Places tried for a sphere before it may overlap more. */
@@ -83,16 +86,66 @@ static size_t coprime_step(size_t n) {
     }
 }
 
+static void allocate(struct bench_scene *scene, size_t n) {
+    scene->record = memory_allocate_zero(n * BENCH_STRIDE, sizeof(double), "records");
+    scene->size_class = memory_allocate_zero(n, 1, "classes");
+    scene->id = memory_allocate(n, sizeof(int64_t), "ids");
+}
+
+static void set_view(struct bench_scene *scene, const struct bench_spec *spec, size_t n,
+                     const double edge[3]) {
+    scene->view = (struct index_view){.owned = n,
+                                      .total = n,
+                                      .dimension = 3,
+                                      .stride = BENCH_STRIDE,
+                                      .position = scene->record,
+                                      .radius = scene->record + 3,
+                                      .size_class = scene->size_class,
+                                      .id = scene->id,
+                                      .edge = {edge[0], edge[1], edge[2]},
+                                      .periodic = {!spec->open, !spec->open, !spec->open},
+                                      .newton = true,
+                                      .threads = 1,
+                                      .classes = 1};
+}
+
+/* The packing of a file, in the file's order. */
+static void read_file(struct bench_scene *scene, const struct bench_spec *spec) {
+    struct error error = {0};
+    struct rows rows;
+    double edge[3];
+    if (!lammps_data_read(spec->file, &rows, &error)) {
+        fprintf(stderr, "bench_index: %s\n", error.text);
+        exit(2);
+    }
+    allocate(scene, rows.count);
+    for (size_t k = 0; k < rows.count; k++) {
+        double *record = scene->record + k * BENCH_STRIDE;
+        for (int d = 0; d < 3; d++) {
+            record[d] = rows.position[k][d] - rows.lower[d];
+        }
+        record[3] = rows.radius[k] * (spec->inflate > 0 ? spec->inflate : 1);
+        scene->id[k] = rows.id[k];
+    }
+    for (int d = 0; d < 3; d++) {
+        edge[d] = rows.upper[d] - rows.lower[d];
+    }
+    set_view(scene, spec, rows.count, edge);
+    rows_free(&rows);
+}
+
 void bench_scene_make(struct bench_scene *scene, const struct bench_spec *spec) {
     size_t n = spec->particles;
     double volume = 0;
+    if (spec->file) {
+        read_file(scene, spec);
+        return;
+    }
     for (size_t k = 0; k < n; k++) {
         volume += 4 * M_PI / 3 * pow(radius_of(spec, k), 3);
     }
     double edge = cbrt(volume / spec->fraction);
-    scene->record = memory_allocate_zero(n * BENCH_STRIDE, sizeof(double), "records");
-    scene->size_class = memory_allocate_zero(n, 1, "classes");
-    scene->id = memory_allocate(n, sizeof(int64_t), "ids");
+    allocate(scene, n);
     struct box box = {.edge = {edge, edge, edge}, .dimension = 3};
     for (int d = 0; d < 3; d++) {
         box.periodic[d] = !spec->open;
@@ -110,19 +163,7 @@ void bench_scene_make(struct bench_scene *scene, const struct bench_spec *spec) 
         scene->id[at] = (int64_t)k + 1;
     }
     placegrid_destroy(&grid);
-    scene->view = (struct index_view){.owned = n,
-                                      .total = n,
-                                      .dimension = 3,
-                                      .stride = BENCH_STRIDE,
-                                      .position = scene->record,
-                                      .radius = scene->record + 3,
-                                      .size_class = scene->size_class,
-                                      .id = scene->id,
-                                      .edge = {edge, edge, edge},
-                                      .periodic = {!spec->open, !spec->open, !spec->open},
-                                      .newton = true,
-                                      .threads = 1,
-                                      .classes = 1};
+    set_view(scene, spec, n, (double[3]){edge, edge, edge});
 }
 
 void bench_scene_free(struct bench_scene *scene) {

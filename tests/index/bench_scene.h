@@ -1,4 +1,5 @@
-/* Packings for the benchmark of the indexes: radii by a law, large ones placed first, at random. */
+/* Packings for the benchmark of the indexes: from a file, or radii by a law, large ones placed first, at
+ * random. */
 #ifndef SCREE_TESTS_INDEX_BENCH_SCENE_H
 #define SCREE_TESTS_INDEX_BENCH_SCENE_H
 
@@ -9,6 +10,7 @@ struct bench_spec {
     double exponent; /* power: number density ~ r^exponent; -3 gives every size the same volume */
     double ratio;    /* largest radius over smallest; the smallest is 1 */
     size_t particles;
+    const char *file; /* a LAMMPS data file, which beats the law; NULL: none */
     double large;    /* bidisperse: share of large ones, by number; boulder: how many */
     double fraction; /* volume fraction; sets the cube */
     bool open;       /* no direction is periodic */
