@@ -96,8 +96,13 @@ static void report_classes(const struct simulation *s, const struct ghosts_count
 void run_report_fill(const struct simulation *s, const struct run_record *run, struct report *report) {
     struct ghosts_counts ghosts;
     ghosts_count(s->ghosts, &ghosts);
-    int64_t sums[3] = {pair_sides(s->list), (int64_t)s->sums.contact_sides, (int64_t)memory_peak()};
-    comm_sum_int(s->comm, sums, 3);
+    int64_t sums[6] = {pair_sides(s->list),
+                       (int64_t)s->sums.contact_sides,
+                       (int64_t)memory_peak(),
+                       (int64_t)memory_in_use(),
+                       (int64_t)(ghosts.rebuild_messages - run->before.rebuild_messages),
+                       (int64_t)(ghosts.rebuild_bytes - run->before.rebuild_bytes)};
+    comm_sum_int(s->comm, sums, 6);
     report->steps = s->step - run->first;
     report->particle_steps = run->particle_steps;
     report->step_last = s->step;
@@ -121,6 +126,9 @@ void run_report_fill(const struct simulation *s, const struct run_record *run, s
     report->rebuilds = s->skin->rebuilds > 0 ? s->skin->rebuilds - 1 : 0;
     report->dangerous_rebuilds = s->skin->dangerous;
     report->bytes_per_particle = s->total ? (double)sums[2] / (double)s->total : 0;
+    report->memory_held = (uint64_t)sums[3];
+    report->rebuild_messages = (uint64_t)sums[4];
+    report->rebuild_bytes = (uint64_t)sums[5];
     report->inserted = s->inserted;
     report->deleted = s->deleted;
     report->seed = s->scene->seed;

@@ -79,6 +79,8 @@ static int send_pieces(struct exchange *exchange, const struct exchange_message 
     }
     exchange->messages += pieces;
     exchange->bytes += message->bytes;
+    exchange->sparse_messages += pieces;
+    exchange->sparse_bytes += message->bytes;
     return (int)pieces;
 }
 

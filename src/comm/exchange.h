@@ -28,6 +28,7 @@ struct exchange {
     size_t piece;             /* bytes of the longest single MPI message */
     unsigned round;           /* sparse exchanges so far: neighbouring rounds use different tags */
     uint64_t messages, bytes; /* sent to other ranks so far */
+    uint64_t sparse_messages, sparse_bytes; /* of these, in sparse exchanges */
 };
 
 /* What came in: sorted by source, at most one message of each. */

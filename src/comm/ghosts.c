@@ -375,6 +375,8 @@ void ghosts_count(const struct ghosts *ghosts, struct ghosts_counts *counts) {
                                      .neighbours = count_neighbours(ghosts),
                                      .messages = ghosts->exchange.messages,
                                      .bytes = ghosts->exchange.bytes,
+                                     .rebuild_messages = ghosts->exchange.sparse_messages,
+                                     .rebuild_bytes = ghosts->exchange.sparse_bytes,
                                      .migrated = ghosts->migrated,
                                      .clearance = domain_clearance(ghosts->domain),
                                      .reach = ghosts->farthest,

@@ -82,12 +82,13 @@ unsigned ghosts_image(const struct ghosts *ghosts, size_t k);
 struct ghosts_counts {
     uint64_t ghosts; /* copies held now */
     uint64_t ghosts_class[CLASS_MAX];
-    uint64_t bytes_class[CLASS_MAX]; /* of copies received, and sent back, since the start */
-    double clearance;                /* see domain.h */
-    double reach;                    /* the largest that was met beyond the neighbours; 0: none */
-    uint64_t neighbours;             /* other ranks talked to now */
-    uint64_t messages, bytes;        /* sent to other ranks since the start, all kinds */
-    uint64_t migrated;               /* particles sent away since the start */
+    uint64_t bytes_class[CLASS_MAX];          /* of copies received, and sent back, since the start */
+    double clearance;                         /* see domain.h */
+    double reach;                             /* the largest that was met beyond the neighbours; 0: none */
+    uint64_t neighbours;                      /* other ranks talked to now */
+    uint64_t messages, bytes;                 /* sent to other ranks since the start, all kinds */
+    uint64_t rebuild_messages, rebuild_bytes; /* of these, at rebuilds */
+    uint64_t migrated;                        /* particles sent away since the start */
     int rounds; /* the most that making copies took: 1 where every particle reached neighbours alone */
 };
 void ghosts_count(const struct ghosts *ghosts, struct ghosts_counts *counts);

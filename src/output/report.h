@@ -48,6 +48,7 @@ struct report {
 
     uint64_t *ghosts;           /* copies held at the end, one a rank; owned by the report */
     uint64_t *messages, *bytes; /* sent to other ranks in the steps, one a rank; owned by the report */
+    uint64_t rebuild_messages, rebuild_bytes; /* of these, at rebuilds; all ranks together */
     int classes;
     struct report_class size_class[CLASS_MAX];
     double imbalance;  /* largest over mean seconds of work */
@@ -62,6 +63,7 @@ struct report {
     uint64_t contacts; /* at the end */
     uint64_t rebuilds, partial_rebuilds, dangerous_rebuilds;
     double bytes_per_particle; /* counted memory of all ranks / particles */
+    uint64_t memory_held;      /* counted memory of all ranks at the end, bytes */
     uint64_t memory_peak;      /* largest peak resident set of a rank, bytes */
     uint64_t inserted, deleted;
     uint64_t seed;

@@ -147,6 +147,7 @@ static void put_counts(FILE *file, const struct report *report) {
     key_count(file, "dangerous_rebuilds", report->dangerous_rebuilds);
     key_real(file, "bytes_per_particle", report->bytes_per_particle);
     key_count(file, "memory_peak", report->memory_peak);
+    key_count(file, "memory_held", report->memory_held);
     key_count(file, "inserted", report->inserted);
     key_count(file, "deleted", report->deleted);
     key_count(file, "seed", report->seed);
@@ -154,6 +155,8 @@ static void put_counts(FILE *file, const struct report *report) {
     key_counts(file, "ghosts", report->ghosts, report->ranks);
     key_counts(file, "messages", report->messages, report->ranks);
     key_counts(file, "bytes", report->bytes, report->ranks);
+    key_count(file, "rebuild_messages", report->rebuild_messages);
+    key_count(file, "rebuild_bytes", report->rebuild_bytes);
     key_real(file, "pupcs", report_pupcs(report));
     key_real(file, "imbalance", report->imbalance);
     key_real(file, "sync_share", report->sync_share);

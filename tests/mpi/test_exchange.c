@@ -111,10 +111,11 @@ static void planned(void **state) {
     team_finish(team);
 }
 
-/* What is counted as sent is what length_of says, without the messages to oneself. */
+/* What is counted as sent is what length_of says, without the messages to oneself; sparse exchanges apart. */
 static void counts(void **state) {
     struct team *team = *state;
     struct exchange exchange;
+    struct exchange_flight flight = {0};
     exchange_init(&exchange, &team->comm);
     uint64_t messages = 0, bytes = 0;
     struct exchange_message *out = room_for_all(&team->comm);
@@ -128,8 +129,19 @@ static void counts(void **state) {
     team_expect(team, exchange.messages == messages && exchange.bytes == bytes,
                 "%llu messages with %llu bytes", (unsigned long long)exchange.messages,
                 (unsigned long long)exchange.bytes);
+    struct exchange_message *in = room_for_all(&team->comm);
+    size_t ins = make_messages(&team->comm, 500, false, in);
+    exchange_start(&exchange, COMM_TAG_FORWARD, out, outs, in, ins, &flight);
+    exchange_finish(&flight);
+    exchange_flight_free(&flight);
+    team_expect(
+        team,
+        exchange.sparse_messages == messages && exchange.sparse_bytes == bytes && exchange.bytes == 2 * bytes,
+        "%llu messages with %llu of %llu bytes were sparse", (unsigned long long)exchange.sparse_messages,
+        (unsigned long long)exchange.sparse_bytes, (unsigned long long)exchange.bytes);
     exchange_inbox_free(&inbox);
     free_messages(out, outs);
+    free_messages(in, ins);
     team_finish(team);
 }
 

@@ -48,6 +48,9 @@ static struct report example(const struct comm *comm) {
     report.level[1] = (struct report_level){.cell = INFINITY, .cells = 5, .particles = 6, .radius_max = 0.5};
     report.seed = UINT64_MAX;
     report.pairs = 123456789;
+    report.rebuild_messages = 77;
+    report.rebuild_bytes = 7700;
+    report.memory_held = 770000;
     gather(&report, comm);
     return report;
 }
@@ -169,6 +172,9 @@ static void json_holds_all_keys(void **state) {
                                            "\"ghosts\": [10",
                                            "\"bytes\": [0",
                                            "\"messages\": [0",
+                                           "\"rebuild_messages\": 77,",
+                                           "\"rebuild_bytes\": 7700,",
+                                           "\"memory_held\": 770000,",
                                            "\"pupcs\": ",
                                            "\"imbalance\": ",
                                            "\"stages\": {",
