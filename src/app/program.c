@@ -1,6 +1,8 @@
 #include "app/command.h"
 #include "core/version.h"
+#include "output/output.h"
 #include "scree.h"
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -72,9 +74,12 @@ int scree_main(int argc, char **argv) {
     if (status >= 0)
         return status;
     comm_start(&comm, &argc, &argv);
+    signal(SIGXFSZ, SIG_IGN); /* a limit on the size of files is an error of the write that meets it */
     status = run_command(&comm, argc, argv, &error);
     if (error.kind != ERROR_NONE && comm.rank == 0)
         fprintf(stderr, "scree: %s\n", error.text);
+    if (output_left_open())
+        comm_abort(status);
     comm_stop(&comm);
     return status;
 }

@@ -269,12 +269,26 @@ static bool round_of_holders(struct spread *spread) {
     return more;
 }
 
+/* A number that a holder registers: of one of this rank's particles. */
+static uint32_t registered(const struct exchange_message *message, size_t k, size_t owned) {
+    uint32_t number;
+    memcpy(&number, message->data + k * sizeof number, sizeof number);
+    if (number >= owned)
+        error_fatal("copies: rank %d registers a copy of particle number %u, but %zu are here", message->rank,
+                    number, owned);
+    return number;
+}
+
 /* What others hold: first what round 1 sent them, then what they say of later ones. */
 static void keep(struct shadows *result, const struct copies *copies, const struct exchange_inbox *inbox,
-                 int size) {
+                 const struct shadows_place *place) {
     size_t total = copies->groups.start[copies->groups.count], n = 0;
-    for (size_t m = 0; m < inbox->count; m++)
+    for (size_t m = 0; m < inbox->count; m++) {
+        if (inbox->message[m].bytes % sizeof(uint32_t) != 0)
+            error_fatal("copies: the message from rank %d has %zu bytes, which is not the length of numbers",
+                        inbox->message[m].rank, inbox->message[m].bytes);
         total += inbox->message[m].bytes / sizeof(uint32_t);
+    }
     int *rank = memory_allocate(total, sizeof *rank, "copies held elsewhere");
     result->original = memory_allocate(total, sizeof *result->original, "copies held elsewhere");
     for (size_t g = 0; g < copies->groups.count; g++)
@@ -287,9 +301,9 @@ static void keep(struct shadows *result, const struct copies *copies, const stru
     for (size_t m = 0; m < inbox->count; m++)
         for (size_t k = 0; k < inbox->message[m].bytes / sizeof(uint32_t); k++) {
             rank[n] = inbox->message[m].rank;
-            memcpy(&result->original[n++], inbox->message[m].data + k * sizeof(uint32_t), sizeof(uint32_t));
+            result->original[n++] = registered(&inbox->message[m], k, place->particles->owned);
         }
-    groups_make(&result->kept, rank, n, size);
+    groups_make(&result->kept, rank, n, place->exchange->comm->size);
     memory_free(rank);
 }
 
@@ -321,22 +335,22 @@ void shadows_spread(struct shadows *shadows, const struct shadows_place *place, 
     int size = place->exchange->comm->size;
     *shadows = (struct shadows){0};
     struct spread spread = {.place = place, .result = shadows, .own = place->exchange->comm->rank};
-    struct exchange_inbox registered = {0};
+    struct exchange_inbox numbers = {0};
     spread.each = fields_packed_bytes(place->particles, FIELD_GHOST);
     bool more = round_of_owners(&spread, copies);
     size_t first = shadows->count;
     if (more) {
         while (round_of_holders(&spread))
             continue;
-        register_shadows(&spread, first, &registered);
+        register_shadows(&spread, first, &numbers);
     }
-    keep(shadows, copies, &registered, size);
+    keep(shadows, copies, &numbers, place);
     int *owner = memory_allocate(shadows->count, sizeof *owner, "owners");
     for (size_t k = 0; k < shadows->count; k++)
         owner[k] = shadows->shadow[k].owner;
     groups_make(&shadows->held, owner, shadows->count, size);
     memory_free(owner);
-    exchange_inbox_free(&registered);
+    exchange_inbox_free(&numbers);
     memory_free(spread.order);
     memory_free(spread.to);
     memory_free(spread.fresh);

@@ -130,9 +130,9 @@ static bool get_share(struct reading *r, struct error *error) {
     r->count = good ? (uint64_t)owned[rank] : 0;
     memory_free(owned);
     if (good && r->first + r->count > l->total)
-        return error_set(error, ERROR_USER,
-                         "%s: /run/particles_of_ranks: does not fit the number of particles", r->h5.path);
-    return good;
+        error_set(error, ERROR_USER, "%s: /run/particles_of_ranks: does not fit the number of particles",
+                  r->h5.path);
+    return comm_agree(r->comm, error);
 }
 
 static bool get_field(struct reading *r, struct particles *p, int f, struct error *error) {

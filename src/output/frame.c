@@ -210,8 +210,13 @@ static char *send_rows(struct frame *frame, const struct comm *comm, size_t *rec
     exchange_init(&exchange, comm);
     exchange_sparse(&exchange, out, groups.count, &inbox);
     size_t total = 0, done = 0;
-    for (size_t m = 0; m < inbox.count; m++)
+    for (size_t m = 0; m < inbox.count; m++) {
+        if (inbox.message[m].bytes % bytes != 0)
+            error_fatal(
+                "a frame: the message from rank %d has %zu bytes, which is not the length of rows of %zu",
+                inbox.message[m].rank, inbox.message[m].bytes, bytes);
         total += inbox.message[m].bytes;
+    }
     char *rows = memory_allocate(total, 1, "rows received");
     for (size_t m = 0; m < inbox.count; m++) {
         memcpy(rows + done, inbox.message[m].data, inbox.message[m].bytes);

@@ -2,6 +2,7 @@
 
 #include "core/memory.h"
 #include "output/file.h"
+#include "output/output.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -30,9 +31,11 @@ bool h5_fail(const struct h5 *h5, enum error_kind kind, const char *object, cons
             *c = ' ';
     /* errno does not come through MPI: ask whether it was for want of room */
     struct error room = {0};
-    bool full = kind == ERROR_SYSTEM && !file_check_room(h5->path, 0, 1 << 16, &room);
-    return error_set(error, kind, "%s%s%s: %s%s (HDF5: %s)", h5->path, object[0] ? ": " : "", object, what,
-                     full ? ": disk full" : "", said.text);
+    int64_t present = file_size(h5->path);
+    bool full = kind == ERROR_SYSTEM &&
+                !file_check_room(h5->path, present > 0 ? (uint64_t)present : 0, 1 << 16, &room);
+    return error_set(error, kind, "%s%s%s: %s (HDF5: %s)%s%s", h5->path, object[0] ? ": " : "", object, what,
+                     said.text, full ? "; " : "", room.text);
 }
 
 static bool begin(struct h5 *h5, const char *path, const struct comm *comm, struct error *error) {
@@ -78,7 +81,7 @@ bool h5_create(struct h5 *h5, const char *path, const struct comm *comm, uint64_
     hid_t list = access_list(comm), creation = H5Pcreate(H5P_FILE_CREATE);
     if (list < 0 || creation < 0 || H5Pset_userblock(creation, user_block) < 0)
         h5_fail(h5, ERROR_SYSTEM, "", "cannot be prepared", error);
-    else if ((h5->file = H5Fcreate(path, H5F_ACC_TRUNC, creation, list)) < 0)
+    if (agree(h5, error) && (h5->file = H5Fcreate(path, H5F_ACC_TRUNC, creation, list)) < 0)
         h5_fail(h5, ERROR_SYSTEM, "", "cannot be made", error);
     H5Pclose(list);
     H5Pclose(creation);
@@ -97,7 +100,8 @@ bool h5_open(struct h5 *h5, const char *path, const struct comm *comm, bool writ
         h5_fail(h5, ERROR_SYSTEM, "", "cannot be prepared", error);
     else if (access(path, write ? R_OK | W_OK : R_OK) != 0)
         error_set(error, ERROR_USER, "%s: cannot be opened: %s", path, strerror(errno));
-    else if ((h5->file = H5Fopen(path, write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, list)) < 0)
+    /* all ranks open it, or none: the call is collective */
+    if (agree(h5, error) && (h5->file = H5Fopen(path, write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, list)) < 0)
         h5_fail(h5, ERROR_USER, "", "cannot be opened as an HDF5 file", error);
     H5Pclose(list);
     if (!agree(h5, error)) {
@@ -108,6 +112,9 @@ bool h5_open(struct h5 *h5, const char *path, const struct comm *comm, bool writ
 }
 
 bool h5_close(struct h5 *h5, struct error *error) {
+    /* after a failed write ranks no longer stand at one place inside HDF5: its calls would not return */
+    if (h5->file >= 0 && !agree(h5, error) && error->kind == ERROR_SYSTEM)
+        h5->file = -1;
     if (h5->file >= 0) {
         if (H5Fflush(h5->file, H5F_SCOPE_GLOBAL) < 0)
             h5_fail(h5, ERROR_SYSTEM, "", "cannot be flushed", error);
@@ -119,6 +126,10 @@ bool h5_close(struct h5 *h5, struct error *error) {
         H5Pclose(h5->transfer);
     h5->transfer = H5P_DEFAULT;
     return agree(h5, error);
+}
+
+bool output_left_open(void) {
+    return H5Fget_obj_count((hid_t)H5F_OBJ_ALL, H5F_OBJ_FILE) > 0;
 }
 
 bool h5_exists(const struct h5 *h5, const char *object) {

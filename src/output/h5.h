@@ -48,7 +48,8 @@ struct h5_names {
 bool h5_create(struct h5 *h5, const char *path, const struct comm *comm, uint64_t user_block,
                struct error *error);
 bool h5_open(struct h5 *h5, const char *path, const struct comm *comm, bool write, struct error *error);
-/* Flushes and closes; also right after an error. A closed one is fine. */
+/* Flushes and closes; also right after an error of the user. A closed one is fine. A file of which a write
+ * failed is left as it is (output_left_open). */
 bool h5_close(struct h5 *h5, struct error *error);
 
 /* Sets an error of this kind: "PATH: OBJECT: WHAT: text of HDF5". Returns false. */

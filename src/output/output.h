@@ -43,4 +43,9 @@ struct output_view {
     struct output_load load;
 };
 
+/* True if a file of HDF5 is still open, because a write or its closing failed, as on a full disk: HDF5 would
+ * try again in MPI_Finalize, and crash or wait for ever (HDF5 1.10), so the program must end otherwise
+ * (comm_abort). */
+bool output_left_open(void);
+
 #endif

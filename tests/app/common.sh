@@ -68,3 +68,30 @@ holds() {
 lacks() {
     ! grep -F -e "$2" "$1"
 }
+
+# wait_for PATTERN: until there is such a file (30 s)
+wait_for() {
+    local k
+    for k in $(seq 300); do
+        compgen -G "$1" >/dev/null && return 0
+        sleep 0.1
+    done
+    echo "  no $1"
+    return 1
+}
+
+# newest DIR: the last checkpoint's step
+newest() {
+    find "$1" -name 'checkpoint-*.h5' | sed 's/.*checkpoint-\([0-9]*\)\.h5/\1/' | sort -n | tail -n 1
+}
+
+# without Zoltan there are only bricks
+bisection=bisection
+grep -q 'define HAVE_ZOLTAN 1' "$top_builddir/config.h" || bisection=brick
+
+# checkpoint_lines CHECKPOINT: what it holds, in lines that do not depend on the layout
+checkpoint_lines() {
+    local lines=$top_builddir/tests/checkpoint_lines
+    [ -x "$lines" ] || make -s -C "$top_builddir" tests/checkpoint_lines || return 1
+    "$lines" "$1" >"$out/unsorted" && sort "$out/unsorted"
+}

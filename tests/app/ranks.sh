@@ -1,15 +1,11 @@
 #!/usr/bin/env bash
 # The same forces on every division of the box, way of synchronising and number of ranks: newton on with full and with
 # reduced ghosts, and off; bricks and bisection; next-neighbour (where every particle fits) and shadows; 1, 2, 4 and 8 ranks
-# (27 with SCREE_LONG). Rebuilds come with migration of touching pairs; forces must agree with those of brute on one rank
-# within max(1e-12, 8 eps L / largest overlap) of the largest force.
+# (all of it, and 27 ranks, with SCREE_LONG). Rebuilds come with migration of touching pairs; forces must agree with those of
+# brute on one rank within max(1e-12, 8 eps L / largest overlap) of the largest force; reproducible runs to the last bit.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 cd "$out" || exit 1
-
-# without Zoltan there are only bricks
-bisection=bisection
-grep -q 'define HAVE_ZOLTAN 1' "$top_builddir/config.h" || bisection=brick
 
 # scene FILE EDGE SOURCES...
 scene() {
@@ -75,10 +71,39 @@ layout() {
     within "$(echo "$force" | awk '{ print $2 }')" 0 "$(bound_of "$1")" && momentum_kept "$dir"
 }
 
-# refused CASE RANKS: next-neighbour synchronisation says which particle does not fit
+# refused CASE RANKS [FLAG...]: next-neighbour synchronisation says which particle does not fit
 refused() {
-    ! run_scene "$2" "$1.yaml" "$1-refused" --overwrite --set sync=neighbours --set domain.x="$2" >/dev/null &&
-        grep -q 'sync: neighbours: particle' said
+    local case=$1 ranks=$2
+    shift 2
+    run_scene "$ranks" "$case.yaml" "$case-refused" --overwrite --set sync=neighbours "$@" >/dev/null
+    [ $? = 2 ] && grep -q '^scree: sync: neighbours: particle' said || { cat said; return 1; }
+}
+
+# neighbours CASE RANKS DOMAIN NEWTON GHOSTS: after the same layout with shadows; if they took more than a round it is refused
+neighbours() {
+    if grep -q '"sync": ".* rounds"' "$1-other/report.json"; then
+        refused "$1" "$2" --set domain="${3/bisection/$bisection}" --set newton="$4" --set ghosts="$5"
+    else
+        layout "$1" "$2" "$3" neighbours "$4" "$5"
+    fi
+}
+
+# reproducibly RANKS DIR CASE [FLAG...]: the end of a reproducible run, in lines
+reproducibly() {
+    local ranks=$1 dir=$2 case=$3
+    shift 3
+    run_scene "$ranks" "$case.yaml" "$dir" --overwrite --set reproducible=true --set output.checkpoint.at_end=true --set threads=1 "$@" &&
+        checkpoint_lines "$dir/checkpoint-40.h5" >"$dir.lines" && [ -s "$dir.lines" ]
+}
+
+# same_bits CASE RANKS DOMAIN
+same_bits() {
+    reproducibly "$2" bits "$1" --set domain="${3/bisection/$bisection}" --set sync=shadow && cmp "$1-bits.lines" bits.lines || return 1
+    if grep -q '"sync": ".* rounds"' bits/report.json; then
+        refused "$1" "$2" --set domain="${3/bisection/$bisection}" --set reproducible=true
+    else
+        reproducibly "$2" bits "$1" --set domain="${3/bisection/$bisection}" --set sync=neighbours && cmp "$1-bits.lines" bits.lines
+    fi
 }
 
 for case in ten forty continuous boulder; do
@@ -91,14 +116,29 @@ done
 for setting in '2 brick neighbours on reduced' '4 brick neighbours off full' '8 brick neighbours on full'; do
     check "continuous: ranks, domain, sync, newton, ghosts: $setting" layout continuous $setting
 done
-check 'boulder: next neighbours do not do' refused boulder 8
+check 'boulder: next neighbours do not do' refused boulder 8 --set domain.x=8
+for case in ten forty; do
+    check "$case: the reference of reproducible runs" reproducibly 1 "$case-bits" "$case" --set index=brute
+    check "$case: the same bits on 8 ranks" same_bits $case 8 bisection
+done
 if [ -n "${SCREE_LONG:-}" ]; then
     for case in ten forty continuous boulder; do
-        for setting in 'on full' 'on reduced' 'off full'; do
-            for domain in brick bisection; do
-                for ranks in 1 2 4 8 27; do
-                    check "$case: ranks, domain, newton, ghosts: $ranks $domain $setting" layout $case $ranks $domain shadow $setting
+        for domain in brick bisection; do
+            for ranks in 1 2 4 8 27; do
+                for setting in 'on full' 'on reduced' 'off full'; do
+                    check "$case: ranks, domain, newton, ghosts: $ranks $domain $setting, shadows" \
+                        layout $case $ranks $domain shadow $setting
+                    check "$case: ranks, domain, newton, ghosts: $ranks $domain $setting, neighbours" \
+                        neighbours $case $ranks $domain $setting
                 done
+            done
+        done
+    done
+    for case in ten forty continuous boulder; do
+        check "$case: the reference of reproducible runs" reproducibly 1 "$case-bits" "$case" --set index=brute
+        for domain in brick bisection; do
+            for ranks in 2 4 8 27; do
+                check "$case: the same bits on $ranks ranks, $domain" same_bits $case $ranks $domain
             done
         done
     done

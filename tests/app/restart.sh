@@ -133,22 +133,6 @@ turned_aside() {
 }
 check 'resumed with other gravity and duration' turned_aside
 
-# wait_for PATTERN: until there is such a file (30 s)
-wait_for() {
-    local k
-    for k in $(seq 300); do
-        compgen -G "$1" >/dev/null && return 0
-        sleep 0.1
-    done
-    echo "  no $1"
-    return 1
-}
-
-# newest DIR: the last checkpoint's step
-newest() {
-    find "$1" -name 'checkpoint-*.h5' | sed 's/.*checkpoint-\([0-9]*\)\.h5/\1/' | sort -n | tail -n 1
-}
-
 # goes_on DIR: its last checkpoint is whole, and ten more steps can be made
 goes_on() {
     local step
