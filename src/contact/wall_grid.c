@@ -14,8 +14,9 @@ struct wall_grid {
     double lower[3], edge[3]; /* of the box around the mesh */
     double width;             /* of a cell */
     int cells[3];
-    size_t *start;     /* cells + 1 */
-    int32_t *triangle; /* of cell c: triangle[start[c]] ... */
+    size_t *start;            /* cells + 1 */
+    int32_t *triangle;        /* of cell c: triangle[start[c]] ... */
+    struct cell_range *range; /* of each triangle */
 };
 
 static size_t grid_cells(const struct wall_grid *grid) {
@@ -61,7 +62,7 @@ static size_t cell_number(const struct wall_grid *grid, const int cell[3]) {
 
 /* Adds a triangle to the cells of its range: counts, or writes at the cells' cursors. */
 static void grid_enter(struct wall_grid *grid, size_t t, size_t *cursor, bool write) {
-    struct cell_range range = triangle_range(grid, t);
+    struct cell_range range = grid->range[t];
     int cell[3];
     for (cell[2] = range.low[2]; cell[2] <= range.high[2]; cell[2]++)
         for (cell[1] = range.low[1]; cell[1] <= range.high[1]; cell[1]++)
@@ -83,6 +84,9 @@ struct wall_grid *wall_grid_create(const struct wall_mesh *mesh) {
     grid_divide(grid, width);
     while (grid_cells(grid) < wanted && 0.8 * width >= least)
         grid_divide(grid, width *= 0.8);
+    grid->range = memory_allocate(mesh->triangles, sizeof *grid->range, "grid of a mesh");
+    for (size_t t = 0; t < mesh->triangles; t++)
+        grid->range[t] = triangle_range(grid, t);
     size_t cells = grid_cells(grid);
     size_t *cursor = memory_allocate_zero(cells, sizeof *cursor, "grid of a mesh");
     for (size_t t = 0; t < mesh->triangles; t++)
@@ -103,13 +107,15 @@ void wall_grid_destroy(struct wall_grid **grid) {
         return;
     memory_free((*grid)->start);
     memory_free((*grid)->triangle);
+    memory_free((*grid)->range);
     memory_free(*grid);
     *grid = NULL;
 }
 
 size_t wall_grid_memory(const struct wall_grid *grid) {
     size_t cells = grid_cells(grid);
-    return sizeof *grid + (cells + 1) * sizeof *grid->start + grid->start[cells] * sizeof *grid->triangle;
+    return sizeof *grid + (cells + 1) * sizeof *grid->start + grid->start[cells] * sizeof *grid->triangle +
+           grid->mesh->triangles * sizeof *grid->range;
 }
 
 /* True in the first cell that a query and a triangle share: there the triangle is looked at. */
@@ -126,8 +132,7 @@ static size_t query_cell(const struct wall_grid *grid, const struct cell_range *
     size_t c = cell_number(grid, cell), count = 0;
     for (size_t k = grid->start[c]; k < grid->start[c + 1]; k++) {
         int32_t t = grid->triangle[k];
-        struct cell_range range = triangle_range(grid, (size_t)t);
-        if (!first_shared(query, &range, cell) ||
+        if (!first_shared(query, &grid->range[t], cell) ||
             !(wall_touch_nearest(grid->mesh, t, x, reach).distance < reach))
             continue;
         if (out)
