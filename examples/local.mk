@@ -85,3 +85,21 @@ nobase_dist_pkgdata_DATA += \
 	examples/pupcs/large/scene.yaml \
 	examples/pupcs/sparse/scene.yaml
 nobase_dist_pkgdata_SCRIPTS += examples/pupcs/run.sh
+
+# Benchmarks of packings, and the page of all
+nobase_dist_pkgdata_DATA += \
+	examples/bench/ablation.tsv \
+	examples/bench/in.cells \
+	examples/bench/in.continuous \
+	examples/bench/packing.sh \
+	examples/bench/packing.yaml \
+	examples/bench/performance.head.md
+nobase_dist_pkgdata_SCRIPTS += \
+	examples/bench/cells.sh \
+	examples/bench/compare.sh \
+	examples/bench/continuous.sh \
+	examples/bench/growth.sh \
+	examples/bench/page.sh \
+	examples/bench/report.sh \
+	examples/bench/roofline.sh \
+	examples/bench/table1.sh

@@ -1,92 +1,183 @@
 #!/bin/sh
 # The index that chooses itself against a sweep: auto.sh [--quick]
 #
-# For a score of scenes (mono, bidisperse, sand-like, exponential, lognormal, power laws, uniform by number and by volume,
-# dilute to dense, boulders) times order + build + search of `auto` with its own classes, then of `hgrid` with 1, 2, 3, 4 and 6
-# levels of equal occupancy at cells of 0.7, 1, 1.4 and 2 cut-offs. One JSON line a measurement, after each scene one
-# with ratio (auto over the best), linkcell_ratio (auto over the best single level), prediction (predicted over measured);
-# the last line is the summary: median and largest ratio.
+# For 24 scenes made by scree pack (one size, bidisperse, sand, exponential, lognormal, power laws, uniform by number and by volume,
+# dilute to dense, boulders):
 #
-# --quick: smaller scenes, a short sweep. Needs `make tests/index/bench_index`; BENCH (that program), THREADS (1), RUNS (5)
-# may be set.
+# detection: order + build + search, CPU time, of `auto` with its own classes, then of `hgrid` with 1, 2, 3, 4 and 6 levels of equal
+#   occupancy at cells of 0.7, 1, 1.4 and 2 cut-offs. After each scene a line with ratio (auto over the best), linkcell_ratio (auto
+#   over the best single level) and prediction (the cost model over what was measured).
+# run: the same of whole runs, wall clock: 10 steps with Hooke contacts and slip history for each rebuild. What was fastest and
+#   `auto` then run in turns, and the line of the scene holds the ratio of the medians.
+#
+# One JSON line a measurement (seconds is one detection, or ten steps and a rebuild), the last line is the summary: median and
+# largest ratios. --quick: 4,000 particles, a short sweep, a minute at most.
+#
+# Needs `make tests/index/bench_index`; BENCH (that program), SCREE, THREADS (1), RUNS (5), COUNT (particles), SCENES (those
+# whose names match this expression), WORK (keeps the packings) may be set.
 set -eu
-bench=${BENCH:-tests/index/bench_index}
+here=$(cd "$(dirname "$0")" && pwd)
+. "$here/../common.sh"
+. "$here/bench.sh"
+. "$here/packing.sh"
 quick=
 test "${1:-}" != --quick || quick=yes
 test $# = 0 || test -n "$quick" || { echo "usage: auto.sh [--quick]" >&2; exit 2; }
+bench=${BENCH:-$(dirname "$SCREE")/tests/index/bench_index}
 command -v "$bench" >/dev/null || { echo "no $bench here: make tests/index/bench_index, or set BENCH" >&2; exit 1; }
-export OMP_WAIT_POLICY=passive
 threads=${THREADS:-1}
-particles=50000
+total=50000
 runs=${RUNS:-5}
 levels="1 2 3 4 6"
 factors="0.7 1 1.4 2"
+steps=60
 if [ -n "$quick" ]; then
-    particles=4000
-    runs=3
-    levels="1 2 3"
-    factors="1 1.4"
+    total=4000
+    runs=${RUNS:-2}
+    levels="1 2 4"
+    factors="1"
+    steps=20
 fi
-rows=$(mktemp)
-trap 'rm -f "$rows"' EXIT
+total=${COUNT:-$total}
 
-measure() {
-    # shellcheck disable=SC2086
-    "$bench" $scene particles=$particles repetitions="$runs" threads="$threads" "$@"
+# two R SHARE FRACTION: keys of a bidisperse packing; SHARE of the particles are large, or so many if it is 1 or more
+two() {
+    awk -v R="$1" -v share="$2" -v fraction="$3" -v n=$total 'BEGIN {
+        large = share < 1 ? int(share * n + 0.5) : share
+        large = large < 1 ? 1 : large
+        edge = ((large * R ^ 3 + n - large) * 4.18879 / fraction) ^ (1 / 3)
+        edge = edge < 2.6 * R ? 2.6 * R : edge # the least that scree pack takes
+        printf "bidisperse ratio=%g box=%.6g large=%d small=%d", R, edge, large, n - large }'
 }
 
-value='function value(key) {
-    match($0, "\"" key "\": [^,}]*")
-    return substr($0, RSTART + length(key) + 4, RLENGTH - length(key) - 4) + 0
-}'
-while read -r scene; do
+# lognormal RATIO: a table of sieves, a bell in the logarithm of the diameter, three deviations to each side
+lognormal() {
+    awk -v ratio="$1" 'BEGIN {
+        for (k = 0; k <= 24; k++) {
+            z = k / 4 - 3
+            d = 2 * ratio ^ (k / 24)
+            printf "%.9g %.9g\n", d, k == 0 ? 0 : k == 24 ? 1 : 1 / (1 + exp(-1.702 * z)) }
+        }' >"$work/lognormal-$1.txt"
+    echo "sieve by=number table=$work/lognormal-$1.txt"
+}
+
+rows=$work/auto.rows
+scenes=$work/auto.scenes
+: >"$scenes"
+
+# detect KEY=VALUE...
+detect() {
+    "$bench" file="$packing.data" skin=0.3 repetitions="$runs" threads="$threads" "$@" | sed "s/^{/{\"kind\": \"detection\", \"scene\": \"$scene\", /"
+}
+
+# whole INDEX LEVELS FACTOR CLASSES
+whole() {
+    packing_run threads="$threads" index="$1" index.cell_factor="$3" "$4" skin.length=0.3 step.count=$steps observables.every=$steps \
+        step.rebuild_every=10 guards.overlap=off
+    echo "$(report seconds)" | awk -v scene="$scene" -v index_name="$1" -v levels="$2" -v factor="$3" -v threads="$threads" -v n="$particles" -v steps=$steps '{
+        s = $1 * 10 / steps
+        printf "{\"kind\": \"run\", \"scene\": \"%s\", \"index\": \"%s\", \"levels\": %d, \"factor\": %g, \"threads\": %d, \"seconds\": %.6g, \"particles\": %d, \"ns_per_particle\": %.5g}\n",
+            scene, index_name, levels, factor, threads, s, n, 1e9 * s / n }'
+}
+
+# fastest KIND PATTERN: the fastest row of a kind with a pattern
+fastest() {
+    grep "\"kind\": \"$1\".*$2" "$rows" | awk '{ match($0, /"seconds": [^,]*/); t = substr($0, RSTART + 11, RLENGTH - 11) + 0
+        if (NR == 1 || t < least) { least = t; row = $0 } } END { print row }'
+}
+
+# measure: all of one scene
+measure() {
     {
-        measure levels=0 index=auto
+        detect levels=0 index=auto
         for l in $levels; do
             for f in $factors; do
-                measure levels="$l" factor="$f"
+                detect levels="$l" factor="$f"
+            done
+        done
+        whole auto 0 0 classes.method=auto
+        for l in $levels; do
+            cut=$(classes_at "$(cuts "$l" 0.3 "$packing.sizes")")
+            for f in $factors; do
+                whole hgrid "$l" "$f" "$cut"
             done
         done
     } >"$rows"
     cat "$rows"
-    awk -v scene="$scene" "$value"'
-    NR == 1 { auto = value("seconds"); predicted = value("predicted"); particles = value("particles"); threads = value("threads"); best = auto; next }
-    { t = value("seconds"); best = t < best ? t : best }
-    value("levels") == 1 { one = one && one < t ? one : t }
-    END { printf "{\"scene\": \"%s\", \"threads\": %d, \"seconds\": %g, \"particles\": %d, \"ns_per_particle\": %.1f, \"ratio\": %.3f, \"linkcell_ratio\": %.3f, \"prediction\": %.3f}\n",
-          scene, threads, auto, particles, 1e9 * auto / particles, auto / best, auto / one, predicted / auto }' "$rows" | tee -a "$rows.all"
-done <<END
-law=power ratio=1 fraction=0.4 skin=0.3
-law=power ratio=1 fraction=0.02 skin=0.3
-law=power ratio=1 fraction=0.001 skin=0.3
-law=bidisperse ratio=10 large=3.5e-4 fraction=0.45 skin=0.3
-law=bidisperse ratio=2 large=0.5 fraction=0.4 skin=0.3
-law=bidisperse ratio=4 large=0.02 fraction=0.45 skin=0.3
-law=bidisperse ratio=30 large=4e-5 fraction=0.3 skin=0.3
-law=power exponent=-3 ratio=50 fraction=0.4
-law=power exponent=-3 ratio=50 fraction=0.1
-law=power exponent=-3 ratio=50 fraction=0.5 skin=0.3
-law=power exponent=-3 ratio=300 fraction=0.4 skin=0.3
-law=power exponent=0 ratio=8 fraction=0.4 skin=0.3
-law=power exponent=0 ratio=1.8 fraction=0.4 skin=0.3
-law=power exponent=2 ratio=50 fraction=0.3 skin=0.3
-law=power exponent=-2 ratio=20 fraction=0.4 skin=0.3
-law=power exponent=-4 ratio=100 fraction=0.4 skin=0.3
-law=exponential ratio=50 fraction=0.45 skin=0.3
-law=lognormal ratio=20 fraction=0.4 skin=0.3
-law=lognormal ratio=100 fraction=0.1 skin=0.3
-law=sand ratio=20 fraction=0.45 skin=0.3
-law=sand ratio=100 fraction=0.3 skin=0.3
-law=boulder ratio=30 large=1 fraction=0.35 skin=0.3
-law=boulder ratio=8 large=5 fraction=0.05 skin=0.3
-END
-sort_by() {
-    sed "s/.*\"$1\": \([0-9.]*\).*/\1/" "$rows.all" | sort -n
+    best=$(fastest run '"index": "hgrid"')
+    one=$(fastest run '"levels": 1,')
+    cut=$(classes_at "$(cuts "$(value levels "$best")" 0.3 "$packing.sizes")")
+    : >"$work/auto.turns"
+    turn=0
+    while [ $turn -lt "$runs" ]; do
+        mine=$(whole auto 0 0 classes.method=auto)
+        other=$(whole hgrid "$(value levels "$best")" "$(value factor "$best")" "$cut")
+        single=$(whole hgrid 1 "$(value factor "$one")" classes.method=one)
+        echo "$(value seconds "$mine") $(value seconds "$other") $(value seconds "$single")" >>"$work/auto.turns"
+        turn=$((turn + 1))
+    done
+    line=$(fastest detection '"index": "auto"')
+    awk -v scene="$scene" -v threads="$threads" -v n="$particles" -v mine="$(value seconds "$line")" -v predicted="$(value predicted "$line")" \
+        -v others="$(value seconds "$(fastest detection '"index": "hgrid"')")" -v single="$(value seconds "$(fastest detection '"levels": 1,.*"index": "hgrid"\|"index": "hgrid".*"levels": 1,')")" \
+        -v a="$(median 1 "$work/auto.turns")" -v b="$(median 2 "$work/auto.turns")" -v c="$(median 3 "$work/auto.turns")" 'BEGIN {
+        printf "{\"kind\": \"scene\", \"scene\": \"%s\", \"threads\": %d, \"seconds\": %.6g, \"particles\": %d, \"ns_per_particle\": %.5g, ", scene, threads,
+            mine, n, 1e9 * mine / n
+        printf "\"predicted\": %.6g, \"prediction\": %.3f, \"ratio\": %.3f, \"linkcell_ratio\": %.3f, ", predicted, predicted / mine,
+            mine / others, mine / single
+        printf "\"run_seconds\": %.6g, \"run_ratio\": %.3f, \"run_linkcell_ratio\": %.3f}\n", a, a / b, a / c }' | tee -a "$scenes"
 }
-count=$(wc -l <"$rows.all")
-middle=$(((count + 1) / 2))
-awk "$value"'{ s += value("seconds"); n += value("particles"); threads = value("threads") }
-END { printf "{\"summary\": true, \"threads\": %d, \"seconds\": %g, \"particles\": %d, \"ns_per_particle\": %.1f, ", threads, s, n, 1e9 * s / n }' "$rows.all"
-printf '"scenes": %d, "ratio_median": %s, "ratio_largest": %s, "linkcell_ratio_largest": %s, "prediction_median": %s}\n' "$count" \
-    "$(sort_by ratio | sed -n "${middle}p")" "$(sort_by ratio | tail -1)" "$(sort_by linkcell_ratio | tail -1)" "$(sort_by prediction | sed -n "${middle}p")"
-rm -f "$rows.all"
+
+while IFS='|' read -r scene law <&3; do
+    echo "$scene" | grep -Eq "${SCENES:-.}" || continue
+    # shellcheck disable=SC2046
+    packed $(eval "echo $law") velocity=1
+    measure
+done 3<<'END_OF_SCENES'
+one size|power min=1 max=1.0001 fraction=0.4 count=$total
+one size dilute|power min=1 max=1.0001 fraction=0.02 count=$total
+one size gas|power min=1 max=1.0001 fraction=0.001 count=$total
+one size dense|power min=1 max=1.0001 fraction=0.58 count=$total
+bidisperse 10|$(two 10 3.5e-4 0.45)
+bidisperse 2|$(two 2 0.5 0.35)
+bidisperse 4|$(two 4 0.02 0.4)
+bidisperse 20|$(two 20 1e-4 0.3)
+uniform by volume|univol count=$total fraction=0.4 walls=periodic
+uniform by volume dilute|univol count=$total fraction=0.1 walls=periodic
+uniform by volume dense|univol count=$total fraction=0.6 walls=periodic
+uniform by volume 300|univol count=$total fraction=0.4 ratio=300 walls=periodic
+uniform by number 8|power min=1 max=8 exponent=0 fraction=0.4 count=$total
+uniform by number 1.8|power min=1 max=1.8 exponent=0 fraction=0.4 count=$total
+power 2 50|power min=1 max=50 exponent=2 fraction=0.3 count=$total
+power -2 20|power min=1 max=20 exponent=-2 fraction=0.4 count=$total
+power -4 100|power min=1 max=100 exponent=-4 fraction=0.4 count=$total
+exponential|exponential count=$total
+lognormal 20|$(lognormal 20) count=$total fraction=0.4
+lognormal 100|$(lognormal 100) count=$total fraction=0.1
+sand 20|sand ratio=20 count=$total fraction=0.4
+sand 100|sand ratio=100 count=$total fraction=0.3
+one boulder|$(two 20 1 0.35)
+five boulders|$(two 8 5 0.05)
+END_OF_SCENES
+
+# of KEY: the scenes' values in order
+of() {
+    sed "s/.*\"$1\": \([-0-9.e+]*\).*/\1/" "$scenes" | sort -g
+}
+# middle KEY, largest KEY
+middle() {
+    of "$1" | awk '{ v[NR] = $1 } END { printf "%.4g", NR % 2 ? v[(NR + 1) / 2] : (v[NR / 2] + v[NR / 2 + 1]) / 2 }'
+}
+largest() {
+    of "$1" | tail -n 1
+}
+awk '
+function value(key) {
+    match($0, "\"" key "\": [^,}]*")
+    return substr($0, RSTART + length(key) + 4, RLENGTH - length(key) - 4) + 0
+}
+{ s += value("seconds"); n += value("particles"); threads = value("threads") }
+END { printf "{\"summary\": true, \"scenes\": %d, \"threads\": %d, \"seconds\": %.6g, \"particles\": %d, \"ns_per_particle\": %.5g, ", NR, threads, s, n, 1e9 * s / n }' "$scenes"
+echo "\"ratio_median\": $(middle ratio), \"ratio_largest\": $(largest ratio), \"linkcell_ratio_largest\": $(largest linkcell_ratio), \
+\"run_ratio_median\": $(middle run_ratio), \"run_ratio_largest\": $(largest run_ratio), \
+\"run_linkcell_ratio_largest\": $(largest run_linkcell_ratio), \"prediction_median\": $(middle prediction), \
+\"prediction_least\": $(of prediction | head -n 1), \"prediction_largest\": $(largest prediction)}"

@@ -19,3 +19,10 @@ tests_app_cut_message_la_LIBADD = $(MPI_LIBS)
 tests/app/faults.log: tests/app/cut_message.la
 
 tests/app/ranks.log: tests/checkpoint_lines
+
+# Without AVX, and on emulated CPUs where qemu-user is there
+dist_check_SCRIPTS += tests/app/baseline.sh
+
+# The benchmarks, tiny
+dist_check_SCRIPTS += tests/app/bench.sh
+tests/app/bench.log: tests/bench_triad tests/index/bench_index

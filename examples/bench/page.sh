@@ -1,0 +1,395 @@
+#!/bin/sh
+# Writes performance.md and its pictures from the results of the benchmarks: page.sh RESULTS DOCUMENTS (called by report.sh)
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+results=$1
+documents=$2
+export LC_ALL=C
+data=$results/plot
+mkdir -p "$data" "$documents/images"
+
+# fields FILE PATTERN KEY...: the values of the keys in the lines with the pattern, by |; nothing where a key is not there
+fields() {
+    file=$results/$1.jsonl pattern=$2
+    shift 2
+    test ! -s "$file" || grep -E "$pattern" "$file" | awk -v keys="$*" '
+        BEGIN { n = split(keys, key, " ") }
+        {
+            row = ""
+            for (k = 1; k <= n; k++) {
+                line = $0
+                m = split(key[k], part, "/") # OUTER/KEY: the key inside of an object
+                if (m == 2) {
+                    gsub(/_/, " ", part[1])
+                    at = index(line, "\"" part[1] "\": {")
+                    line = at ? substr(line, at) : ""
+                }
+                v = ""
+                if (match(line, "\"" part[m] "\": (\"[^\"]*\"|[^\",}]*)")) {
+                    v = substr(line, RSTART + length(part[m]) + 4, RLENGTH - length(part[m]) - 4)
+                    gsub(/"/, "", v)
+                }
+                row = row (k > 1 ? "|" : "") v
+            }
+            print row
+        }'
+}
+
+# table HEADING...: rows by | from the standard input as a table; a heading may end in :SCALE (times) and :SCALE:DIGITS
+table() {
+    awk -F'|' -v OFS=' | ' -v headings="$(printf '%s|' "$@")" '
+        BEGIN {
+            n = split(headings, heading, "|") - 1
+            for (k = 1; k <= n; k++) {
+                m = split(heading[k], part, ":")
+                name[k] = part[1]
+                scale[k] = m > 1 ? part[2] : ""
+                digits[k] = m > 2 ? part[3] : 3
+            }
+        }
+        NR == 1 {
+            line = "|"
+            rule = "|"
+            for (k = 1; k <= n; k++) { line = line " " name[k] " |"; rule = rule "---|" }
+            print line
+            print rule
+        }
+        {
+            line = "|"
+            for (k = 1; k <= n; k++) {
+                v = $k
+                if (scale[k] != "" && v ~ /^[-+]?[0-9.]+(e[-+]?[0-9]+)?$/) v = sprintf("%." digits[k] "g", v * scale[k])
+                if (v ~ /e\+/) v = sprintf("%.0f", v)
+                line = line " " (v == "" || v == "null" ? "–" : v) " |"
+            }
+            print line
+        }'
+}
+
+# done_for NAME...: is there a summary of any of these?
+done_for() {
+    for name; do
+        ! grep -q '"summary": true' "$results/$name.jsonl" 2>/dev/null || return 0
+    done
+    echo "Not run yet: \`examples/bench/report.sh --only \"$*\"\`."
+    return 1
+}
+
+# plot NAME WIDTH,HEIGHT: gnuplot's commands from the standard input make images/performance-NAME.svg, and a link to it
+plot() {
+    if ! command -v gnuplot >/dev/null; then
+        echo "(No picture: gnuplot is not there.)"
+        cat >/dev/null
+        return
+    fi
+    {
+        echo "out = '$data/'; picture = '$documents/images/performance-$1.svg'"
+        cat "$here/../verify/style.gp"
+        echo "set terminal svg size $2 font 'sans,12' background 'white'; set output picture"
+        echo "set style line 6 lc rgb '#8d5a97' pt 9 ps 0.6 lw 1.5; set style line 7 lc rgb '#6c757d' lw 1.5 dt 3; set datafile separator '|'"
+        cat
+    } | gnuplot || { echo "page.sh: no picture $1" >&2; return; }
+    printf '\n![%s](images/performance-%s.svg)\n' "$1" "$1"
+}
+
+conditions() {
+    echo "| benchmark | mode | machine | cores | load before | revision | when | seconds |"
+    echo "|---|---|---|---|---|---|---|---|"
+    for file in "$results"/*.jsonl; do
+        sed -n 's/^{"conditions": "\(.*\)"}$/\1/p' "$file" | head -n 1
+    done
+}
+
+bidisperse() {
+    printf '\n## Bidisperse, beside LAMMPS\n\n'
+    echo 'Table 1 of Stratford, Shire and Hanley: spheres of radius 1 and R, Hooke contacts with slip history, 100 steps, a rebuild every 16; medians.'
+    echo 'Needed: a loop ratio of 7 and a rebuild ratio of 8 at R = 10, no lower at 20 and 40.'
+    echo
+    done_for bidisperse-10 bidisperse-20 bidisperse-40 || return 0
+    for name in bidisperse-10 bidisperse-20 bidisperse-40; do
+        fields $name '"loop_ratio"' R particles ranks threads seconds loop_ratio rebuild_seconds rebuild_ratio lammps/seconds kinetic_energy_difference | tail -n 1
+    done | table R particles ranks threads 'loop, s:1:4' 'loop ratio' 'rebuilds, s:1:4' 'rebuild ratio' "LAMMPS's loop, s:1:4" 'difference of the kinetic energies'
+}
+
+table1() {
+    printf '\n## Large systems, memory\n\n'
+    echo 'The same systems in scree alone: a step with its share of rebuilds (one in 16). Needed: at most 400 bytes a particle at R = 10; R = 80 in 18 GiB.'
+    echo
+    done_for table1-10 table1-20 table1-40 table1-80 table1-100 || return 0
+    for R in 10 20 40 80 100; do
+        fields table1-$R '"summary"' R particles threads seconds ns_per_particle rebuild_seconds bytes_per_particle memory left_out
+    done | table R particles threads 'step, ms:1000' 'ns a particle and step:1' 'rebuild, s:1' 'bytes a particle:1:4' 'memory, GiB:9.31322575e-10' 'left out'
+}
+
+cells() {
+    printf '\n## Time against cell size (Figures 3 and 4 of the report)\n\n'
+    echo "LAMMPS's \`multi\` is the report's \`bytype\`, its \`multi/old\` the report's \`multi\`. Cells of the small spheres; a cut-off is 2.5. Published: at each R the curves"
+    echo 'stand in the order multi newton off, multi newton on, bytype newton off, on, reduced ghosts; the optimum of bytype lies at twice the default, 2.5, that'
+    echo 'of multi at 3.75 to 5; gains of multi newton on over bytype with reduced ghosts 7.5, 29, 161 at R = 10, 20, 40 (24 ranks).'
+    echo "scree's multi tests long runs of cells eight at a time and is faster than LAMMPS's multi/old at its best size of cells, so the gain over it is smaller."
+    echo
+    done_for cells-10 cells-20 cells-40 || return 0
+    for R in 10 20 40; do
+        test -s "$results/cells-$R.jsonl" || continue
+        for style in 'multi newton on' 'multi newton off' 'bytype newton on' 'bytype newton off' 'bytype reduced' hgrid auto 'auto reduced'; do
+            key=$(echo "$style" | tr ' ' '_')
+            theirs=$(fields cells-$R '"summary"' "lammps_$key/binsz" "lammps_$key/rebuild_seconds")
+            echo "$R|$style|$(fields cells-$R '"summary"' "scree_$key/binsz" "scree_$key/rebuild_seconds")|${theirs:-|}"
+        done
+    done | table R style 'best binsz, scree' 'rebuild, ms:1000' 'best binsz, LAMMPS' 'rebuild, ms:1000'
+    for R in 10 20 40; do
+        for style in 'multi newton on' 'multi newton off' 'bytype newton on' 'bytype newton off' 'bytype reduced'; do
+            for code in scree lammps; do
+                fields cells-$R "\"code\": \"$code\".*\"style\": \"$style\"" binsz seconds comm_seconds >"$data/cells-$R-$code-$(echo "$style" | tr ' ' '-')"
+            done
+        done
+        fields cells-$R '"style": "auto"' seconds >"$data/cells-$R-auto"
+    done
+    plot cells 900,420 <<'GP'
+set multiplot layout 1,3
+set logscale xy; set xlabel "edge of the cells of the small spheres"; set ylabel "s a rebuild"; set xrange [1:12]; set key font ",8" maxrows 6
+do for [R in "10 20 40"] {
+    file(code, style) = out . "cells-" . R . "-" . code . "-" . style
+    if (int(system("wc -l <" . file("scree", "bytype-newton-on"))) > 0) {
+        set title "R = " . R
+        plot file("scree", "multi-newton-off") w lp ls 4 t "multi off", file("scree", "multi-newton-on") w lp ls 2 t "multi on", \
+            file("scree", "bytype-newton-off") w lp ls 6 t "bytype off", file("scree", "bytype-newton-on") w lp ls 5 t "bytype on", \
+            file("scree", "bytype-reduced") w lp ls 1 pt 1 t "reduced", real(system("cat " . out . "cells-" . R . "-auto")) ls 3 t "auto", \
+            file("lammps", "multi-newton-on") w lp ls 2 dt 2 pt 12 t "LAMMPS multi/old on", file("lammps", "bytype-newton-on") w lp ls 5 dt 2 pt 12 t "LAMMPS multi on", \
+            file("lammps", "bytype-reduced") w lp ls 1 dt 2 pt 12 t "LAMMPS reduced"
+    }
+}
+unset multiplot
+GP
+}
+
+continuous_names="continuous-dunkirk-10 continuous-dunkirk-20 continuous-dunkirk-40 continuous-exponential-50"
+continuous() {
+    printf '\n## Continuous sizes (Figures 7 and 9 of the report)\n\n'
+    echo 'Dunkirk sand and an exponential law. d_sep separates two size classes; hgrid has levels of equal occupancy; auto is told nothing. A rebuild in'
+    echo "milliseconds, best of each sweep; the ratio is LAMMPS's best over auto, medians in turns (needed: 5). The last column says whether more than two levels pay."
+    echo
+    # shellcheck disable=SC2086
+    done_for $continuous_names || return 0
+    for name in $continuous_names; do
+        fields $name '"summary"' law R particles multi/rebuild_seconds bytype/d_sep bytype/rebuild_seconds hgrid/levels hgrid/rebuild_seconds seconds lammps/d_sep \
+            lammps/rebuild_seconds rebuild_ratio | awk -F'|' '$6 > 0 {
+                gain = $6 / $8
+                print $0 "|" (gain > 1.03 ? sprintf("yes, %.2f times", gain) : gain < 0.97 ? "no" : "no difference") }'
+    done | table law R particles 'multi:1000' 'bytype at d_sep:1' 'bytype:1000' 'hgrid levels' 'hgrid:1000' 'auto:1000' 'LAMMPS at d_sep:1' 'LAMMPS:1000' 'ratio:1' 'hgrid over the best two classes'
+    for name in $continuous_names; do
+        for index in multi bytype; do
+            fields $name "\"code\": \"scree\".*\"index\": \"$index\"" d_sep seconds >"$data/$name-$index"
+        done
+        fields $name '"code": "lammps"' d_sep seconds | sort -t'|' -k1g,1 -k2gr,2 >"$data/$name-lammps"
+        fields $name '"index": "hgrid"' levels seconds | awk -F'|' '!seen[$1]++' >"$data/$name-hgrid"
+        fields $name '"summary": true' seconds >"$data/$name-auto"
+    done
+    plot continuous 900,720 <<'GP'
+names = "continuous-dunkirk-10 continuous-dunkirk-20 continuous-dunkirk-40 continuous-exponential-50"
+set multiplot layout 2,2
+set ylabel "s a rebuild"; set yrange [0:*]; set logscale x; set key font ",9"
+do for [name in names] {
+    if (int(system("wc -l <" . out . name . "-bytype")) > 0) {
+        set title name; set xlabel "d_sep, or number of levels"
+        plot out . name . "-multi" w lp ls 4 t "multi", out . name . "-bytype" w lp ls 5 t "bytype", out . name . "-lammps" w p ls 2 pt 12 ps 1 t "LAMMPS multi", \
+            out . name . "-hgrid" w lp ls 1 pt 1 t "hgrid, levels", real(system("cat " . out . name . "-auto")) ls 3 t "auto"
+    }
+}
+unset multiplot
+GP
+}
+
+univol() {
+    printf '\n## Levels (Figures 2 and 3 of the paper on packing fractions)\n\n'
+    echo '125,001 spheres (quick: 20,000) of size ratio 50, f(r) ~ r^-3, between hard walls, packing fraction nu. Complete detection without a skin, radii 1 % larger, hgrid with 1 to 32'
+    echo 'levels of equal occupancy (32 size classes are the most; the paper goes to 50). Published (scalar code): best L 5 at nu = 0.1 to 8 at 0.62, speed-up over one level'
+    echo '150 and more, K = 0.2 at any nu. Here one level costs far less, as long runs of candidates are tested eight at a time, and a level more costs runs: so K is larger,'
+    echo 'speed-ups are smaller and fewer levels are best; the absolute times are what compares (a code with the published algorithm, MercuryDPM: 530 ns a particle at nu = 0.4, 440 at 0.1 on one thread; needed: 100 on one thread, 50 on two).'
+    echo
+    done_for univol-0.1 univol-0.2 univol-0.4 univol-0.62 || return 0
+    for nu in 0.1 0.2 0.4 0.62; do
+        fields univol-$nu '"summary"' fraction particles best_levels one_level_seconds best_seconds speed_up K K_error auto_levels ns_per_particle ns_per_particle_all
+    done | table nu particles 'best L' 'one level, ms:1000' 'best, ms:1000' 'speed-up' 'K of eq. 3' 'its error (log)' "auto's L" 'auto, ns a particle, one thread:1' 'all cores:1'
+    echo
+    echo 'Whole steps of soft frictionless spheres at overlaps of about 1 %, with a search in every step as in the paper, or when the skin is used up:'
+    echo
+    for nu in 0.1 0.2 0.4 0.62; do
+        for kind in search skin; do
+            fields univol-$nu '"summary"' fraction "$kind/best_levels" "$kind/step_seconds" "$kind/step_speed_up" "$kind/auto_step_seconds" | sed "s/|/|$kind|/"
+        done
+    done | table nu 'list' 'best L' 'step, ms:1000' 'speed-up over one level' 'auto, ms:1000'
+    for nu in 0.1 0.2 0.4 0.62; do
+        fields univol-$nu '"kind": "slowdown"' levels slowdown prediction model >"$data/univol-$nu"
+        fields univol-$nu '"kind": "search".*"index": "hgrid"' levels seconds | sort -t'|' -k2g | awk -F'|' 'NR == 1 { least = $2 } { print $1 "|" $2 / least }' | sort -t'|' -g >"$data/univol-step-$nu"
+        fields univol-$nu '"summary"' fraction best_levels speed_up search/best_levels search/step_speed_up
+    done >"$data/univol-best"
+    plot univol 900,720 <<'GP'
+set multiplot layout 2,2
+set logscale xy; set xlabel "levels"; set ylabel "slowdown factor"; set xrange [0.9:40]; set yrange [0.9:*]
+do for [nu in "0.1 0.2 0.4 0.62"] {
+    if (int(system("wc -l <" . out . "univol-" . nu)) > 0) {
+        set title "nu = " . nu
+        plot out . "univol-" . nu using 1:2 w p ls 2 ps 1 t "detection", "" using 1:3 w l ls 1 t "eq. 3, K fitted", "" using 1:4 w l ls 3 t "cost model", \
+            out . "univol-step-" . nu w p ls 4 ps 1 t "whole steps, a search in each"
+    }
+}
+unset multiplot
+GP
+    plot optimum 700,360 <<'GP'
+set multiplot layout 1,2
+set xlabel "nu"; set xrange [0:0.7]; set yrange [0:*]
+set ylabel "best number of levels"
+plot out . "univol-best" using 1:2 w lp ls 2 ps 1 t "detection", "" using 1:4 w lp ls 4 ps 1 t "whole steps"
+set ylabel "speed-up over one level"
+plot out . "univol-best" using 1:3 w lp ls 2 ps 1 t "detection", "" using 1:5 w lp ls 4 ps 1 t "whole steps"
+unset multiplot
+GP
+}
+
+auto() {
+    printf '\n## The index that chooses itself\n\n'
+    echo 'Ratio: auto over the fastest of a sweep of hgrid (levels x cell sizes); detection (processor time), and ten steps with a rebuild (wall clock, medians in'
+    echo 'turns with what was fastest). Needed: at most 1.10 in the median, never above 1.25, never slower than one level (linkcell).'
+    echo
+    done_for auto || return 0
+    fields auto '"summary"' scenes threads ratio_median ratio_largest linkcell_ratio_largest run_ratio_median run_ratio_largest run_linkcell_ratio_largest prediction_median prediction_least prediction_largest |
+        table scenes threads 'ratio, median' 'largest' 'over one level, largest' 'runs: median' 'largest' 'over one level, largest' 'predicted over measured, median' least largest
+    echo
+    fields auto '"kind": "scene"' scene particles ns_per_particle ratio linkcell_ratio prediction run_ratio run_linkcell_ratio |
+        table scene particles 'detection, ns a particle:1' ratio 'over one level' 'predicted over measured' 'runs: ratio' 'over one level'
+    fields auto '"kind": "scene"' seconds predicted >"$data/auto"
+    plot auto 520,420 <<'GP'
+set logscale xy; set xlabel "measured (ms a detection)"; set ylabel "predicted"; set key left top inside
+plot out . "auto" using ($1 * 1e3):($2 * 1e3) w p ls 2 ps 1 t "scenes", "" using ($1 * 1e3):($1 * 1e3) w l ls 1 t "as predicted", \
+    "" using ($1 * 1e3):($1 * 1.25e3) w l ls 7 t "25 %", "" using ($1 * 1e3):($1 / 1.25e-3) w l ls 7 notitle
+GP
+}
+
+chute() {
+    printf '\n## Chute, beside LAMMPS\n\n'
+    echo '32,000 spheres down a rough incline (regenerated, not copied); needed: 3 times on one core and on two.'
+    echo
+    done_for_ratio chute || return 0
+    fields chute '"loop_ratio_one"' particles steps cores seconds ns_per_particle loop_ratio loop_ratio_one kinetic_energy_difference |
+        table particles steps cores 'loop, s:1:4' 'ns a particle and step:1' 'ratio, all cores' 'ratio, one core' 'difference of the kinetic energies'
+}
+done_for_ratio() {
+    ! grep -q '"loop_ratio' "$results/$1.jsonl" 2>/dev/null || return 0
+    echo "Not run yet: \`examples/bench/report.sh --only $1\`."
+    return 1
+}
+
+roofline() {
+    printf '\n## Under the roof\n\n'
+    echo 'Bidisperse, R = 10. Share: the time that the lower of the two roofs (bandwidth of a triad, operations of the widest instructions without fused ones) would'
+    echo 'allow, over the time taken. Needed: a step within twice the time of its compulsory bytes; a thread speed-up of 1.8 on two cores; 400 bytes a particle.'
+    echo
+    done_for roofline || return 0
+    fields roofline '"loop"' loop threads gigabytes_per_second gigaflops | table loop threads 'GB/s' 'GFlop/s'
+    echo
+    fields roofline '"stage"' stage threads particles seconds bytes flops gigabytes_per_second gigaflops share |
+        table stage threads particles 'ms:1000' 'bytes a particle' 'operations a particle' 'GB/s' 'GFlop/s' share
+    echo
+    fields roofline '"summary"' threads seconds compulsory_seconds step_over_compulsory step_speed_up rebuild_seconds rebuild_speed_up bytes_per_particle |
+        table threads 'step, ms:1000' 'its bytes alone, ms:1000' 'over' 'speed-up of the step' 'rebuild, ms:1000' 'speed-up of the rebuild' 'memory, bytes a particle'
+    fields roofline '"stage": "(step|pairs)"' threads bytes flops gigaflops stage | awk -F'|' '{ print $3 / $2 "|" $4 "|" $5 ", " $1 " threads" }' >"$data/roofline"
+    fields roofline '"loop": "triad"' gigabytes_per_second | tail -n 1 >"$data/roofline-triad"
+    fields roofline '"loop": "peak"' gigaflops | tail -n 1 >"$data/roofline-peak"
+    plot roofline 560,380 <<'GP'
+triad = real(system("cat " . out . "roofline-triad")); peak = real(system("cat " . out . "roofline-peak"))
+set logscale xy; set xrange [0.02:100]; set xlabel "operations a compulsory byte"; set ylabel "GFlop/s"; set key off
+plot (x * triad < peak ? x * triad : peak) ls 1, out . "roofline" using 1:2 w p ls 2 ps 1.2, "" using 1:2:3 with labels offset 1,-0.8 left font ",9"
+GP
+}
+
+growth() {
+    printf '\n## Growth\n\n'
+    echo 'Nanoseconds a particle and step (rebuilds included) and bytes a particle: with the number of particles (radii 1 to 10), with the radius of one boulder among 200,000 equal'
+    echo 'spheres (quick: 20,000), and with the spread of sizes at fixed number. In the last table the largest of a series over its first point; needed: 2 in time, memory proportional to particles.'
+    echo
+    done_for growth || return 0
+    fields growth '"series"' series R particles threads ns_per_particle rebuild_ns_per_particle bytes_per_particle pairs contacts |
+        awk -F'|' -v OFS='|' '{ $8 = $8 / $3; $9 = $9 / $3; print }' |
+        table series R particles threads 'ns a particle and step:1' 'ns a particle and rebuild:1' 'bytes a particle:1:4' 'pairs a particle:1' 'contacts a particle:1'
+    echo
+    fields growth '"summary"' particles_time boulder_time spread_time particles_memory boulder_memory spread_memory |
+        table 'particles: time' 'boulder: time' 'spread: time' 'particles: memory' 'boulder: memory' 'spread: memory'
+    fields growth '"series": "particles"' particles ns_per_particle >"$data/growth-particles"
+    fields growth '"series": "boulder"' R ns_per_particle >"$data/growth-boulder"
+    fields growth '"series": "spread"' R ns_per_particle >"$data/growth-spread"
+    plot growth 760,360 <<'GP'
+set multiplot layout 1,2
+set logscale x; set yrange [0:*]; set ylabel "ns a particle and step"
+set xlabel "particles"; plot out . "growth-particles" w lp ls 2 ps 1 notitle
+set xlabel "size ratio"; plot out . "growth-boulder" w lp ls 5 ps 1 t "one boulder", out . "growth-spread" w lp ls 4 ps 1 t "r^{-3}"
+unset multiplot
+GP
+}
+
+needs() {
+    printf '\n## What a scene does not need\n\n'
+    echo '8,000 spheres, one thread; each line takes one more thing away.'
+    echo
+    if [ ! -s "$results/needs.jsonl" ]; then
+        # shellcheck disable=SC2016
+        echo 'Not run yet: `examples/bench/report.sh --only needs`.'
+        return
+    fi
+    fields needs '"variant"' variant nanoseconds_a_particle_and_step bytes_a_particle history_bytes_a_pair passes contacts |
+        table scene 'ns a particle and step' 'bytes a particle' 'history, bytes a pair' passes contacts
+}
+
+ablation() {
+    printf '\n## Ablation\n\n'
+    echo 'Measured here by `compare.sh`, the bidisperse packing R = 10: the setting in the first column instead of the default, in turns; how much longer it takes'
+    echo '(median over the pairs, interval of at least 95 % by their order), the whole loop, the step and the rebuild.'
+    echo
+    if grep -q '"summary": true' "$results/ablation.jsonl" 2>/dev/null; then
+        awk '
+            function number(key, from, at) {
+                at = index($0, from)
+                rest = substr($0, at)
+                match(rest, "\"gain\": [^,]*, \"interval\": \\[[^]]*\\]")
+                s = substr(rest, RSTART, RLENGTH)
+                split(s, part, /: |, "interval"/)
+                gain = part[2]
+                match(s, /\[[^]]*\]/)
+                range = substr(s, RSTART + 1, RLENGTH - 2)
+                sub(/, /, " ... ", range)
+                return gain " (" range ")"
+            }
+            /"summary": true/ {
+                match($0, /"B": "[^"]*"/)
+                b = substr($0, RSTART + 6, RLENGTH - 7)
+                match($0, /"pairs": [0-9]*/)
+                pairs = substr($0, RSTART + 9, RLENGTH - 9)
+                match($0, /"threads": [0-9]*/)
+                threads = substr($0, RSTART + 11, RLENGTH - 11)
+                print "`" b "`|" pairs "|" threads "|" number("gain", "\"ns_per_particle\"") "|" number("gain", "\"step\": {") "|" number("gain", "\"rebuild\": {")
+            }' "$results/ablation.jsonl" | table setting pairs threads loop step rebuild
+    else
+        # shellcheck disable=SC2016
+        echo 'Not run yet: `examples/bench/report.sh --only ablation`.'
+    fi
+    printf '\nWhat cannot be switched, kept or taken out, as measured when it was tried (from `examples/bench/ablation.tsv`):\n\n'
+    awk -F'\t' 'NR == 1 { print "| " $1 " | " $2 " | " $3 " | " $4 " | " $5 " |"; print "|---|---|---|---|---|"; next }
+        { print "| " $1 " | " $2 " | " $3 " | " $4 " | " $5 " |" }' "$here/ablation.tsv"
+}
+
+{
+    cat "$here/performance.head.md"
+    printf '\n## Conditions\n\n'
+    conditions
+    bidisperse
+    table1
+    cells
+    continuous
+    univol
+    auto
+    chute
+    roofline
+    growth
+    needs
+    ablation
+} >"$documents/performance.md"

@@ -1,0 +1,107 @@
+#!/usr/bin/env bash
+# The benchmarks run, on tiny systems and without LAMMPS: each line of JSON has the keys that others rely on, the last one is the
+# summary, and what it says follows from the lines. Then the page is made from their results.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+top_builddir=$(cd "$top_builddir" && pwd)
+bench=$(cd "$top_srcdir/examples/bench" && pwd)
+export SCREE=${SCREE:-$top_builddir/scree} WORK=$out/work SKIP_LAMMPS=1 CORES=1 RUNS=1 PAIRS=3 OMP_NUM_THREADS=1
+export BENCH=$top_builddir/tests/index/bench_index TRIAD=$top_builddir/tests/bench_triad
+for tool in tests/index/bench_index tests/bench_triad; do
+    [ -x "$top_builddir/$tool" ] || make -s -C "$top_builddir" $tool || exit 1
+done
+mkdir -p "$out/results" "$WORK"
+cd "$out" || exit 1
+
+# lines FILE: has the four keys in each line, one summary, at the end
+lines() {
+    awk '
+        !/^{.*}$/ { print "  no object: " $0; bad = 1 }
+        { for (k in key) if (!match($0, "\"" k "\": [0-9]")) { print "  no number " k ": " $0; bad = 1 } }
+        /"summary": true/ { summaries++; last = NR }
+        END { if (summaries != 1 || last != NR) { print "  " summaries " summaries, " NR " lines"; bad = 1 } exit bad }
+        BEGIN { split("threads seconds particles ns_per_particle", name, " "); for (k in name) key[name[k]] }' "$1"
+}
+# run NAME COMMAND...: into results/NAME.jsonl
+run() {
+    local name=$1
+    shift
+    echo '{"conditions": "| a | test | | | | | | |"}' >"results/$name.jsonl"
+    timeout 300 "$@" >"$name.jsonl" 2>said || { cat "$name.jsonl" said; return 1; }
+    cat "$name.jsonl" >>"results/$name.jsonl"
+    lines "$name.jsonl"
+}
+# value KEY: of the summary
+value() {
+    tail -n 1 "$name.jsonl" | sed -n 's/.*"'"$1"'": \([-0-9.e+]*\).*/\1/p'
+}
+# least PATTERN KEY: the least value of a key in the lines with the pattern
+least() {
+    grep -E "$1" "$name.jsonl" | sed -n 's/.*"'"$2"'": \([-0-9.e+]*\).*/\1/p' | sort -g | head -n 1
+}
+same() {
+    within "$1" "$2" 1e-12
+}
+positive() {
+    awk -v x="$1" 'BEGIN { good = x > 0; if (!good) print "  " x; exit !good }'
+}
+
+name=continuous-dunkirk-10
+check 'Dunkirk sand' run $name env COUNT=3000 "$bench/continuous.sh" dunkirk 10 --quick
+best_of_two() { # the summary holds the best of the sweep
+    same "$(sed -n 's/.*"bytype": {[^}]*"rebuild_seconds": \([^}]*\)}.*/\1/p' <(tail -n 1 $name.jsonl))" "$(least '"index": "bytype"' seconds)"
+}
+check 'names the best d_sep' best_of_two
+same_pairs() { # all indexes find the same pairs after as many steps
+    [ "$(grep '"rebuilds": 3' $name.jsonl | sed 's/.*"pairs": \([0-9]*\).*/\1/' | sort -u | wc -l)" = 1 ]
+}
+check 'whatever the index, the pairs are the same' same_pairs
+check 'LAMMPS is said to be left out' holds $name.jsonl '"lammps": "left out"'
+name=continuous-exponential-50
+check 'exponential sizes' run $name env COUNT=3000 "$bench/continuous.sh" exponential 50 --quick
+name=cells-10
+check 'time against cell size' run $name "$bench/cells.sh" 10 --quick
+check 'with a gain of a grid for each type' positive "$(value gain)"
+name=univol-0.4
+check 'levels' run $name env COUNT=3000 "$bench/univol.sh" 0.4 --quick
+check 'their best is the fastest' same "$(value best_seconds)" "$(least '"detection".*"index": "hgrid"' seconds)"
+check 'K is fitted' positive "$(value K)"
+name=auto
+check 'auto' run $name env COUNT=2000 SCENES='boulder|lognormal 20|one size$' "$bench/auto.sh" --quick
+check 'in four scenes' same "$(value scenes)" 4
+check 'its prediction is compared' positive "$(value prediction_least)"
+name=growth
+check 'growth' run $name env NUMBERS='2000 5000' SMALL=2000 "$bench/growth.sh" --quick
+boulders_touch() { # the boulder does reach into the bed
+    [ "$(grep '"boulder", "R": 1000' $name.jsonl | sed 's/.*"contacts": \([0-9]*\).*/\1/')" -gt 0 ]
+}
+check 'with boulders' boulders_touch
+name=roofline
+check 'roofline' run $name "$bench/roofline.sh" --quick
+check 'the step takes longer than its bytes' positive "$(value step_over_compulsory)"
+name=table1-10
+check 'large systems, a small one' run $name "$bench/table1.sh" 10 --quick
+check 'bytes a particle' positive "$(value bytes_per_particle)"
+name=ablation
+check 'two settings in turns' run $name "$bench/compare.sh" --quick "" step.fused=false
+check 'have a ratio' positive "$(value gain)"
+
+page() {
+    RESULTS=$out/results DOCUMENTS=$out/documents "$bench/report.sh" --tables >said 2>&1 || { cat said; return 1; }
+    grep -E "nan|inf[^ol]" documents/performance.md && return 1
+    grep -q 'dunkirk | 10 | 3000 ' documents/performance.md || { grep dunkirk documents/performance.md; return 1; }
+}
+check 'the page is made' page
+pictures() {
+    local picture
+    for picture in cells continuous univol optimum auto roofline growth; do
+        [ -s "documents/images/performance-$picture.svg" ] || { echo "  no picture $picture"; return 1; }
+    done
+}
+if command -v gnuplot >/dev/null; then check 'and its pictures' pictures; fi
+unknown() {
+    RESULTS=$out/results DOCUMENTS=$out/documents "$bench/report.sh" --only nothing >said 2>&1
+    [ $? = 1 ] && holds said 'no benchmark nothing'
+}
+check 'an unknown benchmark is named' unknown
+finish
