@@ -71,6 +71,22 @@ measured() { # what was sent, of the reports
     [ -n "$full" ] && [ "$smooth" -lt "$full" ]
 }
 check 'and the run did send less' measured
+writes() { # what files hold: without friction no spins, torques and contact histories, of one material no numbers of it
+    local output='output={trajectory: {every: 50}, checkpoint: {at_end: true}}'
+    run_scene 1 scene.yaml wrote_full --set "$output" && run_scene 1 scene.yaml wrote_smooth --set "$output" "${smooth[@]}" &&
+        run_scene 1 scene.yaml wrote_one --set "$output" "${one_material[@]}" && run_scene 1 scene.yaml wrote_free --set "$output" "${free[@]}" || return 1
+    has wrote_full checkpoint-50.h5 angular_velocity && has wrote_full trajectory.h5 angular_velocity && has wrote_full checkpoint-50.h5 history &&
+        ! has wrote_smooth checkpoint-50.h5 angular_velocity && ! has wrote_smooth trajectory.h5 angular_velocity && ! has wrote_smooth checkpoint-50.h5 torque &&
+        has wrote_full checkpoint-50.h5 material && smaller wrote_smooth checkpoint-50.h5 $((600 * 24)) && smaller wrote_smooth trajectory.h5 $((600 * 24)) &&
+        smaller wrote_one trajectory.h5 $((600 * 1)) && smaller wrote_free checkpoint-50.h5 $((600 * 1))
+}
+has() { grep -qaF "$3" "$1/$2"; }
+smaller() { # DIR FILE BYTES: than that of the full scene
+    local apart=$(($(stat -c %s "wrote_full/$2") - $(stat -c %s "$1/$2")))
+    echo "  $1/$2 is $apart bytes smaller"
+    [ $apart -ge "$3" ]
+}
+check 'files hold no more than the scene needs' writes
 ranks=1
 check 'one rank' needs alone
 check 'exchanges nothing' eval '! grep -q "bytes on the wire" alone.txt && ! pass alone reverse && pass full reverse && grep -q "exchange of copies  *off" alone.txt'
