@@ -1,21 +1,26 @@
 #!/usr/bin/env bash
 # Cases on which codes break: what must hold, and what comes out.
 #
-#   run.sh [--quick] [--table FILE] [CASE...]
+#   run.sh [--quick] [--table FILE] [--index NAME] [--ranks N] [--threads N] [CASE...]
 #
 # Prints a line a case, `CASE: passed|failed, outcome`, and fails if one failed. --quick: a tenth of the steps where there are many;
-# --table: writes the lines as a table too.
+# --table: writes the lines as a table too; --index, --ranks, --threads: all of it in this layout.
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
 quick=no
 table=
 cases=()
+asked=1
+layout=()
 while [ $# -gt 0 ]; do
     case $1 in
     --quick) quick=yes ;;
     --table) table=$2; shift ;;
-    -*) echo "usage: run.sh [--quick] [--table FILE] [CASE...]" >&2; exit 2 ;;
+    --index) layout=(--set index.name="$2"); shift ;;
+    --ranks) asked=$2; shift ;;
+    --threads) export OMP_NUM_THREADS=$2; shift ;;
+    -*) sed -n '4s/^#  */usage: /p' "$0" >&2; exit 2 ;;
     *) cases+=("$1") ;;
     esac
     shift
@@ -28,7 +33,8 @@ export OMP_NUM_THREADS=${OMP_NUM_THREADS:-1} OMP_WAIT_POLICY=passive
 go() {
     local name=$1 scene=$2
     shift 2
-    on_ranks "${ranks:-1}" "$SCREE" run "$here/$scene.yaml" -o "$out/$name" --overwrite --quiet "$@" >"$out/said" 2>&1
+    on_ranks "${ranks:-1}" "$SCREE" run "$here/$scene.yaml" -o "$out/$name" --overwrite --quiet "${layout[@]}" "$@" \
+        >"$out/said" 2>&1
 }
 # value NAME COLUMN [ROW]: of the observables; row 1 is the start, none the last
 value() {
@@ -102,7 +108,7 @@ case_faces() {
             true_if "$(value faces energy_kinetic) < 1e-20" || { wrong=1; found="$index, $ranks ranks: they move"; }
         done
     done
-    ranks=1
+    ranks=$asked
     outcome=${found:-1,536 contacts and no motion each time}
     [ $wrong = 0 ]
 }
@@ -219,7 +225,7 @@ failed=0
 rows=
 for name in "${cases[@]}"; do
     declare -F "case_$name" >/dev/null || { echo "there is no case $name" >&2; exit 2; }
-    ranks=1
+    ranks=$asked
     outcome=
     if "case_$name"; then verdict=passed; else verdict=failed; failed=$((failed + 1)); fi
     outcome=${outcome//$here\//}

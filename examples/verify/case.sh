@@ -1,7 +1,7 @@
 # Sourced by the check of each case (sh, with `here` set to the case's folder): runs scenes, judges figures.
 #
 # A check runs its scene with `scene`, takes numbers out with `column`, `final` and awk, and hands each figure to one of
-# `judge`, `worst`, `order`; it ends with `picture` and `done_with`. A figure that is not a number fails.
+# `judge`, `worst`, `order`, `holds` (or `show`, which judges nothing); it ends with `picture` and `done_with`. A figure that is not a number fails.
 #
 # Environment, all set by run.sh and all with a default:
 #   VERIFY_OUT       folder for the runs and the figures of this case (out/CASE)
@@ -83,6 +83,19 @@ worst() {
     judge "$1, $(wc -l <"$2") values" ${line:-nothing nothing} "$3" "${4:-relative}"
 }
 
+# show WHAT FILE: as worst by absolute error, but not judged: rows of something that the scene's law does not claim to compute
+show() {
+    awk -v what="$1" '{ error = $3 - $2; error = error < 0 ? -error : error; if (NR == 1 || error > most) { most = error; row = sprintf("%.7g|%.7g", $2, $3) } }
+        END { printf "%s, %d values|%s|%.2g|not judged||%s\n", what, NR, NR ? row : "|", most, NR ? "shown" : "failed" }' "$2" >>"$out/figures"
+}
+
+# beside FILE COLUMN CURVE COLUMN: rows `x y` of the first with the curve's value there, between its points on a straight line
+beside() {
+    awk -v c="$2" -v of="$4" 'FNR == NR { n++; x[n] = $1; y[n] = $of; next }
+        { for (k = 1; k < n; k++) if ($1 >= x[k] && $1 <= x[k + 1]) {
+            print $1, $c, y[k] + (y[k + 1] - y[k]) * ($1 - x[k]) / (x[k + 1] - x[k]); break } }' "$3" "$1"
+}
+
 # order WHAT FILE LEAST [MOST]: rows `dt error`; the slope of log error against log dt is at least LEAST
 order() {
     awk -v what="$1" -v least="$3" -v most="${4:-1e9}" '$2 > 0 { x = log($1); y = log($2); n++; sx += x; sy += y; sxx += x * x; sxy += x * y }
@@ -117,6 +130,6 @@ picture() {
 # done_with SOURCE: the last line of a check: where the reference is from; the figures; fails if one failed
 done_with() {
     echo "$1" >"$out/source"
-    awk -F'|' '{ printf "  %s: %s, reference %s, computed %s, error %s, tolerance %s\n", $7, $1, $2, $3, $4, $5; bad += $7 != "passed" }
+    awk -F'|' '{ printf "  %s: %s, reference %s, computed %s, error %s, tolerance %s\n", $7, $1, $2, $3, $4, $5; bad += $7 != "passed" && $7 != "shown" }
         END { if (NR == 0) print "  nothing was judged"; exit !(NR > 0 && !bad) }' "$out/figures"
 }

@@ -2,6 +2,8 @@
 nobase_dist_pkgdata_DATA += \
 	examples/verify/README.md \
 	examples/verify/accuracy.head.md \
+	examples/verify/beverloo-3d/floor.txt \
+	examples/verify/beverloo-3d/scene.yaml \
 	examples/verify/beverloo/floor.txt \
 	examples/verify/beverloo/scene.yaml \
 	examples/verify/bouncing/scene.yaml \
@@ -16,9 +18,11 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/chung-ooi-3/particles.txt \
 	examples/verify/chung-ooi-3/plot.gp \
 	examples/verify/chung-ooi-3/scene.yaml \
+	examples/verify/chung-ooi-4/measured.txt \
 	examples/verify/chung-ooi-4/particles.txt \
 	examples/verify/chung-ooi-4/plot.gp \
 	examples/verify/chung-ooi-4/scene.yaml \
+	examples/verify/chung-ooi-5/finite-elements.txt \
 	examples/verify/chung-ooi-5/particles.txt \
 	examples/verify/chung-ooi-5/plot.gp \
 	examples/verify/chung-ooi-5/scene.yaml \
@@ -50,6 +54,7 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/janssen/scene.yaml \
 	examples/verify/line.awk \
 	examples/verify/many-body/scene.yaml \
+	examples/verify/maw.c \
 	examples/verify/moving-wall/scene.yaml \
 	examples/verify/order-hertz/plot.gp \
 	examples/verify/order-hertz/scene.yaml \
@@ -80,7 +85,9 @@ nobase_dist_pkgdata_DATA += \
 
 nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/run.sh \
+	examples/verify/layouts.sh \
 	examples/verify/table.sh \
+	examples/verify/beverloo-3d/check \
 	examples/verify/beverloo/check \
 	examples/verify/bouncing/check \
 	examples/verify/bowl/check \

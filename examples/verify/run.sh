@@ -1,5 +1,6 @@
 #!/bin/sh
-# Runs the verification cases and says which hold: run.sh [--quick] [--ranks N] [--threads N] [--index NAME] [CASE...]
+# Runs the verification cases and says which hold: run.sh [--quick] [--ranks N] [--threads N] [--index NAME] [CASE...],
+# or run.sh --layouts [--all] [CASE...]: quick ones on every index and on several ranks and threads (layouts.sh)
 #
 # A line a case: `CASE: passed|failed, figure, tolerance`; the figure is the one that comes nearest to its tolerance (or
 # passes it). Fails if a case failed. With all cases, at full length and on one rank, writes docs/accuracy.md and the pictures in
@@ -15,9 +16,10 @@ while [ $# -gt 0 ]; do
     --quick) VERIFY_QUICK=yes ;;
     --ranks) VERIFY_RANKS=$2 && shift ;;
     --threads) VERIFY_THREADS=$2 && shift ;;
+    --layouts) shift && exec "$here/layouts.sh" "$@" ;;
     --index) args="$args --set index=$2" && shift ;;
     --help | -*)
-        sed -n '2,6s/^# //p' "$0"
+        sed -n '2,7s/^# //p' "$0"
         [ "$1" = --help ]
         exit
         ;;

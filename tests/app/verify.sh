@@ -4,7 +4,7 @@ set -u
 . "$top_srcdir/tests/app/common.sh"
 case $scree in /*) ;; *) scree=$PWD/$scree ;; esac
 
-slow=" beverloo drum-angle janssen settling "
+slow=" beverloo beverloo-3d drum-angle janssen settling "
 cases=
 for folder in "$top_srcdir"/examples/verify/*/check; do
     name=$(basename "$(dirname "$folder")")
