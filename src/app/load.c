@@ -42,8 +42,8 @@ static double weights_by_pairs(const struct simulation *s, double *weight) {
     return sum;
 }
 
-/* Positions as migration will see them. */
-static void divide(struct simulation *s, const double *weight) {
+/* Divides the box by positions as migration will see them; false if it stays as it is. */
+static bool divide(struct simulation *s, const double *weight) {
     const struct box *box = &s->scene->box;
     size_t owned = s->particles->owned;
     double(*x)[3] = memory_allocate(owned, sizeof *x, "positions");
@@ -54,9 +54,10 @@ static void divide(struct simulation *s, const double *weight) {
                 x[k][d] -= floor(x[k][d] / box->edge[d]) * box->edge[d];
         }
     struct balance_load load = {owned, (const double(*)[3])x, weight};
-    balance_divide(s->domain, s->comm, box, &load);
+    bool divided = balance_divide(s->domain, s->comm, box, &load);
     domain_wrap(s->domain, s->wrap);
     memory_free(x);
+    return divided;
 }
 
 void load_begin(struct simulation *s) {
@@ -101,9 +102,9 @@ void load_balance(struct simulation *s) {
         s->load.reached = imbalance;
     s->load.fresh = false;
     if (imbalance > options->threshold && imbalance > 1.05 * s->load.reached) {
-        divide(s, weight);
-        s->load.divisions++;
-        s->load.fresh = true;
+        s->load.fresh = divide(s, weight);
+        s->load.divisions += s->load.fresh;
+        s->load.reached = imbalance;
     }
     memory_free(weight);
 }

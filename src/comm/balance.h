@@ -17,8 +17,9 @@ struct balance_load {
 bool balance_available(struct error *error);
 
 /* Divides a bisection so that the sums of weights are alike on all ranks, as far as planes can; nothing moves
- * yet. Takes memory of the length of the rank count while it works. Collective. */
-void balance_divide(struct domain *domain, const struct comm *comm, const struct box *box,
+ * yet. False, and all stays as it is, where that is no division of the box, as with fewer particles than
+ * ranks. Takes memory of the length of the rank count while it works. Collective, with one answer. */
+bool balance_divide(struct domain *domain, const struct comm *comm, const struct box *box,
                     const struct balance_load *load);
 
 #endif

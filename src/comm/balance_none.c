@@ -5,7 +5,7 @@ bool balance_available(struct error *error) {
                      "bisection needs Zoltan, without which this scree was built; allowed: brick");
 }
 
-void balance_divide(struct domain *domain, const struct comm *comm, const struct box *box,
+bool balance_divide(struct domain *domain, const struct comm *comm, const struct box *box,
                     const struct balance_load *load) {
     (void)domain, (void)comm, (void)box, (void)load;
     error_fatal("the domain cannot be divided anew: built without Zoltan");

@@ -88,7 +88,8 @@ static void partition(struct Zoltan_Struct *zoltan) {
     Zoltan_LB_Free_Part(&export_global, &export_local, &export_rank, &export_part);
 }
 
-/* The cuts, as a tree: from the corners of all parts. */
+/* The cuts, as a tree: from the corners of all parts. NULL if they are none: Zoltan gives parts without
+ * particles any corners. */
 static struct domain_tree *tree_of(struct Zoltan_Struct *zoltan, int ranks, int dimension) {
     double(*lower)[3] = memory_allocate_zero((size_t)ranks, sizeof *lower, "subdomains");
     double(*upper)[3] = memory_allocate_zero((size_t)ranks, sizeof *upper, "subdomains");
@@ -100,18 +101,23 @@ static struct domain_tree *tree_of(struct Zoltan_Struct *zoltan, int ranks, int 
     }
     struct domain_tree *tree =
         domain_tree_from_bounds(ranks, dimension, (const double(*)[3])lower, (const double(*)[3])upper);
-    if (tree == NULL)
-        error_fatal("the parts that Zoltan made are no recursive bisection");
     memory_free(lower);
     memory_free(upper);
     return tree;
 }
 
-void balance_divide(struct domain *domain, const struct comm *comm, const struct box *box,
+bool balance_divide(struct domain *domain, const struct comm *comm, const struct box *box,
                     const struct balance_load *load) {
     struct answers answers = {load, box->dimension};
+    int64_t particles = (int64_t)load->count;
+    comm_sum_int(comm, &particles, 1);
+    if (particles == 0)
+        return false;
     struct Zoltan_Struct *zoltan = partitioner(comm, &answers);
     partition(zoltan);
-    domain_divide(domain, tree_of(zoltan, comm->size, box->dimension));
+    struct domain_tree *tree = tree_of(zoltan, comm->size, box->dimension);
     Zoltan_Destroy(&zoltan);
+    if (tree)
+        domain_divide(domain, tree);
+    return tree != NULL;
 }

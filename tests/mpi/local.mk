@@ -39,6 +39,11 @@ tests_mpi_test_shadows_SOURCES = tests/mpi/test_shadows.c tests/mpi/team.c tests
 tests_mpi_test_shadows_CPPFLAGS = $(MPI_TEST_FLAGS)
 tests_mpi_test_shadows_LDADD = $(MPI_TEST_LIBS)
 
+check_PROGRAMS += tests/mpi/test_balance
+tests_mpi_test_balance_SOURCES = tests/mpi/test_balance.c tests/mpi/team.c tests/mpi/team.h
+tests_mpi_test_balance_CPPFLAGS = $(MPI_TEST_FLAGS)
+tests_mpi_test_balance_LDADD = $(MPI_TEST_LIBS)
+
 check_PROGRAMS += tests/mpi/test_scene_ranks
 tests_mpi_test_scene_ranks_SOURCES = tests/mpi/test_scene_ranks.c tests/mpi/folder.c tests/mpi/folder.h
 tests_mpi_test_scene_ranks_CPPFLAGS = $(MPI_TEST_FLAGS)

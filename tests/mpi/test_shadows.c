@@ -2,7 +2,7 @@
  * two subdomains a step: after each step every rank has exactly the copies that the rule demands, and the
  * state of a reference sphere that nobody synchronises. The skin is 0, so every step is a rebuild.
  *
- * Ranks: 8 27 Long: 125 */
+ * Ranks: 8 27 Long: 125 343 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -164,19 +164,23 @@ static void fly(struct team *team, bool periodic, enum domain_kind kind, double 
 
 static void through_a_periodic_box(void **state) {
     struct team *team = *state;
-    static const double radii[] = {0.1, 0.4, 0.5, 0.9, 1.4};
-    double most = 0.47 * side_of(team);
-    for (int k = 0; k < 5; k++)
-        fly(team, true, k % 2 ? DOMAIN_BISECTION : DOMAIN_BRICK, fmin(radii[k], most));
-    if (side_of(team) > 3)
-        fly(team, true, DOMAIN_BRICK, 1.6);
+    static const double radii[] = {0.1, 0.4, 0.5, 0.9, 1.4}, large[] = {1.6, 3};
+    int side = side_of(team);
+    for (int k = 0; k < 5 && side < 7; k++)
+        fly(team, true, k % 2 ? DOMAIN_BISECTION : DOMAIN_BRICK, fmin(radii[k], 0.47 * side));
+    for (int k = 0; k < 2; k++)
+        if (2 * large[k] < side)
+            fly(team, true, k % 2 ? DOMAIN_BISECTION : DOMAIN_BRICK, large[k]);
     team_finish(team);
 }
 
 static void through_an_open_box(void **state) {
     struct team *team = *state;
+    if (side_of(team) > 5)
+        team_skip(team, "the open box has 2, 3 and 5 subdomains a side");
     fly(team, false, DOMAIN_BRICK, 0.3);
     fly(team, false, DOMAIN_BISECTION, 1);
+    fly(team, false, DOMAIN_BRICK, 1.6);
     fly(team, false, DOMAIN_BRICK, 3);
     team_finish(team);
 }
@@ -185,8 +189,8 @@ static void through_an_open_box(void **state) {
 static void neighbours_refuse(void **state) {
     struct team *team = *state;
     static const double radii[] = {0.3, 0.7};
-    if (side_of(team) < 3)
-        team_skip(team, "with fewer than 27 ranks all subdomains are neighbours");
+    if (side_of(team) < 3 || side_of(team) > 5)
+        team_skip(team, "with fewer than 27 ranks all subdomains are neighbours; 125 are enough");
     for (int k = 0; k < 2; k++) {
         struct flight flight;
         flight_start(&flight, team, false, DOMAIN_BRICK, radii[k]);
