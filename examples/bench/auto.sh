@@ -138,7 +138,7 @@ one size dilute|power min=1 max=1.0001 fraction=0.02 count=$total
 one size gas|power min=1 max=1.0001 fraction=0.001 count=$total
 one size dense|power min=1 max=1.0001 fraction=0.58 count=$total
 bidisperse 10|$(two 10 3.5e-4 0.45)
-bidisperse 2|$(two 2 0.5 0.35)
+bidisperse 2|$(two 2 0.2 0.3)
 bidisperse 4|$(two 4 0.02 0.4)
 bidisperse 20|$(two 20 1e-4 0.3)
 uniform by volume|univol count=$total fraction=0.4 walls=periodic

@@ -8,6 +8,7 @@
 #   hgrid, auto     with the cells that they choose
 #   LAMMPS    multi (which is the report's bytype) newton on, off, reduced; multi/old (the report's multi) newton on and off; at
 #             R = 40 multi/old at 3.75 and 5 alone, newton on
+# At R = 40 scree's multi leaves out 1.25 (an hour) unless MULTI_ALL=1.
 #
 # One JSON line a measurement: seconds is one rebuild (LAMMPS: Neigh), comm_seconds what a step sends and receives. The last line is
 # the summary: the best of each curve with its binsz, the gain of bytype with reduced ghosts over multi (published: 7.5, 29, 161
@@ -86,8 +87,10 @@ types="classes={method: cuts, cuts: [$(calc "$ratio / 2")]}"
 for bin in $bins; do
     cells="index.level_cells=[$bin, 0]"
     factor=index.cell_factor=$(calc "$bin / 2.5")
-    scree_point "multi newton on" "$bin" $every index=multi "$types" "$factor"
-    scree_point "multi newton off" "$bin" $every index=multi "$types" "$factor" newton=off
+    if [ "$ratio:$quick:$bin:${MULTI_ALL:-}" != 40::1.25: ]; then
+        scree_point "multi newton on" "$bin" $every index=multi "$types" "$factor"
+        scree_point "multi newton off" "$bin" $every index=multi "$types" "$factor" newton=off
+    fi
     scree_point "bytype newton on" "$bin" $few index=hgrid "$types" "$cells"
     scree_point "bytype newton off" "$bin" $few index=hgrid "$types" "$cells" newton=off
     scree_point "bytype reduced" "$bin" $few index=hgrid "$types" "$cells" ghosts=reduced

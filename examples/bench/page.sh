@@ -85,11 +85,22 @@ plot() {
     {
         echo "out = '$data/'; picture = '$documents/images/performance-$1.svg'"
         cat "$here/../verify/style.gp"
-        echo "set terminal svg size $2 font 'sans,12' background 'white'; set output picture"
+        echo "set terminal svg size $2 font 'sans,12' background 'white' noenhanced; set output picture; set key inside top right vertical font ',10'"
         echo "set style line 6 lc rgb '#8d5a97' pt 9 ps 0.6 lw 1.5; set style line 7 lc rgb '#6c757d' lw 1.5 dt 3; set datafile separator '|'"
         cat
     } | gnuplot || { echo "page.sh: no picture $1" >&2; return; }
     printf '\n![%s](images/performance-%s.svg)\n' "$1" "$1"
+}
+
+# having PATTERN WORD...: for how many words the file, with the word for %, holds something; 1 at least
+having() {
+    pattern=$1
+    shift
+    n=0
+    for word; do
+        test ! -s "$(echo "$pattern" | sed "s/%/$word/")" || n=$((n + 1))
+    done
+    echo $((n > 0 ? n : 1))
 }
 
 conditions() {
@@ -145,18 +156,22 @@ cells() {
         done
         fields cells-$R '"style": "auto"' seconds >"$data/cells-$R-auto"
     done
-    plot cells 900,420 <<'GP'
-set multiplot layout 1,3
-set logscale xy; set xlabel "edge of the cells of the small spheres"; set ylabel "s a rebuild"; set xrange [1:12]; set key font ",8" maxrows 6
+    n=$(having "$data/cells-%-scree-bytype-newton-on" 10 20 40)
+    plot cells 820,$((320 * n)) <<'GP'
+file(R, code, style) = out . "cells-" . R . "-" . code . "-" . style
+has(R) = int(system("wc -l <" . file(R, "scree", "bytype-newton-on"))) > 0
+set multiplot layout has("10") + has("20") + has("40"),1
+set logscale xy; set xlabel "edge of the cells of the small spheres"; set ylabel "s a rebuild"; set xrange [1.1:11]; set key outside right center
 do for [R in "10 20 40"] {
-    file(code, style) = out . "cells-" . R . "-" . code . "-" . style
-    if (int(system("wc -l <" . file("scree", "bytype-newton-on"))) > 0) {
+    if (has(R)) {
         set title "R = " . R
-        plot file("scree", "multi-newton-off") w lp ls 4 t "multi off", file("scree", "multi-newton-on") w lp ls 2 t "multi on", \
-            file("scree", "bytype-newton-off") w lp ls 6 t "bytype off", file("scree", "bytype-newton-on") w lp ls 5 t "bytype on", \
-            file("scree", "bytype-reduced") w lp ls 1 pt 1 t "reduced", real(system("cat " . out . "cells-" . R . "-auto")) ls 3 t "auto", \
-            file("lammps", "multi-newton-on") w lp ls 2 dt 2 pt 12 t "LAMMPS multi/old on", file("lammps", "bytype-newton-on") w lp ls 5 dt 2 pt 12 t "LAMMPS multi on", \
-            file("lammps", "bytype-reduced") w lp ls 1 dt 2 pt 12 t "LAMMPS reduced"
+        plot file(R, "lammps", "multi-newton-off") w lp ls 4 dt 2 t "LAMMPS multi/old, newton off", file(R, "lammps", "multi-newton-on") w lp ls 2 dt 2 t "newton on", \
+            file(R, "lammps", "bytype-newton-off") w lp ls 6 dt 2 t "LAMMPS multi, newton off", file(R, "lammps", "bytype-newton-on") w lp ls 5 dt 2 t "newton on", \
+            file(R, "lammps", "bytype-reduced") w lp ls 1 pt 1 ps 0.6 dt 2 t "reduced ghosts", \
+            file(R, "scree", "multi-newton-off") w lp ls 4 t "scree multi, newton off", file(R, "scree", "multi-newton-on") w lp ls 2 t "newton on", \
+            file(R, "scree", "bytype-newton-off") w lp ls 6 t "scree bytype, newton off", file(R, "scree", "bytype-newton-on") w lp ls 5 t "newton on", \
+            file(R, "scree", "bytype-reduced") w lp ls 1 pt 1 ps 0.6 t "reduced ghosts", \
+            real(system("cat " . out . "cells-" . R . "-auto")) ls 3 t "auto"
     }
 }
 unset multiplot
@@ -185,15 +200,20 @@ continuous() {
         fields $name '"index": "hgrid"' levels seconds | awk -F'|' '!seen[$1]++' >"$data/$name-hgrid"
         fields $name '"summary": true' seconds >"$data/$name-auto"
     done
-    plot continuous 900,720 <<'GP'
+    # shellcheck disable=SC2086
+    n=$(having "$data/%-bytype" $continuous_names)
+    plot continuous 900,$((330 * ((n + 1) / 2))) <<'GP'
 names = "continuous-dunkirk-10 continuous-dunkirk-20 continuous-dunkirk-40 continuous-exponential-50"
-set multiplot layout 2,2
-set ylabel "s a rebuild"; set yrange [0:*]; set logscale x; set key font ",9"
+has(name) = int(system("wc -l <" . out . name . "-bytype")) > 0
+n = 0
+do for [name in names] { n = n + has(name) }
+set multiplot layout (n + 1) / 2,2
+set ylabel "s a rebuild"; set logscale xy; set xlabel "d_sep, or number of levels"
 do for [name in names] {
-    if (int(system("wc -l <" . out . name . "-bytype")) > 0) {
-        set title name; set xlabel "d_sep, or number of levels"
+    if (has(name)) {
+        set title name
         plot out . name . "-multi" w lp ls 4 t "multi", out . name . "-bytype" w lp ls 5 t "bytype", out . name . "-lammps" w p ls 2 pt 12 ps 1 t "LAMMPS multi", \
-            out . name . "-hgrid" w lp ls 1 pt 1 t "hgrid, levels", real(system("cat " . out . name . "-auto")) ls 3 t "auto"
+            out . name . "-hgrid" w lp ls 1 pt 1 ps 0.6 t "hgrid (levels)", real(system("cat " . out . name . "-auto")) ls 3 t "auto"
     }
 }
 unset multiplot
@@ -224,11 +244,16 @@ univol() {
         fields univol-$nu '"kind": "search".*"index": "hgrid"' levels seconds | sort -t'|' -k2g | awk -F'|' 'NR == 1 { least = $2 } { print $1 "|" $2 / least }' | sort -t'|' -g >"$data/univol-step-$nu"
         fields univol-$nu '"summary"' fraction best_levels speed_up search/best_levels search/step_speed_up
     done >"$data/univol-best"
-    plot univol 900,720 <<'GP'
-set multiplot layout 2,2
-set logscale xy; set xlabel "levels"; set ylabel "slowdown factor"; set xrange [0.9:40]; set yrange [0.9:*]
-do for [nu in "0.1 0.2 0.4 0.62"] {
-    if (int(system("wc -l <" . out . "univol-" . nu)) > 0) {
+    n=$(having "$data/univol-%" 0.1 0.2 0.4 0.62)
+    plot univol 900,$((330 * ((n + 1) / 2))) <<'GP'
+fractions = "0.1 0.2 0.4 0.62"
+has(nu) = int(system("wc -l <" . out . "univol-" . nu)) > 0
+n = 0
+do for [nu in fractions] { n = n + has(nu) }
+set multiplot layout (n + 1) / 2,2
+set logscale xy; set xlabel "levels"; set ylabel "slowdown factor"; set xrange [0.9:40]; set yrange [0.9:*]; set key top center
+do for [nu in fractions] {
+    if (has(nu)) {
         set title "nu = " . nu
         plot out . "univol-" . nu using 1:2 w p ls 2 ps 1 t "detection", "" using 1:3 w l ls 1 t "eq. 3, K fitted", "" using 1:4 w l ls 3 t "cost model", \
             out . "univol-step-" . nu w p ls 4 ps 1 t "whole steps, a search in each"
@@ -260,7 +285,7 @@ auto() {
         table scene particles 'detection, ns a particle:1' ratio 'over one level' 'predicted over measured' 'runs: ratio' 'over one level'
     fields auto '"kind": "scene"' seconds predicted >"$data/auto"
     plot auto 520,420 <<'GP'
-set logscale xy; set xlabel "measured (ms a detection)"; set ylabel "predicted"; set key left top inside
+set logscale xy; set xlabel "measured (ms a detection)"; set ylabel "predicted"; set key left top
 plot out . "auto" using ($1 * 1e3):($2 * 1e3) w p ls 2 ps 1 t "scenes", "" using ($1 * 1e3):($1 * 1e3) w l ls 1 t "as predicted", \
     "" using ($1 * 1e3):($1 * 1.25e3) w l ls 7 t "25 %", "" using ($1 * 1e3):($1 / 1.25e-3) w l ls 7 notitle
 GP

@@ -78,11 +78,15 @@ conditions() {
     cpu=$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)
     memory=$(awk '/^MemTotal/ { printf "%.0f GiB", $2 / 1048576 }' /proc/meminfo)
     revision=$("$SCREE" --version 2>/dev/null | sed -n 's/.*(\([0-9a-f][^)]*\)).*/\1/p' | head -n 1)
-    echo "{\"conditions\": \"| $1 | $2 | ${cpu:-?}, $memory | $(env -u OMP_NUM_THREADS nproc) | $(cut -d ' ' -f 1 /proc/loadavg) | ${revision:-?} | $(date -u +%Y-%m-%d) | @SECONDS@ |\"}"
+    echo "{\"conditions\": \"| $1 | $2 | ${cpu:-?}, $memory | ${CORES:+$CORES of }$(env -u OMP_NUM_THREADS nproc) | $(cut -d ' ' -f 1 /proc/loadavg) | ${revision:-?} | $(date -u +%Y-%m-%d) | @SECONDS@ |\"}"
 }
 
 failed=
 if [ -n "$run" ]; then
+    build=$(dirname "$SCREE") # some benchmarks need programs of their own
+    if [ "$SCREE" != scree ] && [ -f "$build/Makefile" ]; then
+        make -s -C "$build" tests/index/bench_index tests/bench_triad >&2
+    fi
     for name in ${only:-$all}; do
         case $name in
         bidisperse-* | chute)
