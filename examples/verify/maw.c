@@ -1,10 +1,10 @@
-/* An elastic oblique impact of a sphere onto a plane with slip in a part of the contact area, the problem that
- * Maw, Barber and Fawcett (Wear 38 (1976) 101) solve by annuli which stick or slip one by one. It is solved
- * here by the method of dimensionality reduction (Popov and Hess, Method of Dimensionality Reduction in Contact
- * Mechanics and Friction, Springer 2015), which turns the axisymmetric problem into a row of springs: the one
- * at x touches once the approach d exceeds x^2 / R, carries E* (d - x^2 / R) dx along the normal and G* u dx
- * along the surface, u being its tangential displacement, and slips where that reaches MU times its normal
- * force. 1 / E* = sum (1 - nu^2) / E, 1 / G* = sum (2 - nu) / (4 G).
+/* An elastic oblique impact of a sphere onto a plane with slip in a part of the contact area, the problem
+ * that Maw, Barber and Fawcett (Wear 38 (1976) 101) solve by annuli which stick or slip one by one. It is
+ * solved here by the method of dimensionality reduction (Popov and Hess, Method of Dimensionality Reduction
+ * in Contact Mechanics and Friction, Springer 2015), which turns the axisymmetric problem into a row of
+ * springs: the one at x touches once the approach d exceeds x^2 / R, carries E* (d - x^2 / R) dx along the
+ * normal and G* u dx along the surface, u being its tangential displacement, and slips where that reaches MU
+ * times its normal force. 1 / E* = sum (1 - nu^2) / E, 1 / G* = sum (2 - nu) / (4 G).
  *
  * maw E1 NU1 E2 NU2 MU R M
  *

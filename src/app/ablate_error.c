@@ -121,7 +121,7 @@ static bool stopped_note(struct speed_row *row, const struct error *why, struct 
              why->kind == ERROR_PHYSICS ? "stopped" : "refused", (int)sizeof row->stopped - 12, why->text);
     for (char *c = row->stopped; *c; c++) /* no comma and quote in a table */
         *c = *c == '"' ? '\'' : *c == ',' ? ';' : *c;
-    row->seconds = row->trajectory = row->drift = row->momentum = row->judged = NAN;
+    row->seconds = row->cpu_seconds = row->trajectory = row->drift = row->momentum = row->judged = NAN;
     return true;
 }
 
@@ -147,7 +147,7 @@ static bool row_errors(struct study *study, struct speed_row *row, struct error 
     struct sample_record record = {0};
     struct error why = {0};
     struct look look = {.variant = &row->variant};
-    row->seconds = INFINITY;
+    row->seconds = row->cpu_seconds = INFINITY;
     look.dt = row->dt = step_of(study, row, &why);
     bool good = why.kind == ERROR_NONE && study_look(study, &look, &record, &row->dt, &row->steps, &why);
     if (good && study->comm->rank == 0)
@@ -182,7 +182,7 @@ static double stopwatch_read(const struct stopwatch *stopwatch) {
 }
 
 /* Seconds of a run: where one thread runs alone, those that the processor spent on it, which other programs
- * do not disturb; else wall clock. */
+ * disturb least; else wall clock. */
 static bool row_time(struct study *study, struct speed_row *row, struct error *error) {
     struct report report;
     uint64_t steps_each;
@@ -199,7 +199,12 @@ static bool row_time(struct study *study, struct speed_row *row, struct error *e
     if (!good)
         return false;
     bool lone = report.ranks == 1 && report.threads == 1;
-    row->seconds = fmin(row->seconds, lone ? stopwatch_read(&stopwatch) : report.seconds);
+    double spent = stopwatch_read(&stopwatch);
+    comm_sum(study->comm, &spent, 1);
+    row->cpu_seconds = fmin(row->cpu_seconds, spent);
+    row->seconds = fmin(row->seconds, lone ? spent : report.seconds);
+    study->reference.ranks = report.ranks;
+    study->reference.threads = report.threads;
     report_destroy(&report);
     return true;
 }
@@ -252,17 +257,13 @@ static bool study_combine(struct study *study, struct error *error) {
 }
 
 static void study_tell(const struct study *study, struct error *error) {
-    const struct speed_reference *reference = &study->reference;
+    struct speed_report report = {study->row, study->rows, &study->reference, &study->facts,
+                                  study->tolerance};
     if (study->comm->rank != 0)
         return;
-    speed_front(study->row, study->rows, reference);
-    speed_print_reference(reference, stdout);
-    for (int k = 0; k < study->rows; k++)
-        speed_print_row(&study->row[k], reference, stdout);
-    printf("\n");
-    speed_print_advice((struct speed_rows){study->row, study->rows}, reference, study->tolerance,
-                       &study->facts, stdout);
-    speed_write(study->row, study->rows, reference, study->line->directory, error);
+    speed_front(study->row, study->rows, &study->reference);
+    speed_print(&report, stdout);
+    speed_write(&report, study->line->directory, error);
 }
 
 /* True if the samples' distance makes a step the same as one before. */
@@ -314,6 +315,7 @@ static bool study_options(struct study *study, struct error *error) {
     const char *const *list = study->line->list;
     double samples = SAMPLES_DEFAULT, repeat = REPEAT_DEFAULT, members = MEMBERS_DEFAULT;
     study->tolerance = TOLERANCE_DEFAULT;
+    study->reference.mean_from = NAN;
     struct scene *scene = command_scene(study->comm, study->line, NULL, 0, error);
     if (scene == NULL)
         return false;
@@ -323,7 +325,9 @@ static bool study_options(struct study *study, struct error *error) {
         !number_read(list[ABLATE_SAMPLES], "samples", 2, 10000, &samples, error) ||
         !number_read(list[ABLATE_REPEAT], "repeat", 1, 100, &repeat, error) ||
         !number_read(list[ABLATE_MEMBERS], "members", 2, SPEED_MEMBERS_MAX, &members, error) ||
-        !number_read(list[ABLATE_TOLERANCE], "tolerance", 0, 1, &study->tolerance, error))
+        !number_read(list[ABLATE_TOLERANCE], "tolerance", 0, 1, &study->tolerance, error) ||
+        !number_read(list[ABLATE_MEAN_FROM], "mean-from", 0, study->duration, &study->reference.mean_from,
+                     error))
         return false;
     study->samples = (int)samples;
     study->repeat = (int)repeat;

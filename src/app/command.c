@@ -43,6 +43,8 @@ static const struct flag flags[] = {
      "with --error: columns of the scene's observables, or trajectory, that count; default: those that are "
      "no "
      "energies"},
+    {"mean-from", "T",
+     "with --error: columns are judged by their mean from this time on, s; default: sample by sample"},
 };
 
 enum { FLAGS = sizeof flags / sizeof flags[0] };
@@ -60,7 +62,8 @@ static const struct command commands[] = {
      "that "
      "has a price in time and in error",
      1, 1,
-     "output set overwrite index threads newton steps error duration samples repeat members tolerance judge",
+     "output set overwrite index threads newton steps error duration samples repeat members tolerance judge "
+     "mean-from",
      command_ablate},
     {"info", "FILE", "tells what is in a trajectory, checkpoint, LAMMPS data file or dump", 1, 1, "",
      run_info},
@@ -135,10 +138,10 @@ static bool setting_add(struct command_line *line, const char *text, struct erro
 
 static bool flag_store(struct command_line *line, const char *name, const char *value, struct error *error) {
     static const char *const lists[ABLATE_FLAGS] = {
-        [ABLATE_INDEX] = "index",   [ABLATE_THREADS] = "threads",   [ABLATE_NEWTON] = "newton",
-        [ABLATE_STEPS] = "steps",   [ABLATE_DURATION] = "duration", [ABLATE_SAMPLES] = "samples",
-        [ABLATE_REPEAT] = "repeat", [ABLATE_MEMBERS] = "members",   [ABLATE_TOLERANCE] = "tolerance",
-        [ABLATE_JUDGE] = "judge"};
+        [ABLATE_INDEX] = "index",   [ABLATE_THREADS] = "threads",    [ABLATE_NEWTON] = "newton",
+        [ABLATE_STEPS] = "steps",   [ABLATE_DURATION] = "duration",  [ABLATE_SAMPLES] = "samples",
+        [ABLATE_REPEAT] = "repeat", [ABLATE_MEMBERS] = "members",    [ABLATE_TOLERANCE] = "tolerance",
+        [ABLATE_JUDGE] = "judge",   [ABLATE_MEAN_FROM] = "mean-from"};
     const struct {
         const char *name;
         const char **to;

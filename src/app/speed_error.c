@@ -48,6 +48,26 @@ static double difference(const struct sample_record *a, const struct sample_reco
     return n > 0 ? sqrt(sum / n) : NAN;
 }
 
+/* Mean of a column from a time on; of one that the record does not have 0. */
+static double mean_of(const struct sample_record *record, int column, double from) {
+    double sum = 0;
+    int n = 0;
+    for (int k = 0; k < record->samples && column >= 0; k++)
+        if (record->time[k] >= from) {
+            sum += sample_value(record, k, column);
+            n++;
+        }
+    return n > 0 ? sum / n : 0;
+}
+
+/* How far a's column is from b's. */
+static double column_apart(const struct speed_reference *reference, const struct sample_record *a,
+                           const struct sample_record *b, int column) {
+    double from = reference->mean_from;
+    return isnan(from) ? difference(a, b, column)
+                       : fabs(mean_of(a, column, from) - mean_of(b, sample_column_like(b, a, column), from));
+}
+
 static double range_of(const struct sample_record *record, int column) {
     double least = INFINITY, most = -INFINITY;
     for (int k = 0; k < record->samples; k++) {
@@ -118,9 +138,10 @@ void speed_reference_make(struct speed_reference *reference) {
         reference->horizon = k;
     }
     for (int c = 0; c < fine->own; c++) {
-        double apart[2] = {difference(middle, coarse, c), difference(fine, middle, c)};
-        reference->uncertain[c] = reference->scale[c] > 0 ? apart[1] / reference->scale[c] : 0;
-        reference->order[c] = order_of(apart[0], apart[1]);
+        double coarser = column_apart(reference, middle, coarse, c),
+               finer = column_apart(reference, fine, middle, c);
+        reference->uncertain[c] = reference->scale[c] > 0 ? finer / reference->scale[c] : 0;
+        reference->order[c] = order_of(coarser, finer);
     }
     reference->trajectory_uncertain = distance(fine, middle, reference->horizon);
     reference->trajectory_order =
@@ -182,6 +203,18 @@ bool speed_judge(struct speed_reference *reference, const char *names, struct er
     return true;
 }
 
+/* Standard deviation of the members' means. */
+static double spread_of_means(const struct sample_record *member, int members, int column, double from) {
+    double mean = 0, sum = 0;
+    for (int m = 0; m < members; m++)
+        mean += mean_of(&member[m], column, from) / members;
+    for (int m = 0; m < members; m++) {
+        double off = mean_of(&member[m], column, from) - mean;
+        sum += off * off / (members - 1);
+    }
+    return sqrt(sum);
+}
+
 /* Root mean square over samples of the members' deviation from their mean. */
 static double spread_of(const struct sample_record *member, int members, int column) {
     double sum = 0;
@@ -206,7 +239,10 @@ void speed_spread(struct speed_reference *reference, const struct sample_record 
     reference->floor = 0;
     for (int c = 0; c < record->own; c++) {
         if (members > 1 && reference->scale[c] > 0)
-            reference->spread[c] = spread_of(member, members, c) / reference->scale[c];
+            reference->spread[c] =
+                (isnan(reference->mean_from) ? spread_of(member, members, c)
+                                             : spread_of_means(member, members, c, reference->mean_from)) /
+                reference->scale[c];
         if (reference->judged[c])
             reference->floor = fmax(reference->floor, fmax(reference->spread[c], reference->uncertain[c]));
     }
@@ -227,7 +263,8 @@ void speed_row_measure(struct speed_row *row, const struct sample_record *record
     row->judged = reference->judge_trajectory ? row->trajectory : 0;
     row->worst = -1;
     for (int c = 0; c < fine->own; c++) {
-        row->error[c] = reference->scale[c] > 0 ? difference(fine, record, c) / reference->scale[c] : 0;
+        row->error[c] =
+            reference->scale[c] > 0 ? column_apart(reference, fine, record, c) / reference->scale[c] : 0;
         if (reference->judged[c] && !(row->error[c] <= row->judged)) {
             row->judged = row->error[c];
             row->worst = c;
@@ -250,19 +287,24 @@ void speed_front(struct speed_row *row, int rows, const struct speed_reference *
     }
 }
 
-int speed_most_exact(const struct speed_row *row, int rows) {
-    int best = 0;
-    for (int k = 1; k < rows; k++)
-        if (row[k].stopped[0] == '\0' && row[k].judged < row[best].judged)
+static bool in_group(const struct speed_row *row, const char *group) {
+    return row->stopped[0] == '\0' && (group == NULL || strcmp(row->variant.group, group) == 0);
+}
+
+int speed_most_exact(const struct speed_report *report, const char *group) {
+    int best = -1;
+    for (int k = 0; k < report->rows; k++)
+        if (in_group(&report->row[k], group) &&
+            (best < 0 || report->row[k].judged < report->row[best].judged))
             best = k;
     return best;
 }
 
-int speed_best(const struct speed_row *row, int rows, double tolerance) {
+int speed_best(const struct speed_report *report, const char *group, double tolerance) {
     int best = -1;
-    for (int k = 0; k < rows; k++)
-        if (row[k].stopped[0] == '\0' && row[k].judged <= tolerance &&
-            (best < 0 || row[k].seconds < row[best].seconds))
+    for (int k = 0; k < report->rows; k++)
+        if (in_group(&report->row[k], group) && report->row[k].judged <= tolerance &&
+            (best < 0 || report->row[k].seconds < report->row[best].seconds))
             best = k;
     return best;
 }

@@ -2,9 +2,10 @@
  * the front, and the files and the sentence that tell it. Plain numbers; rank 0 alone.
  *
  * Errors are relative. An observable's is the root mean square over the samples of its difference from the
- * reference, over the range that the reference takes (at least a hundredth of the largest range among those
- * of its unit). The trajectory's is the root mean square distance of particles, over the smallest radius, at
- * its largest before the two finest runs are a hundredth of that apart: later chaos decides. */
+ * reference, or the difference of their means from some time on, where chaos has taken over; over the range
+ * that the reference takes (at least a hundredth of the largest range among those of its unit). The
+ * trajectory's is the root mean square distance of particles, over the smallest radius, at its largest before
+ * the two finest runs are a hundredth of that apart: later chaos decides. */
 #ifndef SCREE_APP_SPEED_ERROR_H
 #define SCREE_APP_SPEED_ERROR_H
 
@@ -27,9 +28,11 @@ struct speed_reference {
     bool judged[SAMPLE_COLUMNS_MAX];       /* counts for the front and the advice */
     bool judge_trajectory;
     double trajectory_uncertain, trajectory_order, trajectory_spread;
-    double momentum; /* scale */
-    double floor;    /* differences below it mean nothing: the largest spread or error of what is judged */
-    int members;     /* of the spread */
+    double momentum;    /* scale */
+    double mean_from;   /* columns are judged by their mean from this time on; NAN: sample by sample */
+    double floor;       /* differences below it mean nothing: the largest spread or error of what is judged */
+    int members;        /* of the spread */
+    int ranks, threads; /* of the runs that were timed */
 };
 
 /* One row of the table. */
@@ -37,7 +40,9 @@ struct speed_row {
     struct variant variant;
     double dt, stable; /* time */
     uint64_t steps;
-    double seconds;                     /* the fastest of the repeated runs; see speed_error.csv in docs */
+    double seconds;     /* of the fastest of the repeated runs: the processor's where one thread
+                           runs alone, else wall clock */
+    double cpu_seconds; /* the processor's, all ranks and threads, least of the repeated runs */
     double trajectory, drift, momentum; /* NAN: cannot be told */
     double error[SAMPLE_COLUMNS_MAX];   /* of the scene's own columns */
     double judged;                      /* the largest of those judged */
@@ -64,27 +69,29 @@ void speed_row_measure(struct speed_row *row, const struct sample_record *record
 /* Marks the rows that no other row beats in both time and error, errors below the floor being equal. */
 void speed_front(struct speed_row *row, int rows, const struct speed_reference *reference);
 
-/* The fastest row within a tolerance of the judged error; -1: none. */
-int speed_best(const struct speed_row *row, int rows, double tolerance);
+/* What is told at the end. */
+struct speed_report {
+    const struct speed_row *row; /* the first is the scene as it is */
+    int rows;
+    const struct speed_reference *reference;
+    const struct variant_facts *facts;
+    double tolerance; /* of what is judged, for the advice */
+};
 
-/* The row with the smallest judged error. */
-int speed_most_exact(const struct speed_row *row, int rows);
+/* The fastest row of a group (NULL: of all) within a tolerance of the judged error; -1: none. */
+int speed_best(const struct speed_report *report, const char *group, double tolerance);
+
+/* The row of a group (NULL: of all) with the smallest judged error; -1: none has a result. */
+int speed_most_exact(const struct speed_report *report, const char *group);
+
+/* Prints what was measured on, how good the reference is, the rows, and the advice: the fastest row within
+ * the tolerance, or what is nearest, then each law, and of each other group of settings the fastest likewise.
+ */
+void speed_print(const struct speed_report *report, FILE *file);
 
 /* Writes DIR/speed_error.csv, a row a variant; DIR/speed_error_reference.csv, a row an observable: scale,
- * error and order of the reference, spread; DIR/speed_error.gp, and DIR/speed_error.svg by gnuplot, if it is
- * found. */
-bool speed_write(const struct speed_row *row, int rows, const struct speed_reference *reference,
-                 const char *directory, struct error *error);
-
-/* Prints how good the reference is; a row; the sentence of advice: the fastest row within the tolerance, or
- * what is nearest. */
-void speed_print_reference(const struct speed_reference *reference, FILE *file);
-void speed_print_row(const struct speed_row *row, const struct speed_reference *reference, FILE *file);
-struct speed_rows {
-    const struct speed_row *row;
-    int count;
-};
-void speed_print_advice(struct speed_rows rows, const struct speed_reference *reference, double tolerance,
-                        const struct variant_facts *facts, FILE *file);
+ * error and order of the reference, spread; DIR/speed_error.txt, what speed_print prints; DIR/speed_error.gp,
+ * and DIR/speed_error.svg by gnuplot, if it is found. */
+bool speed_write(const struct speed_report *report, const char *directory, struct error *error);
 
 #endif

@@ -1,5 +1,6 @@
 /* Tables, plot and words of speed against error. */
 #include "app/speed_error.h"
+#include "core/version.h"
 #include <errno.h>
 #include <math.h>
 #include <spawn.h>
@@ -36,16 +37,17 @@ static bool rows_write(const struct speed_row *row, int rows, const struct speed
     FILE *file = file_open(directory, "speed_error.csv", path, error);
     if (file == NULL)
         return false;
-    fprintf(file, "group,settings,dt,dt_of_stable,steps,seconds,speedup,trajectory_error,energy_drift,"
-                  "momentum_error");
+    fprintf(file,
+            "group,settings,dt,dt_of_stable,steps,seconds,cpu_seconds,speedup,trajectory_error,energy_drift,"
+            "momentum_error");
     for (int c = 0; c < finest(reference)->own; c++)
         fprintf(file, ",%s_error", finest(reference)->name[c]);
     fprintf(file, ",judged_error,on_front,outcome\n");
     for (int k = 0; k < rows; k++) {
         const struct speed_row *r = &row[k];
-        fprintf(file, "%s,%s,%.9g,%.4g,%llu,%.6g,%.4g,%.6g,%.6g,%.6g", r->variant.group, r->variant.settings,
-                r->dt, r->dt / r->stable, (unsigned long long)r->steps, r->seconds,
-                row[0].seconds / r->seconds, r->trajectory, r->drift, r->momentum);
+        fprintf(file, "%s,%s,%.9g,%.4g,%llu,%.6g,%.6g,%.4g,%.6g,%.6g,%.6g", r->variant.group,
+                r->variant.settings, r->dt, r->dt / r->stable, (unsigned long long)r->steps, r->seconds,
+                r->cpu_seconds, row[0].seconds / r->seconds, r->trajectory, r->drift, r->momentum);
         for (int c = 0; c < finest(reference)->own; c++)
             fprintf(file, ",%.6g", r->stopped[0] ? NAN : r->error[c]);
         fprintf(file, ",%.6g,%d,\"%s\"\n", r->judged, r->on_front, r->stopped[0] ? r->stopped : "done");
@@ -144,22 +146,17 @@ static void plot_run(const char *script) {
         fprintf(stderr, "scree: warning: gnuplot made no plot from %s\n", script);
 }
 
-bool speed_write(const struct speed_row *row, int rows, const struct speed_reference *reference,
-                 const char *directory, struct error *error) {
-    char path[OUTPUT_PATH_MAX];
-    if (!rows_write(row, rows, reference, directory, error) || !reference_write(reference, directory, error))
-        return false;
-    FILE *file = file_open(directory, "speed_error.gp", path, error);
-    if (file == NULL)
-        return false;
-    plot_say(file, row, rows, reference, directory);
-    if (!file_close(file, path, error))
-        return false;
-    plot_run(path);
-    return true;
+/* Who ran what, for how seconds are to be read. */
+static void print_clock(const struct speed_reference *reference, FILE *file) {
+    char cpu[128];
+    bool lone = reference->ranks == 1 && reference->threads == 1;
+    version_cpu(cpu, sizeof cpu);
+    fprintf(file, "measured on %s: %d rank%s, %d thread%s each; seconds are %s\n", cpu, reference->ranks,
+            reference->ranks == 1 ? "" : "s", reference->threads, reference->threads == 1 ? "" : "s",
+            lone ? "the processor's" : "wall clock");
 }
 
-void speed_print_reference(const struct speed_reference *reference, FILE *file) {
+static void print_reference(const struct speed_reference *reference, FILE *file) {
     const struct sample_record *record = finest(reference);
     fprintf(
         file,
@@ -172,12 +169,14 @@ void speed_print_reference(const struct speed_reference *reference, FILE *file) 
         fprintf(file, "  %-26s %10.2g  order %5.2f  spread %.2g%s\n", record->name[c],
                 reference->uncertain[c], reference->order[c], reference->spread[c],
                 reference->judged[c] ? "" : "  (not judged)");
+    if (!isnan(reference->mean_from))
+        fprintf(file, "columns are judged by their means from t = %.4g on\n", reference->mean_from);
     fprintf(file, "differences below %.2g cannot be told apart\n\n", reference->floor);
     fprintf(file, "  %-10s %-36s %10s %10s %10s %10s %10s\n", "", "", "seconds", "trajectory", "energy",
             "momentum", "judged");
 }
 
-void speed_print_row(const struct speed_row *row, const struct speed_reference *reference, FILE *file) {
+static void print_row(const struct speed_row *row, const struct speed_reference *reference, FILE *file) {
     if (row->stopped[0])
         fprintf(file, "  %-10s %-36s %s\n", row->variant.group, row->variant.settings, row->stopped);
     else
@@ -187,14 +186,15 @@ void speed_print_row(const struct speed_row *row, const struct speed_reference *
 }
 
 /* A row in words, against the scene as it is. */
-static void row_say(const struct speed_row *r, const struct speed_row *first,
-                    const struct speed_reference *reference, const struct variant_facts *facts, FILE *file) {
+static void row_say(const struct speed_report *report, const struct speed_row *r, FILE *file) {
+    const struct speed_reference *reference = report->reference;
+    const struct speed_row *first = report->row;
     double error = r->worst >= 0 ? r->error[r->worst] : r->trajectory;
     double spread = r->worst >= 0 ? reference->spread[r->worst] : reference->trajectory_spread;
     fprintf(file, "%s, dt = %.3g (%.2g of the stable step",
             r == first ? "the scene as it is" : r->variant.settings, r->dt, r->dt / r->stable);
-    if (facts->rayleigh > 0 && !variant_scales_step(&r->variant))
-        fprintf(file, ", %.2g of Rayleigh's", r->dt / facts->rayleigh);
+    if (report->facts->rayleigh > 0 && !variant_scales_step(&r->variant))
+        fprintf(file, ", %.2g of Rayleigh's", r->dt / report->facts->rayleigh);
     fprintf(file, ")");
     if (r != first)
         fprintf(file, ": %.2f times as fast as the scene as it is (which is off by %.2g %%)",
@@ -203,15 +203,75 @@ static void row_say(const struct speed_row *r, const struct speed_row *first,
             100 * spread);
 }
 
-void speed_print_advice(struct speed_rows rows, const struct speed_reference *reference, double tolerance,
-                        const struct variant_facts *facts, FILE *file) {
-    double allowed = fmax(tolerance, reference->floor);
-    int best = speed_best(rows.row, rows.count, allowed);
+/* What a row has to offer, in a line. */
+static void offer_say(const struct speed_report *report, const struct speed_row *r, double allowed,
+                      FILE *file) {
+    fprintf(file, "  %-10s %s: %.2f times as fast, %s off by %.2g %%%s\n", r->variant.group,
+            r->variant.settings, report->row[0].seconds / r->seconds, column_of(report->reference, r->worst),
+            100 * r->judged, r->judged <= allowed ? "" : ": more than is allowed");
+}
+
+/* Each row that computes something else; of other settings the fastest within what is allowed, or else the
+ * nearest. */
+static void offers_say(const struct speed_report *report, double allowed, FILE *file) {
+    for (int k = 1; k < report->rows; k++) {
+        const struct speed_row *r = &report->row[k];
+        const char *group = r->variant.group;
+        bool model = strcmp(group, "law") == 0 || strcmp(group, "stiffness") == 0;
+        if (model && r->stopped[0] == '\0')
+            offer_say(report, r, allowed, file);
+        if (model || !is_first(report->row, k))
+            continue;
+        int best = speed_best(report, group, allowed);
+        best = best >= 0 ? best : speed_most_exact(report, group);
+        if (best >= 0)
+            offer_say(report, &report->row[best], allowed, file);
+    }
+}
+
+static void print_advice(const struct speed_report *report, FILE *file) {
+    double allowed = fmax(report->tolerance, report->reference->floor);
+    int best = speed_best(report, NULL, allowed);
     fprintf(file, "advice: ");
     if (best < 0) {
-        best = speed_most_exact(rows.row, rows.count);
+        best = speed_most_exact(report, NULL);
         fprintf(file, "nothing tried is within %.2g %%; the nearest is ", 100 * allowed);
     }
-    row_say(&rows.row[best], &rows.row[0], reference, facts, file);
+    row_say(report, &report->row[best], file);
+    fprintf(file, "\neach law, and of other settings the fastest within %.2g %% or else the nearest:\n",
+            100 * allowed);
+    offers_say(report, allowed, file);
+}
+
+void speed_print(const struct speed_report *report, FILE *file) {
+    print_clock(report->reference, file);
+    print_reference(report->reference, file);
+    for (int k = 0; k < report->rows; k++)
+        print_row(&report->row[k], report->reference, file);
     fprintf(file, "\n");
+    print_advice(report, file);
+}
+
+static bool text_write(const struct speed_report *report, const char *directory, struct error *error) {
+    char path[OUTPUT_PATH_MAX];
+    FILE *file = file_open(directory, "speed_error.txt", path, error);
+    if (file == NULL)
+        return false;
+    speed_print(report, file);
+    return file_close(file, path, error);
+}
+
+bool speed_write(const struct speed_report *report, const char *directory, struct error *error) {
+    char path[OUTPUT_PATH_MAX];
+    if (!rows_write(report->row, report->rows, report->reference, directory, error) ||
+        !reference_write(report->reference, directory, error) || !text_write(report, directory, error))
+        return false;
+    FILE *file = file_open(directory, "speed_error.gp", path, error);
+    if (file == NULL)
+        return false;
+    plot_say(file, report->row, report->rows, report->reference, directory);
+    if (!file_close(file, path, error))
+        return false;
+    plot_run(path);
+    return true;
 }

@@ -78,6 +78,10 @@ static void put_laws(struct list *list, const struct scene *scene) {
         put(list, "law", VARIANT_HOOKE, 0, "hooke for hertz");
     if (scene->law.tangential != LAW_FRICTIONLESS)
         put(list, "law", VARIANT_FRICTIONLESS, 0, "no friction");
+    if (scene->law.tangential == LAW_TANGENTIAL_HISTORY && !scene->law.lammps_hooke)
+        put(list, "law", VARIANT_SLIDING,
+            scene->law.sliding == LAW_SLIDING_SERIES ? LAW_SLIDING_TOTAL : LAW_SLIDING_SERIES,
+            scene->law.sliding == LAW_SLIDING_SERIES ? "sliding total" : "sliding series");
     if (scene->law.rolling != LAW_ROLLING_NONE)
         put(list, "law", VARIANT_NO_ROLLING, 0, "no rolling resistance");
     if (scene->law.damping == LAW_DAMPING_RESTITUTION) {
@@ -190,6 +194,9 @@ static double change_apply(const struct variant_change *change, const struct var
         break;
     case VARIANT_NO_ROLLING:
         scene->law.rolling = LAW_ROLLING_NONE;
+        break;
+    case VARIANT_SLIDING:
+        scene->law.sliding = (enum law_sliding)change->value;
         break;
     case VARIANT_SKIN:
         scene->classes.skin *= change->value;

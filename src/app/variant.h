@@ -16,6 +16,7 @@ enum variant_kind {
     VARIANT_SOFT,         /* stiffnesses times `value`, the step the same part of the stable one */
     VARIANT_FRICTIONLESS, /* no tangential force */
     VARIANT_NO_ROLLING,   /* no rolling resistance */
+    VARIANT_SLIDING,      /* the other way of sliding: enum law_sliding */
     VARIANT_SKIN,         /* skins times `value` */
     VARIANT_INDEX,        /* index number `value` of the registry */
     VARIANT_CLASSES,      /* sizes merged into `value` classes */

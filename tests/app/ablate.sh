@@ -57,6 +57,14 @@ check 'the reference has converged' order
 check 'advice is given' grep -q '^advice: .* times as fast' said
 plotted() { command -v gnuplot >/dev/null || return 0; grep -q '<svg' one/speed_error.svg && ! grep -q warning told; }
 check 'a plot is made' plotted
+kept() { # the processor's seconds are those that count for one thread alone; what was said is kept
+    less 0 "$(field one/speed_error.csv 'dt x 2' cpu_seconds)" &&
+        within "$(field one/speed_error.csv 'dt x 2' cpu_seconds)" "$(field one/speed_error.csv 'dt x 2' seconds)" 1e-9 &&
+        cmp said one/speed_error.txt && grep -q '^measured on .*: 1 rank, 1 thread each' said
+}
+check 'what was said and measured on is kept' kept
+each_kind() { local kind; for kind in step integrator law skin index classes order; do grep -q "^  $kind  *[^ ].* times as fast, .* off by" said || { echo "  nothing on $kind"; return 1; }; done; grep -q '^  law  *no friction: .*more than is allowed' said; }
+check 'there is advice on each kind of setting' each_kind
 
 same_on_ranks() {
     study 2 two --duration 0.02 --judge heap_z && study 1 three --duration 0.02 --judge heap_z &&
@@ -64,13 +72,22 @@ same_on_ranks() {
 }
 check 'two ranks find the same error' same_on_ranks
 
+means() {
+    study 1 four --duration 0.1 --judge energy_kinetic --mean-from 0.05 && grep -q 'judged by their means from t = 0.05 on' said &&
+        within "$(field four/speed_error.csv 'index linkcell' energy_kinetic_error)" "$(field four/speed_error.csv 'as it is' energy_kinetic_error)" 1e-9 &&
+        less "$(field four/speed_error.csv 'as it is' energy_kinetic_error)" "$(field four/speed_error.csv 'no friction' energy_kinetic_error)" &&
+        [ "$(field four/speed_error.csv 'no friction' energy_kinetic_error)" != "$(field one/speed_error.csv 'no friction' energy_kinetic_error)" ]
+}
+check 'columns can be judged by their means' means
+
 refuses() { # WORDS FLAG...
     local words=$1
     shift
     on 1 "$scree" ablate scene.yaml "$@" >said 2>&1
     [ $? = 2 ] && holds said "$words"
 }
-check 'unknown columns are refused' refuses 'allowed: trajectory, energy_kinetic' --error -o four --duration 0.01 --judge weather
-check 'flags of the other table are refused' refuses 'does not take' --error -o five --threads 1
-check 'a span of nothing is refused' refuses 'allowed: numbers' --error -o six --duration 0
+check 'unknown columns are refused' refuses 'allowed: trajectory, energy_kinetic' --error -o five --duration 0.01 --judge weather
+check 'flags of the other table are refused' refuses 'does not take' --error -o six --threads 1
+check 'a span of nothing is refused' refuses 'allowed: numbers' --error -o seven --duration 0
+check 'a mean beyond the end is refused' refuses 'allowed: numbers' --error -o eight --duration 0.01 --mean-from 1
 finish
