@@ -18,7 +18,10 @@ tests_app_cut_message_la_LDFLAGS = $(AM_LDFLAGS) -module -avoid-version -shared 
 tests_app_cut_message_la_LIBADD = $(MPI_LIBS)
 tests/app/faults.log: tests/app/cut_message.la
 
-tests/app/ranks.log: tests/checkpoint_lines
+
+# Random scenes: 12, or 200 by check-long
+dist_check_SCRIPTS += tests/app/random_scenes.sh
+tests/app/random_scenes.log tests/app/ranks.log: tests/checkpoint_lines
 
 # Without AVX, and on emulated CPUs where qemu-user is there
 dist_check_SCRIPTS += tests/app/baseline.sh

@@ -52,7 +52,7 @@ at_most() {
         space = d == 3 ? e[1] * e[2] * e[3] : e[1] * e[2]
         one = d == 3 ? 4.19 * r ^ 3 : 3.15 * r ^ 2
         most = int(space / 7 / one)
-        print n < most ? n : most < 1 ? 1 : most }'
+        print (n < most ? n : most < 1 ? 1 : most) }'
 }
 
 draw_box() {
@@ -70,8 +70,8 @@ draw_box() {
         periodic[2]=false
     fi
     shortest=$(awk -v a="${edge[0]}" -v b="${edge[1]}" -v c="${edge[2]}" -v d="$dimension" 'BEGIN {
-        s = a < b ? a : b; print d == 3 && c < s ? c : s }')
-    longest=$(awk -v a="${edge[0]}" -v b="${edge[1]}" -v c="${edge[2]}" 'BEGIN { s = a > b ? a : b; print c > s ? c : s }')
+        s = a < b ? a : b; print (d == 3 && c < s ? c : s) }')
+    longest=$(awk -v a="${edge[0]}" -v b="${edge[1]}" -v c="${edge[2]}" 'BEGIN { s = a > b ? a : b; print (c > s ? c : s) }')
 }
 
 # add_source MATERIAL COUNT SIZES
@@ -228,7 +228,7 @@ draw_layout() {
         if once_in 3; then layout+=" domain.x=$ranks"; fi
     fi
     if once_in 4; then layout+=" step.fused=false"; fi
-    if once_in 8 && [ $reproducible = true ]; then layout+=" index.measure=true"; fi
+    if once_in 3 && [[ $reproducible$layout = *true*index=auto* ]]; then layout+=" index.measure=true"; fi
 }
 
 # timed RANKS DIR [FLAG...]: a run of scene.yaml, within its time
@@ -264,7 +264,7 @@ positions_agree() {
     awk -v edges="${edge[*]}" -v periodic="${periodic[*]}" -v longest="$longest" '
         BEGIN { split(edges, edge, " "); split(periodic, wraps, " ") }
         FNR == 1 { file++; reading = 0 }
-        /^ITEM: TIMESTEP/ { reading = 0; if (file == 1) rows = 0; else seen = 0 }
+        /^ITEM: TIMESTEP/ { reading = 0; worst = 0; if (file == 1) rows = 0; else seen = 0 }
         /^ITEM: ATOMS/ {
             for (k = 3; k <= NF; k++)
                 place[$k] = k - 2
