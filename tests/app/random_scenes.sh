@@ -101,7 +101,7 @@ draw_sizes() {
         ;;
     two)
         pick 4 10 20
-        large=$(number_of "r = $smallest * $picked; r < $shortest / 4 ? r : $shortest / 4")
+        large=$(number_of "($smallest * $picked < $shortest / 4 ? $smallest * $picked : $shortest / 4)")
         draw 6
         add_source hard "$(at_most $((drawn + 1)) "$large")" "$large"
         add_source soft "$(at_most $many "$smallest")" "$smallest"
