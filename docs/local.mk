@@ -3,6 +3,7 @@ EXTRA_DIST += docs/indexes.md docs/images/penetration.png
 EXTRA_DIST += docs/physics.md
 EXTRA_DIST += docs/packing.md
 EXTRA_DIST += docs/accuracy.md \
+	docs/images/verify-beverloo-3d.svg \
 	docs/images/verify-beverloo.svg \
 	docs/images/verify-bouncing.svg \
 	docs/images/verify-bowl.svg \
