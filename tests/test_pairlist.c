@@ -217,7 +217,7 @@ static void check_history(int before, int after, bool both_ends) {
     particles_reorder(c.particles, order);
     history_rows_reorder(&rows, order, 1200);
     cloud_search(&c, after, true);
-    history_attach(new, &rows, c.list, c.particles, false);
+    history_attach(new, &rows, c.list, c.particles, 10);
     history_compare(&c, new);
     history_rows_free(&rows);
     memory_free(order);

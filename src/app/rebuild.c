@@ -19,6 +19,15 @@ static bool one_image(const struct simulation *s) {
     return true;
 }
 
+/* How far images of a particle are apart that may meet the same partner; INFINITY: none may. */
+static double images_apart(const struct simulation *s) {
+    double apart = INFINITY;
+    for (int d = 0; d < 3 && !one_image(s); d++)
+        if (s->scene->box.periodic[d])
+            apart = fmin(apart, s->scene->box.edge[d]);
+    return apart;
+}
+
 void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
     *rows = (struct rebuild_rows){0};
     if (s->history)
@@ -73,7 +82,7 @@ static void attach(struct simulation *s, struct rebuild_rows *rows, const uint32
     if (rows->kept.start)
         history_restore(s->history, &rows->kept, order, s->list);
     if (rows->pairs.start)
-        history_attach(s->history, &rows->pairs, s->list, s->particles, one_image(s));
+        history_attach(s->history, &rows->pairs, s->list, s->particles, images_apart(s));
     if (rows->walls.start)
         walls_attach(s->walls, &rows->walls, s->particles);
     rebuild_rows_free(rows);
@@ -142,10 +151,21 @@ void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
     plan(s);
 }
 
+/* Springs find their pairs by separations where images matter: copies must stand where particles now are. */
+static void copies_follow(struct simulation *s) {
+    if (s->alone || s->history == NULL || one_image(s))
+        return;
+    timer_start(&s->timers, TIMER_COMM);
+    ghosts_forward_begin(s->ghosts, s->particles);
+    ghosts_forward_end(s->ghosts, s->particles);
+    timer_stop(&s->timers, TIMER_COMM);
+}
+
 void rebuild_run(struct simulation *s) {
     struct rebuild_rows rows = {0};
     load_balance(s);
     bool all_stay = s->alone && !sources_due(s) && !simulation_may_lose(s);
+    copies_follow(s);
     timer_start(&s->timers, TIMER_HISTORY);
     if (s->history && all_stay && one_image(s)) {
         history_keep(s->history, s->list, s->particles->owned, &rows.kept);

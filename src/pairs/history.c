@@ -228,8 +228,7 @@ struct attach {
     const struct history_rows *rows;
     const struct pairlist *list;
     const struct particles *particles;
-    bool one_image; /* no two particles can meet through several images */
-    double near;    /* separations that differ by less belong to the same image; squared length */
+    double near; /* separations that differ by less belong to the same image; squared length */
 };
 
 /* The row of particle `carrier` whose partner has id `partner`, or NULL; of several images the one at this
@@ -240,7 +239,7 @@ static const struct history_row *row_find(const struct attach *a, uint32_t carri
         const struct history_row *row = &a->rows->row[k];
         if (row->partner != partner)
             continue;
-        if (a->one_image)
+        if (isinf(a->near))
             return row;
         double separation[3], d2 = 0;
         pair_separation(a->list, a->particles, i, j, separation);
@@ -291,15 +290,8 @@ static void attach_thread(struct history *history, const struct attach *a, int t
 }
 
 void history_attach(struct history *history, const struct history_rows *rows, const struct pairlist *list,
-                    const struct particles *particles, bool one_image) {
-    /* Images of one particle are a box edge apart: at least as far as the nearest two entries of the shift
-     * table */
-    double edge = INFINITY;
-    for (int d = 0; d < 3; d++) {
-        unsigned code = box_image_code(d == 0, d == 1, d == 2);
-        edge = list->shift[code][d] < edge ? list->shift[code][d] : edge;
-    }
-    struct attach attach = {rows, list, particles, one_image, 0.25 * edge * edge};
+                    const struct particles *particles, double apart) {
+    struct attach attach = {rows, list, particles, 0.25 * apart * apart};
 #pragma omp parallel for num_threads(history->threads) schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
         attach_thread(history, &attach, t);

@@ -71,11 +71,12 @@ void history_rows_remove(struct history_rows *rows, const uint8_t *remove, size_
 void history_rows_free(struct history_rows *rows);
 
 /* Hands the rows to the pairs of the new list (after the rebuild); rows of pairs that are no longer in the
- * list are dropped. `one_image` promises that no two particles can meet through several images (every
- * periodic edge is longer than two cut-offs), which spares comparing separations. Opens its own thread team.
- */
+ * list are dropped. Where two particles can meet through several images, a row belongs to the pair whose
+ * separation is that of the row; images are at least `apart` from each other (the shortest periodic edge).
+ * INFINITY promises that there are no such pairs (every periodic edge is longer than two cut-offs), which
+ * spares comparing. Opens its own thread team. */
 void history_attach(struct history *history, const struct history_rows *rows, const struct pairlist *list,
-                    const struct particles *particles, bool one_image);
+                    const struct particles *particles, double apart);
 
 /* Bytes held. */
 size_t history_memory(const struct history *history);
