@@ -11,11 +11,11 @@ struct bench_spec {
     double ratio;    /* largest radius over smallest; the smallest is 1 */
     size_t particles;
     const char *file; /* a LAMMPS data file, which beats the law; NULL: none */
-    double large;    /* bidisperse: share of large ones, by number; boulder: how many */
-    double fraction; /* volume fraction; sets the cube */
-    bool open;       /* no direction is periodic */
-    double skin;     /* margin of a class pair as a multiple of the smaller class's smallest radius */
-    double inflate;  /* radii are made larger by this factor after placing */
+    double large;     /* bidisperse: share of large ones, by number; boulder: how many */
+    double fraction;  /* volume fraction; sets the cube */
+    bool open;        /* no direction is periodic */
+    double skin;      /* margin of a class pair as a multiple of the smaller class's smallest radius */
+    double inflate;   /* radii are made larger by this factor after placing */
 };
 
 enum { BENCH_STRIDE = 8 };
