@@ -196,7 +196,8 @@ static void pass_rows(const struct pass *pass, int t) {
 static void ghosts_assign(const struct pass *pass) {
     struct pairlist_build *build = pass->list->build;
     const struct index_view *view = pass->view;
-    memset(build->thread_of + view->owned, NO_THREAD, view->total - view->owned);
+    if (view->total > view->owned)
+        memset(build->thread_of + view->owned, NO_THREAD, view->total - view->owned);
     for (int t = 0; t < pass->list->threads; t++) {
         const struct pair_buffer *ghost = &build->worker[t].ghost;
         for (size_t k = 0; k < ghost->count; k++) {
