@@ -69,7 +69,7 @@ table() {
 # done_for NAME...: is there a summary of any of these?
 done_for() {
     for name; do
-        ! grep -q '"summary": true' "$results/$name.jsonl" 2>/dev/null || return 0
+        ! grep -q -e '"summary": true' -e '"loop_ratio' "$results/$name.jsonl" 2>/dev/null || return 0
     done
     echo "Not run yet: \`examples/bench/report.sh --only \"$*\"\`."
     return 1
@@ -279,10 +279,10 @@ auto() {
     echo
     done_for auto || return 0
     fields auto '"summary"' scenes threads ratio_median ratio_largest linkcell_ratio_largest run_ratio_median run_ratio_largest run_linkcell_ratio_largest prediction_median prediction_least prediction_largest |
-        table scenes threads 'ratio, median' 'largest' 'over one level, largest' 'runs: median' 'largest' 'over one level, largest' 'predicted over measured, median' least largest
+        table scenes threads 'ratio, median' 'largest' 'over one level, largest' 'runs, median' 'largest' 'over one level, largest' 'predicted over measured, median' least largest
     echo
     fields auto '"kind": "scene"' scene particles ns_per_particle ratio linkcell_ratio prediction run_ratio run_linkcell_ratio |
-        table scene particles 'detection, ns a particle:1' ratio 'over one level' 'predicted over measured' 'runs: ratio' 'over one level'
+        table scene particles 'detection, ns a particle:1' ratio 'over one level' 'predicted over measured' 'runs, ratio' 'over one level'
     fields auto '"kind": "scene"' seconds predicted >"$data/auto"
     plot auto 520,420 <<'GP'
 set logscale xy; set xlabel "measured (ms a detection)"; set ylabel "predicted"; set key left top
@@ -295,16 +295,10 @@ chute() {
     printf '\n## Chute, beside LAMMPS\n\n'
     echo '32,000 spheres down a rough incline (regenerated, not copied); needed: 3 times on one core and on two.'
     echo
-    done_for_ratio chute || return 0
+    done_for chute || return 0
     fields chute '"loop_ratio_one"' particles steps cores seconds ns_per_particle loop_ratio loop_ratio_one kinetic_energy_difference |
         table particles steps cores 'loop, s:1:4' 'ns a particle and step:1' 'ratio, all cores' 'ratio, one core' 'difference of the kinetic energies'
 }
-done_for_ratio() {
-    ! grep -q '"loop_ratio' "$results/$1.jsonl" 2>/dev/null || return 0
-    echo "Not run yet: \`examples/bench/report.sh --only $1\`."
-    return 1
-}
-
 roofline() {
     printf '\n## Under the roof\n\n'
     echo 'Bidisperse, R = 10. Share: the time that the lower of the two roofs (bandwidth of a triad, operations of the widest instructions without fused ones) would'
@@ -339,7 +333,7 @@ growth() {
         table series R particles threads 'ns a particle and step:1' 'ns a particle and rebuild:1' 'bytes a particle:1:4' 'pairs a particle:1' 'contacts a particle:1'
     echo
     fields growth '"summary"' particles_time boulder_time spread_time particles_memory boulder_memory spread_memory |
-        table 'particles: time' 'boulder: time' 'spread: time' 'particles: memory' 'boulder: memory' 'spread: memory'
+        table 'particles, time' 'boulder, time' 'spread, time' 'particles, memory' 'boulder, memory' 'spread, memory'
     fields growth '"series": "particles"' particles ns_per_particle >"$data/growth-particles"
     fields growth '"series": "boulder"' R ns_per_particle >"$data/growth-boulder"
     fields growth '"series": "spread"' R ns_per_particle >"$data/growth-spread"
