@@ -1,6 +1,5 @@
 /* Items sorted by the rank that they concern, for migrate.c and copies.c: the step between "who needs what"
- * and one message per neighbour. Takes an array of the length of the rank count while it works, as is allowed
- * at a rebuild. */
+ * and one message per neighbour. Time and memory follow the items, however many ranks there are. */
 #ifndef SCREE_COMM_GROUPS_H
 #define SCREE_COMM_GROUPS_H
 

@@ -6,14 +6,15 @@
 #include <cmocka.h>
 
 #include "comm/groups.h"
+#include "core/memory.h"
 #include "core/random.h"
 
 enum { ITEMS = 500, SIZE = 40 };
 
 /* Every item once, in groups of increasing rank, in order inside a group. */
-static void compare(const int *rank, size_t n) {
+static void compare(const int *rank, size_t n, int size) {
     struct groups groups;
-    groups_make(&groups, rank, n, SIZE);
+    groups_make(&groups, rank, n, size);
     assert_int_equal(groups.start[groups.count], n);
     size_t seen = 0;
     for (size_t g = 0; g < groups.count; g++) {
@@ -38,21 +39,36 @@ static void random_ranks(void **state) {
         int rank[ITEMS];
         for (size_t k = 0; k < n; k++)
             rank[k] = (int)(span * random_uniform(&sequence));
-        compare(rank, n);
+        compare(rank, n, SIZE);
     }
 }
 
 static void ends_of_the_range(void **state) {
     (void)state;
-    compare(NULL, 0);
-    compare((int[]){SIZE - 1}, 1);
-    compare((int[]){SIZE - 1, 0, SIZE - 1, 0}, 4);
+    compare(NULL, 0, SIZE);
+    compare((int[]){SIZE - 1}, 1, SIZE);
+    compare((int[]){SIZE - 1, 0, SIZE - 1, 0}, 4, SIZE);
+}
+
+/* As many ranks as items, out of very many; memory follows the items. */
+static void many_ranks(void **state) {
+    (void)state;
+    enum { RANKS = 100000000 };
+    int rank[ITEMS];
+    struct random_sequence sequence = random_sequence(7, RANDOM_TEST, 0);
+    for (size_t k = 0; k < ITEMS; k++)
+        rank[k] = (int)(RANKS * random_uniform(&sequence));
+    size_t before = memory_in_use();
+    memory_peak_reset();
+    compare(rank, ITEMS, RANKS);
+    assert_true(memory_peak() - before < 200 * ITEMS);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(random_ranks),
         cmocka_unit_test(ends_of_the_range),
+        cmocka_unit_test(many_ranks),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
