@@ -29,7 +29,7 @@ for name in "$@"; do
     drum) # the packing takes up the turning
         study drum drum/scene.yaml --duration 0.0004 --samples 16 --members 2 --repeat 1 --judge trajectory,energy_kinetic ;;
     angle) # discs in a drum that has turned for long: means and their spread
-        study angle verify/drum-angle/scene.yaml --duration 200 --samples 400 --mean-from 100 --members 6 --repeat 1 --judge centre_x,centre_y ;;
+        study angle verify/drum-angle/scene.yaml --duration 100 --samples 200 --mean-from 50 --members 4 --repeat 1 --judge centre_x,centre_y ;;
     *) echo "speed-error.sh: there is no '$name'" >&2 && exit 2 ;;
     esac
 done
