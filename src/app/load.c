@@ -1,13 +1,18 @@
 /* The load of ranks, and the division of the box that follows it.
  *
+ * Bricks are laid once, by the particles at the start; a resume on as many ranks keeps those of the
+ * checkpoint. A bisection follows the load.
+ *
  * The weight of a particle is what it costs: 1 for itself and half for each pair in its row (both about right
  * for the force loop), or the same scaled by the seconds that its rank took for the weight it has, or 1. The
  * bisection is made anew where the largest load exceeds the mean by the threshold, but not where the last
  * division could do no better: a plane cannot cut through a particle. */
 #include "app/load.h"
 #include "comm/balance.h"
+#include "comm/domain_grid.h"
 #include "core/memory.h"
 #include <math.h>
+#include <string.h>
 
 double load_seconds(const struct simulation *s) {
     static const enum timer_stage work[] = {TIMER_ADVANCE, TIMER_SWEEP, TIMER_CONTACT, TIMER_WALL,
@@ -58,6 +63,52 @@ static bool divide(struct simulation *s, const double *weight) {
     domain_wrap(s->domain, s->wrap);
     memory_free(x);
     return divided;
+}
+
+/* The part of the box along axis d that a coordinate lies in. */
+static size_t density_bin(const struct box *box, int d, double x) {
+    double at = x / box->edge[d];
+    at = box->periodic[d] ? at - floor(at) : at;
+    return (size_t)fmin(fmax(at * DOMAIN_DENSITY_BINS, 0), DOMAIN_DENSITY_BINS - 1);
+}
+
+/* Where the particles of all ranks are; memory_free. */
+static double *density_map(const struct simulation *s) {
+    enum { BINS = DOMAIN_DENSITY_BINS };
+    double *density = memory_allocate_zero((size_t)BINS * BINS * BINS, sizeof *density, "map of particles");
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        const double *x = s->particles->state[k].x;
+        size_t bin[3];
+        for (int d = 0; d < 3; d++)
+            bin[d] = density_bin(&s->scene->box, d, x[d]);
+        density[bin[0] + BINS * (bin[1] + BINS * bin[2])]++;
+    }
+    comm_sum(s->comm, density, BINS * BINS * BINS);
+    return density;
+}
+
+/* True if a checkpoint's grid serves this run, too. */
+static bool grid_serves(const struct simulation *s, const int grid[3]) {
+    const int *wanted = s->scene->domain.grid;
+    for (int d = 0; d < 3; d++)
+        if (grid[d] < 1 || (wanted[d] != 0 && wanted[d] != grid[d]))
+            return false;
+    return (int64_t)grid[0] * grid[1] * grid[2] == s->comm->size;
+}
+
+void load_lay(struct simulation *s, const int resumed[3]) {
+    int grid[3];
+    if (s->alone || domain_bisects(s->domain))
+        return;
+    if (grid_serves(s, resumed)) {
+        memcpy(grid, resumed, sizeof grid);
+    } else {
+        double *density = density_map(s);
+        domain_grid_choose(s->comm->size, &s->scene->box, s->scene->domain.grid, density, grid);
+        memory_free(density);
+    }
+    domain_lay(s->domain, grid);
+    domain_wrap(s->domain, s->wrap);
 }
 
 void load_begin(struct simulation *s) {

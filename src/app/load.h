@@ -4,6 +4,11 @@
 
 #include "app/simulation.h"
 
+/* Lays the bricks by where the particles of all ranks are, or as the checkpoint of a resume has them
+ * (`resumed`: ranks per direction, 0: none) where that serves. Before the first rebuild; a bisection:
+ * nothing. Collective. */
+void load_lay(struct simulation *simulation, const int resumed[3]);
+
 /* Divides the box by the numbers of particles, once, before the first migration. Bricks: nothing. Collective.
  */
 void load_begin(struct simulation *simulation);

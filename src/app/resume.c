@@ -34,6 +34,7 @@ static void numbers_put(const struct simulation *s, struct checkpoint_numbers *n
     n->counter[COUNTER_TIME_BASE] = bits_of(s->time_base);
     n->counter[COUNTER_INSERTED] = s->inserted;
     n->counter[COUNTER_DELETED] = s->deleted;
+    domain_grid(s->domain, n->grid);
     for (int k = 0; k < s->scene->insertions; k++) {
         uint64_t *counter = &n->counter[COUNTER_INSERTION + INSERTION_COUNTERS * k];
         counter[0] = s->insertion_state[k].placed;
@@ -52,6 +53,7 @@ static void numbers_take(struct simulation *s, const struct checkpoint_numbers *
     s->time_base = double_of(n->counter[COUNTER_TIME_BASE]);
     s->inserted = n->counter[COUNTER_INSERTED];
     s->deleted = n->counter[COUNTER_DELETED];
+    memcpy(s->resumed_grid, n->grid, sizeof s->resumed_grid);
     for (int k = 0; k < s->scene->insertions; k++) {
         const uint64_t *counter = &n->counter[COUNTER_INSERTION + INSERTION_COUNTERS * k];
         s->insertion_state[k] = (struct insertion_state){counter[0], counter[1], double_of(counter[2])};

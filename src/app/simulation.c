@@ -309,6 +309,7 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
     if (!simulation_classify(s, error) || !box_suffices(s, error) || !timing_choose(s, error))
         return false;
     particles_classify(s->particles, &s->classes);
+    load_lay(s, s->resumed_grid);
     index_suits(s, error);
     if (!comm_agree(s->comm, error)) /* each rank looks at its own particles */
         return false;

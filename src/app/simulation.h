@@ -129,6 +129,7 @@ struct simulation {
     uint64_t step_base; /* time = time_base + (step - step_base) dt */
     double time, time_base, dt;
     double resumed_dt;          /* step of the run that wrote the checkpoint */
+    int resumed_grid[3];        /* its ranks per direction */
     double (*speed)[CLASS_MAX]; /* [thread][class]: largest squared speed of the last drift */
     double servo_force[WALLS_MAX][3];
 
@@ -169,6 +170,9 @@ bool timing_choose(struct simulation *simulation, struct error *error);
  * searched; history attached. Collective. */
 void rebuild_run(struct simulation *simulation);
 
+/* Makes the plan of the sweep, if there is none since the last rebuild. Before a fused step. */
+void rebuild_plan(struct simulation *simulation);
+
 /* Around order, build and pairs of a rebuild, with `index.measure`: selects a variant, takes its time, and
  * keeps the one that was fastest on the slowest rank. tune_end is collective. */
 void tune_begin(struct simulation *simulation);
@@ -180,7 +184,11 @@ double tune_measured(const struct simulation *simulation);
 /* Contact history (pairs and walls together) on the move over a rebuild or into a checkpoint. */
 struct rebuild_rows {
     struct history_rows pairs;
-    struct history_kept kept; /* instead of `pairs`, where no particle comes, goes or changes ranks */
+    bool keep; /* the short way, where particles neither come nor go: records of pairs that stay on this rank
+                */
+    uint32_t *place; /* several ranks: number after the migration of each of `before` particles */
+    size_t before;
+    struct history_kept kept; /* made between reorder and search */
     struct wall_rows walls;
 };
 void rebuild_detach(struct simulation *simulation, bool both_ends, struct rebuild_rows *rows);

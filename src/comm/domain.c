@@ -1,5 +1,6 @@
 #include "comm/domain.h"
 
+#include "comm/domain_grid.h"
 #include "comm/domain_tree.h"
 #include "core/memory.h"
 
@@ -21,79 +22,12 @@ struct domain {
     double clearance;
 };
 
-/* How good a grid is: the area along which it cuts the box, then the thinnest part that a cut leaves. */
-struct grid_price {
-    double area, thinnest;
-};
-
-static struct grid_price price_of(const int grid[3], const struct box *box) {
-    struct grid_price price = {0, INFINITY};
-    for (int d = 0; d < 3; d++) {
-        if (grid[d] == 1)
-            continue;
-        int faces = box->periodic[d] ? grid[d] : grid[d] - 1;
-        price.area += faces * box->edge[(d + 1) % 3] * box->edge[(d + 2) % 3];
-        price.thinnest = fmin(price.thinnest, box->edge[d] / grid[d]);
-    }
-    return price;
-}
-
-static bool price_better(struct grid_price a, struct grid_price b) {
-    const double equal = 1e-12;
-    if (fabs(a.area - b.area) > equal * b.area)
-        return a.area < b.area;
-    return a.thinnest > b.thinnest * (1 + equal);
-}
-
-static bool grid_allowed(const int grid[3], const struct box *box, const struct domain_options *options) {
-    for (int d = 0; d < 3; d++)
-        if (options->grid[d] != 0 && options->grid[d] != grid[d])
-            return false;
-    return box->dimension == 3 || grid[2] == 1;
-}
-
-/* Tries all ways to write `size` as a product of three. Larger numbers first in x: with gravity along z the
- * columns are filled alike. */
-static bool grid_choose(int size, const struct box *box, const struct domain_options *options, int best[3]) {
-    struct grid_price least = {INFINITY, 0};
-    bool found = false;
-    for (int a = size; a >= 1; a--) {
-        if (size % a != 0)
-            continue;
-        for (int b = size / a; b >= 1; b--) {
-            int grid[3] = {a, b, size / a / b};
-            if (size / a % b != 0 || !grid_allowed(grid, box, options))
-                continue;
-            struct grid_price price = price_of(grid, box);
-            if (found && !price_better(price, least))
-                continue;
-            least = price;
-            found = true;
-            for (int d = 0; d < 3; d++)
-                best[d] = grid[d];
-        }
-    }
-    return found;
-}
-
-static bool grid_refuse(int size, const struct box *box, const struct domain_options *options,
-                        struct error *error) {
-    const int *grid = options->grid;
-    if (box->dimension == 2 && grid[2] > 1)
-        return error_set(error, ERROR_USER,
-                         "domain grid %d x %d x %d: a 2D box is not divided in z; allowed there are 0 and 1",
-                         grid[0], grid[1], grid[2]);
-    return error_set(error, ERROR_USER,
-                     "domain grid %d x %d x %d does not fit %d rank%s: the product must be the number of "
-                     "ranks; 0 leaves a direction to the program",
-                     grid[0], grid[1], grid[2], size, size == 1 ? "" : "s");
-}
-
 static void bricks_lay(struct domain *domain, const int grid[3]) {
     for (int d = 0; d < 3; d++) {
         int n = grid[d];
         domain->grid[d] = n;
         domain->wrapped[d] = domain->periodic[d] && n == 1;
+        memory_free(domain->cut[d]);
         domain->cut[d] = memory_allocate((size_t)n + 1, sizeof(double), "domain faces");
         for (int i = 0; i < n; i++)
             domain->cut[d][i] = domain->edge[d] * i / n;
@@ -107,8 +41,8 @@ struct domain *domain_create(const struct comm *comm, const struct box *box,
                              const struct domain_options *options, struct error *error) {
     int grid[3];
     bool bisects = options->kind == DOMAIN_BISECTION;
-    if (!bisects && !grid_choose(comm->size, box, options, grid)) {
-        grid_refuse(comm->size, box, options, error);
+    if (!bisects && !domain_grid_choose(comm->size, box, options->grid, NULL, grid)) {
+        domain_grid_refuse(comm->size, box, options->grid, error);
         return NULL;
     }
     struct domain *domain = memory_allocate_zero(1, sizeof *domain, "domain");
@@ -123,6 +57,12 @@ struct domain *domain_create(const struct comm *comm, const struct box *box,
         look_around(domain);
     }
     return domain;
+}
+
+void domain_lay(struct domain *domain, const int grid[3]) {
+    assert(domain->tree == NULL && grid[0] * grid[1] * grid[2] == domain->size);
+    bricks_lay(domain, grid);
+    look_around(domain);
 }
 
 void domain_divide(struct domain *domain, struct domain_tree *tree) {

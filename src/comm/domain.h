@@ -46,9 +46,8 @@ struct domain; /* private */
 struct domain_tree;
 
 /* Divides the box among the ranks. Fails (user), alike on all ranks, if `grid` does not fit the number of
- * ranks; a 2D box is never divided in z. Free choices take the grid that cuts the box along the smallest
- * area; among equal ones that with the thickest subdomains. A bisection begins with equal volumes and
- * has no grid. */
+ * ranks. Free choices are those of domain_grid_choose without a density. A bisection begins with equal
+ * volumes and has no grid. */
 struct domain *domain_create(const struct comm *comm, const struct box *box,
                              const struct domain_options *options, struct error *error);
 void domain_destroy(struct domain **domain);
@@ -78,6 +77,9 @@ double domain_clearance(const struct domain *domain);
  * added in the order x, y, z. `image` is that of the point. */
 double domain_place_distance2(const struct domain *domain, const struct domain_place *place,
                               const double x[3], const int image[3]);
+
+/* Lays the bricks anew, ranks per direction. Collective in effect: all ranks give the same grid. */
+void domain_lay(struct domain *domain, const int grid[3]);
 
 /* Divides a bisection anew; takes the tree over. Collective in effect: all ranks give the same tree. */
 void domain_divide(struct domain *domain, struct domain_tree *tree);

@@ -4,6 +4,7 @@ libcomm_la_SOURCES = \
 	src/comm/comm.c src/comm/comm.h \
 	src/comm/copies.c src/comm/copies.h \
 	src/comm/domain.c src/comm/domain.h \
+	src/comm/domain_grid.c src/comm/domain_grid.h \
 	src/comm/domain_tree.c src/comm/domain_tree.h \
 	src/comm/exchange.c src/comm/exchange.h \
 	src/comm/ghosts.c src/comm/ghosts.h \

@@ -87,6 +87,9 @@ static bool put_numbers(struct writing *w, struct error *error) {
         [CHECKPOINT_HISTORY_COMPONENTS] = c->history_components,
         [CHECKPOINT_WALLS] = c->walls ? walls_count(c->walls) : 0,
         [CHECKPOINT_TOTAL] = (int64_t)w->total,
+        [CHECKPOINT_GRID] = n->grid[0],
+        [CHECKPOINT_GRID + 1] = n->grid[1],
+        [CHECKPOINT_GRID + 2] = n->grid[2],
     };
     double times[2] = {n->time, n->dt};
     int64_t owned = (int64_t)c->particles->owned;

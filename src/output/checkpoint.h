@@ -23,7 +23,8 @@ struct checkpoint_numbers {
     uint64_t step;
     double time, dt;
     uint64_t seed;
-    int64_t next_id;                       /* of the next particle inserted */
+    int64_t next_id; /* of the next particle inserted */
+    int grid[3];     /* ranks per direction where the box is divided into bricks; else 0 */
     uint64_t counter[CHECKPOINT_COUNTERS]; /* insertion attempts and the like; the caller's meaning, the same
                                               on every rank */
     double sum[CHECKPOINT_COUNTERS]; /* energies and the like, this rank's parts: on the same number of ranks

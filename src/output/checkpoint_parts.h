@@ -7,7 +7,6 @@
 #include "output/h5.h"
 
 enum {
-    CHECKPOINT_INTEGERS = 8,                        /* /run/integers: see enum checkpoint_integer */
     CHECKPOINT_POSE = 41,                           /* doubles of a wall's pose */
     CHECKPOINT_HISTORY = HISTORY_COMPONENTS_MAX + 3 /* doubles of a history row: value, separation */
 };
@@ -21,7 +20,9 @@ enum checkpoint_integer {
     CHECKPOINT_FEATURES,
     CHECKPOINT_HISTORY_COMPONENTS,
     CHECKPOINT_WALLS,
-    CHECKPOINT_TOTAL
+    CHECKPOINT_TOTAL,
+    CHECKPOINT_GRID, /* three of them */
+    CHECKPOINT_INTEGERS = CHECKPOINT_GRID + 3
 };
 
 /* /box/sides: dimension, periodic[3], leave[3][2]. */

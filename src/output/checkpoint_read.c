@@ -54,6 +54,8 @@ static bool get_numbers(struct reading *r, struct error *error) {
     l->history_components = (int)integers[CHECKPOINT_HISTORY_COMPONENTS];
     l->walls = (int)integers[CHECKPOINT_WALLS];
     l->total = (uint64_t)integers[CHECKPOINT_TOTAL];
+    for (int d = 0; d < 3; d++)
+        l->numbers.grid[d] = (int)integers[CHECKPOINT_GRID + d];
     l->same_layout = l->ranks == r->comm->size;
     if (l->ranks < 1 || l->walls < 0 || l->walls > WALLS_MAX || l->history_components < 0 ||
         l->history_components > HISTORY_COMPONENTS_MAX)

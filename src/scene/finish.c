@@ -283,7 +283,7 @@ static bool finish_sources(struct scene *scene, struct error *error) {
 void scene_make_reproducible(struct scene *scene) {
     scene->reproducible = scene->ghosts.in_place = true;
     scene->ghosts.newton = scene->ghosts.reduced = false;
-    scene->ghosts_name = 0;
+    scene->ghosts_name = SCENE_GHOSTS_FULL;
 }
 
 bool finish_scene(struct scene *scene, struct error *error) {
@@ -295,7 +295,8 @@ bool finish_scene(struct scene *scene, struct error *error) {
         !finish_groups(scene, error) || !finish_sources(scene, error))
         return false;
     finish_step(scene);
-    scene->ghosts.reduced = scene->ghosts_name == 1;
+    scene->ghosts.reduced = scene->ghosts_name == SCENE_GHOSTS_REDUCED ||
+                            (scene->ghosts_name == SCENE_GHOSTS_AUTO && scene->ghosts.newton);
     if (scene->reproducible)
         scene_make_reproducible(scene);
     scene->classes.skin_given = !isnan(scene->classes.skin);

@@ -65,6 +65,9 @@ struct scene_group {
     bool selects;                     /* true if any of the criteria was given */
 };
 
+/* Which copies a rank gets, as the scene says it. */
+enum scene_ghosts { SCENE_GHOSTS_FULL, SCENE_GHOSTS_REDUCED, SCENE_GHOSTS_AUTO };
+
 /* What a guard does. */
 enum scene_guard { SCENE_GUARD_STOP, SCENE_GUARD_WARN, SCENE_GUARD_OFF };
 
@@ -134,7 +137,7 @@ struct scene {
     bool reproducible; /* the same bits on any layout; newton and ghosts then do not matter */
     struct ghosts_options ghosts;
     struct domain_options domain;
-    int ghosts_name; /* full, reduced */
+    int ghosts_name; /* enum scene_ghosts */
     struct scene_guards guards;
     struct output_options output;
 };

@@ -235,11 +235,12 @@ static const struct schema_row skin_rows[] = {
 static const struct schema_table skin_table = TABLE(skin_rows);
 
 static const struct schema_name ghosts_names[] = {
-    {"full", 0, "every copy that any partner might need"},
-    {"reduced", 1, "small particles travel only as far as small partners; needs newton: on"},
+    {"auto", SCENE_GHOSTS_AUTO, "reduced with newton: on, else full"},
+    {"full", SCENE_GHOSTS_FULL, "every copy that any partner might need"},
+    {"reduced", SCENE_GHOSTS_REDUCED, "small particles travel only as far as small partners; needs newton: on"},
     {0}};
 static const struct schema_name domain_names[] = {
-    {"brick", DOMAIN_BRICK, "equal bricks"},
+    {"brick", DOMAIN_BRICK, "equal bricks, in the grid that suits the particles at the start"},
     {"bisection", DOMAIN_BISECTION, "recursive bisection that follows the load, by Zoltan"},
     {0}};
 static const struct schema_name weights_names[] = {
@@ -350,7 +351,7 @@ static const struct schema_row root_rows[] = {
      .help = "how much farther than contact pairs are kept, so that the search need not run at every step"},
     {.key = "newton", .type = SCHEMA_BOOL, .fallback = "true", AT(struct scene, ghosts.newton),
      .help = "a pair across ranks is computed once, its force sent back (on), or on both sides (off)"},
-    {.key = "ghosts", .type = SCHEMA_NAME, .names = ghosts_names, .fallback = "full",
+    {.key = "ghosts", .type = SCHEMA_NAME, .names = ghosts_names, .fallback = "auto",
      AT(struct scene, ghosts_name), .help = "which copies a rank gets"},
     {.key = "reproducible", .type = SCHEMA_BOOL, .fallback = "false", AT(struct scene, reproducible),
      .help = "the same bits on any index, ranks, threads, domain and sync: forces are summed by the partner's id, pairs "

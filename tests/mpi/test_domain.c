@@ -7,6 +7,8 @@
 #include <cmocka.h>
 
 #include "comm/domain.h"
+#include "comm/domain_grid.h"
+#include "core/memory.h"
 #include "core/random.h"
 
 #include <math.h>
@@ -229,6 +231,49 @@ static void grids_of_least_surface(void **state) {
     }
 }
 
+/* A map with `per_bin` particles in each bin whose place along z is below `height` of the box. */
+static double *bed(double height, double per_bin) {
+    enum { BINS = DOMAIN_DENSITY_BINS };
+    double *density = memory_allocate_zero((size_t)BINS * BINS * BINS, sizeof *density, "map");
+    for (size_t k = 0; k < (size_t)BINS * BINS * BINS; k++)
+        density[k] = (k / (BINS * BINS) + 0.5) / BINS < height ? per_bin : 0;
+    return density;
+}
+
+static void expect_choice(int size, const struct box *box, const int given[3], const double *density,
+                          const int expected[3]) {
+    int grid[3];
+    assert_true(domain_grid_choose(size, box, given, density, grid));
+    for (int d = 0; d < 3; d++)
+        assert_int_equal(grid[d], expected[d]);
+}
+
+/* A bed in a tall box is divided into columns, although cuts across the height are smaller; where it fills
+ * the box, or there is none, the area decides; so it does where a map of few particles says little. */
+static void grids_of_least_load(void **state) {
+    const struct box tall = {.dimension = 3, .edge = {2, 2, 10}};
+    const int any[3] = {0, 0, 0};
+    double *low = bed(0.3, 10), *full = bed(1, 10), *few = bed(0.3, 0.0005), *none = bed(0, 0);
+    (void)state;
+    expect_choice(4, &tall, any, NULL, (int[3]){1, 1, 4});
+    expect_choice(4, &tall, any, low, (int[3]){2, 2, 1});
+    expect_choice(4, &tall, (int[3]){1, 0, 0}, low, (int[3]){1, 4, 1});
+    expect_choice(4, &tall, (int[3]){1, 1, 0}, low, (int[3]){1, 1, 4});
+    expect_choice(5, &tall, any, full, (int[3]){1, 1, 5});
+    expect_choice(4, &tall, any, few, (int[3]){1, 1, 4});
+    expect_choice(4, &tall, any, none, (int[3]){1, 1, 4});
+    for (int b = 0; b < BOXES; b++)
+        for (int s = 0; s < SIZES; s++) {
+            int grid[3];
+            assert_true(domain_grid_choose(sizes[s], &boxes[b], any, NULL, grid));
+            expect_choice(sizes[s], &boxes[b], any, full, grid);
+        }
+    memory_free(low);
+    memory_free(full);
+    memory_free(few);
+    memory_free(none);
+}
+
 static void expect_refusal(int size, const struct box *box, const int grid[3], const char *part) {
     struct comm comm = {.handle = MPI_COMM_NULL, .rank = 0, .size = size};
     struct domain_options options = {.grid = {grid[0], grid[1], grid[2]}};
@@ -267,7 +312,8 @@ int main(void) {
         cmocka_unit_test(owner_of_any_position),    cmocka_unit_test(owner_on_the_upper_face),
         cmocka_unit_test(touching_of_random_balls), cmocka_unit_test(touching_in_thin_grids),
         cmocka_unit_test(touching_is_exact),        cmocka_unit_test(grids_of_least_surface),
-        cmocka_unit_test(grids_that_do_not_fit),    cmocka_unit_test(wrapped_directions),
+        cmocka_unit_test(grids_of_least_load),      cmocka_unit_test(grids_that_do_not_fit),
+        cmocka_unit_test(wrapped_directions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
