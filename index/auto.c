@@ -76,8 +76,9 @@ static double occupied(const struct index_view *view, double cutoff) {
 static void look(const struct index_view *view, struct cost_scene *scene) {
     uint64_t count[INDEX_CLASS_MAX] = {0};
     memset(scene, 0, sizeof *scene);
-    for (size_t k = 0; k < view->owned; k++) {
-        count[view->size_class[k]]++;
+    for (size_t k = 0, next; k < view->owned; k = next) {
+        next = members_run(view->size_class, k, view->owned);
+        count[view->size_class[k]] += next - k;
     }
     scene->bins = view->classes;
     scene->classes = true;

@@ -3,11 +3,15 @@
  * 1. Keys: every particle's cell, and, hoping that the particles are in order already (they are after a
  * reorder), its coordinates at once into their places. If so, only the cell beginnings remain to be written.
  * 2. Otherwise the keys are sorted (cells_sort.c): by thread and bucket, then within each bucket.
- * 3. And the coordinates are gathered in the new order. */
+ * 3. And the coordinates are gathered in the new order.
+ *
+ * Where the order of the particles was made from the same grid, 1 and 2 are done by then: cells_order keeps
+ * the beginnings, and cells_fill only writes coordinates. */
 #include "index/cells.h"
 
 #include "core/memory.h"
 #include "index/cells_sort.h"
+#include "index/locate.h"
 
 #include <omp.h>
 #include <string.h>
@@ -37,46 +41,56 @@ static void reserve_slots(struct cells *cells, size_t count, bool coordinates) {
     if (!coordinates) {
         return;
     }
+    old = cells->place_capacity;
     cells->x = ensure(cells->x, old, count, sizeof(float), "index coordinates");
     cells->y = ensure(cells->y, old, count, sizeof(float), "index coordinates");
     cells->z = ensure(cells->z, old, count, sizeof(float), "index coordinates");
     cells->r = ensure(cells->r, old, count, sizeof(float), "index radii");
+    cells->place_capacity = count > old ? count : old;
 }
 
-/* Puts particle i into a slot; what it finds goes into the bounds of `cells`, a thread's own copy. */
-static inline void put_slot(struct cells *cells, const struct cells_source *source, size_t slot, size_t i,
-                            const float x[3]) {
-    const struct index_view *view = source->view;
-    double radius = view->radius[i * view->stride] * source->frame->scale;
-    float r = (float)(radius * (1 + CELLS_RADIUS_EXCESS));
-    cells->x[slot] = x[0];
-    cells->y[slot] = x[1];
-    cells->z[slot] = x[2];
-    cells->r[slot] = r;
-    cells->particle[slot] = (uint32_t)i;
-    cells->r_min = r < cells->r_min ? r : cells->r_min;
-    cells->r_max = r > cells->r_max ? r : cells->r_max;
-}
-
-static inline bool frame_position(const struct cells_source *source, size_t i, float x[3]) {
-    const double *position = source->view->position + i * source->view->stride;
-    bool held = true;
-    for (int d = 0; d < 3; d++) {
-        x[d] = frame_coordinate(source->frame, d, position[d]);
-        held = held && frame_holds(source->frame, d, position[d]);
+/* Puts the particles of a batch into the slots from `slot` on; what it finds goes into the bounds of `cells`,
+ * a thread's own copy. */
+static void put_slots(struct cells *cells, const struct frame *frame, size_t slot,
+                      const struct located *located) {
+    const double scale = frame->scale;
+    const size_t n = located->count;
+    float *restrict r = cells->r + slot;
+    float least = cells->r_min, most = cells->r_max;
+    memcpy(cells->x + slot, located->x[0], n * sizeof(float));
+    memcpy(cells->y + slot, located->x[1], n * sizeof(float));
+    memcpy(cells->z + slot, located->x[2], n * sizeof(float));
+    for (size_t k = 0; k < n; k++) {
+        r[k] = (float)(located->r[k] * scale * (1 + CELLS_RADIUS_EXCESS));
     }
-    return held;
+    for (size_t k = 0; k < n; k++) {
+        least = r[k] < least ? r[k] : least;
+        most = r[k] > most ? r[k] : most;
+    }
+    cells->r_min = least;
+    cells->r_max = most;
 }
 
-static inline uint64_t key_of(const struct cells_source *source, const float x[3]) {
-    const struct grid *grid = source->grid;
-    uint64_t cx = (uint64_t)grid_cell(grid, 0, x[0]);
-    uint64_t cy = (uint64_t)grid_cell(grid, 1, x[1]);
-    uint64_t cz = (uint64_t)grid_cell(grid, 2, x[2]);
+/* Keys of a batch. */
+static void put_keys(const struct cells_source *source, const struct located *located,
+                     uint64_t *restrict key) {
+    const uint32_t *x = located->cell[0], *y = located->cell[1], *z = located->cell[2];
+    const uint32_t nx = (uint32_t)source->grid->n[0], ny = (uint32_t)source->grid->n[1];
     if (source->sparse) {
-        return cz << 2 * CELLS_SPARSE_BITS | cy << CELLS_SPARSE_BITS | cx;
+        for (size_t k = 0; k < located->count; k++) {
+            key[k] = (uint64_t)z[k] << 2 * CELLS_SPARSE_BITS | (uint64_t)y[k] << CELLS_SPARSE_BITS | x[k];
+        }
+    } else { /* fewer than 2^31 cells */
+        for (size_t k = 0; k < located->count; k++) {
+            key[k] = (z[k] * ny + y[k]) * nx + x[k];
+        }
     }
-    return (cz * (uint64_t)grid->n[1] + cy) * (uint64_t)grid->n[0] + cx;
+}
+
+static void start_bounds(struct cells *cells) {
+    cells->clamped = false;
+    cells->r_min = cells->count > 0 ? 1e30f : 0;
+    cells->r_max = 0;
 }
 
 static void merge_bounds(struct cells *cells, const struct cells *mine, bool ordered) {
@@ -89,38 +103,51 @@ static void merge_bounds(struct cells *cells, const struct cells *mine, bool ord
     }
 }
 
+/* The k-th particles of the group on, as the members list them, into a batch. */
+static void locate_members(struct located *located, const struct cells_source *source, size_t k) {
+    const struct members *members = source->members;
+    size_t at = members->begin[source->group] + k;
+    locate_particles(located, source->view, source->frame, members->contiguous ? NULL : members->list + at,
+                     members->first + at);
+}
+
+static void number_members(uint32_t *particle, const struct cells_source *source, size_t k, size_t n) {
+    const struct members *members = source->members;
+    size_t at = members->begin[source->group] + k;
+    for (size_t m = 0; m < n; m++) {
+        particle[m] = (uint32_t)members_get(members, at + m);
+    }
+}
+
 /* Sweep 1; without `coordinates` for the keys alone. */
 static void find_keys(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
                       bool coordinates) {
-    const struct members *members = source->members;
-    size_t first = members->begin[source->group];
     cells->in_order = true;
-    cells->clamped = false;
-    cells->r_min = cells->count > 0 ? 1e30f : 0;
-    cells->r_max = 0;
+    start_bounds(cells);
 #pragma omp parallel num_threads(source->view->threads) if (cells->count > CELLS_THREADED)
     {
         struct range range = my_range(cells->count);
         struct cells mine = *cells;
+        struct located located;
+        uint64_t *key = scratch->key;
         bool ordered = true;
-        uint64_t previous = 0;
-        for (size_t k = range.begin; k < range.end; k++) {
-            size_t i = members_get(members, first + k);
-            float x[3];
-            mine.clamped = !frame_position(source, i, x) || mine.clamped;
-            uint64_t key = key_of(source, x);
-            ordered = ordered && key >= previous;
-            previous = key;
-            scratch->key[k] = key;
+        for (size_t k = range.begin; k < range.end; k += located.count) {
+            located.count = range.end - k < LOCATE_BATCH ? range.end - k : LOCATE_BATCH;
+            locate_members(&located, source, k);
+            locate_cells(&located, source->grid);
+            put_keys(source, &located, key + k);
+            number_members(cells->particle + k, source, k, located.count);
+            mine.clamped = mine.clamped || located.clamped;
             if (coordinates) {
-                put_slot(&mine, source, k, i, x);
-            } else {
-                cells->particle[k] = (uint32_t)i;
+                put_slots(&mine, source->frame, k, &located);
+            }
+            for (size_t m = k > range.begin ? k : k + 1; m < k + located.count; m++) {
+                ordered = ordered && key[m] >= key[m - 1];
             }
         }
 #pragma omp barrier
         if (range.begin > 0 && range.begin < range.end) {
-            ordered = ordered && scratch->key[range.begin - 1] <= scratch->key[range.begin];
+            ordered = ordered && key[range.begin - 1] <= key[range.begin];
         }
         merge_bounds(cells, &mine, ordered);
     }
@@ -132,10 +159,11 @@ static void gather_slots(struct cells *cells, const struct cells_source *source)
     {
         struct range range = my_range(cells->count);
         struct cells mine = *cells;
-        for (size_t slot = range.begin; slot < range.end; slot++) {
-            float x[3];
-            frame_position(source, cells->particle[slot], x);
-            put_slot(&mine, source, slot, cells->particle[slot], x);
+        struct located located;
+        for (size_t slot = range.begin; slot < range.end; slot += located.count) {
+            located.count = range.end - slot < LOCATE_BATCH ? range.end - slot : LOCATE_BATCH;
+            locate_particles(&located, source->view, source->frame, cells->particle + slot, 0);
+            put_slots(&mine, source->frame, slot, &located);
         }
     }
 }
@@ -231,36 +259,70 @@ static void sort(struct cells *cells, struct cells_scratch *scratch, const struc
     }
 }
 
+/* What the table needs beside the slots, from the keys in order. */
+static void finish(struct cells *cells, const struct cells_scratch *scratch,
+                   const struct cells_source *source) {
+    if (cells->sparse) {
+        size_t old = cells->x_cell_capacity;
+        cells->x_cell = ensure(cells->x_cell, old, cells->count, sizeof(uint32_t), "index x cells");
+        cells->x_cell_capacity = cells->count > old ? cells->count : old;
+        sparse_pencils(cells, scratch->key);
+    } else if (cells->in_order) { /* else the sort did it */
+        dense_begins(cells, scratch->key, (size_t)source->grid->cells, source->view->threads);
+    }
+}
+
+static void set_slots(const struct cells *cells, int threads, uint32_t *slot_of) {
+#pragma omp parallel for num_threads(threads) if (cells->count > CELLS_THREADED)
+    for (size_t slot = 0; slot < cells->count; slot++) {
+        slot_of[cells->particle[slot]] = (uint32_t)slot;
+    }
+}
+
 void cells_build(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
                  uint32_t *slot_of) {
     start(cells, scratch, source, true);
     if (!cells->in_order) {
         sort(cells, scratch, source);
         gather_slots(cells, source);
-    } else if (!cells->sparse) {
-        dense_begins(cells, scratch->key, (size_t)source->grid->cells, source->view->threads);
     }
-    if (cells->sparse) {
-        size_t old = cells->x_cell_capacity;
-        cells->x_cell = ensure(cells->x_cell, old, cells->count, sizeof(uint32_t), "index x cells");
-        cells->x_cell_capacity = cells->count > old ? cells->count : old;
-        sparse_pencils(cells, scratch->key);
-    }
+    finish(cells, scratch, source);
     if (slot_of != NULL) {
-#pragma omp parallel for num_threads(source->view->threads) if (cells->count > CELLS_THREADED)
-        for (size_t slot = 0; slot < cells->count; slot++) {
-            slot_of[cells->particle[slot]] = (uint32_t)slot;
-        }
+        set_slots(cells, source->view->threads, slot_of);
     }
 }
 
 void cells_order(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
-                 uint32_t *order) {
+                 bool keep, uint32_t *order) {
     start(cells, scratch, source, false);
     if (!cells->in_order) {
         sort(cells, scratch, source);
     }
+    if (keep) {
+        finish(cells, scratch, source);
+    }
     memcpy(order, cells->particle, cells->count * sizeof order[0]);
+}
+
+void cells_fill(struct cells *cells, const struct cells_source *source, uint32_t *slot_of) {
+    reserve_slots(cells, cells->count, true);
+    start_bounds(cells);
+    cells->in_order = true;
+#pragma omp parallel num_threads(source->view->threads) if (cells->count > CELLS_THREADED)
+    {
+        struct range range = my_range(cells->count);
+        struct cells mine = *cells;
+        struct located located;
+        for (size_t k = range.begin; k < range.end; k += located.count) {
+            located.count = range.end - k < LOCATE_BATCH ? range.end - k : LOCATE_BATCH;
+            locate_members(&located, source, k);
+            mine.clamped = mine.clamped || located.clamped;
+            put_slots(&mine, source->frame, k, &located);
+            number_members(cells->particle + k, source, k, located.count);
+        }
+        merge_bounds(cells, &mine, true);
+    }
+    set_slots(cells, source->view->threads, slot_of);
 }
 
 void cells_free(struct cells *cells) {
@@ -278,7 +340,7 @@ void cells_free(struct cells *cells) {
 }
 
 size_t cells_memory(const struct cells *cells) {
-    return cells->capacity * ((cells->x ? 4 * sizeof(float) : 0) + sizeof(uint32_t)) +
+    return cells->capacity * sizeof(uint32_t) + cells->place_capacity * 4 * sizeof(float) +
            (cells->x_cell_capacity + cells->begin_capacity) * sizeof(uint32_t) +
            cells->pencil_capacity * sizeof(uint64_t) +
            cells->hash_capacity * (sizeof(uint64_t) + sizeof(uint32_t));

@@ -28,7 +28,7 @@ struct cells {
     uint64_t *hash_key; /* open addressing; HASH_EMPTY where free */
     uint32_t *hash_pencil;
     unsigned hash_bits;
-    size_t capacity, begin_capacity, pencil_capacity, hash_capacity, x_cell_capacity;
+    size_t capacity, place_capacity, begin_capacity, pencil_capacity, hash_capacity, x_cell_capacity;
     size_t occupied; /* sparse: cells with particles */
 };
 
@@ -58,10 +58,15 @@ struct cells_source {
 void cells_build(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
                  uint32_t *slot_of);
 
-/* Writes the particle numbers of the group in cell order to order[]. `cells` serves as scratch: it must be
- * built before it is searched. Opens teams of threads. */
+/* Writes the particle numbers of the group in cell order to order[]. `cells` serves as scratch; with `keep`
+ * it becomes a table without coordinates: cells_fill makes it whole once the particles lie in that order.
+ * Opens teams of threads. */
 void cells_order(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
-                 uint32_t *order);
+                 bool keep, uint32_t *order);
+
+/* As cells_build, for the table that cells_order kept: the particle at place k of the group is the one of
+ * order[k], and none has moved. */
+void cells_fill(struct cells *cells, const struct cells_source *source, uint32_t *slot_of);
 
 void cells_free(struct cells *cells);
 void cells_scratch_free(struct cells_scratch *scratch);

@@ -70,6 +70,8 @@ struct index_view {
     double radius_max[INDEX_CLASS_MAX];              /* largest radius a particle of the class may have */
     double margin[INDEX_CLASS_MAX][INDEX_CLASS_MAX]; /* added to r_i + r_j; symmetric */
     int threads;                                     /* size of the team that build and order may open */
+    bool ordered; /* at build: the owned particles are those that the last `order` saw, now in that order;
+                     none has moved. Allows an index to use what it learnt then, and changes nothing else */
 };
 
 /* What the user may set of an index (scene key `index`). Zero or negative means: the index's default. */

@@ -47,15 +47,17 @@ LANES_INLINE __m128i lanes_compress4(__m128i all, unsigned chosen) {
     return _mm_castps_si128(_mm_permutevar_ps(_mm_castsi128_ps(all), which));
 }
 
-LANES_INLINE unsigned lanes_put(uint32_t *out_i, uint32_t *out_j, uint32_t i, const uint32_t *j,
-                                unsigned chosen) {
+LANES_INLINE unsigned lanes_put(uint32_t *out, const uint32_t *j, unsigned chosen) {
     __m128i low = _mm_loadu_si128((const __m128i *)(const void *)j);
     __m128i high = _mm_loadu_si128((const __m128i *)(const void *)(j + 4));
     unsigned lower = (unsigned)__builtin_popcount(chosen & 15);
-    _mm_storeu_si128((__m128i *)(void *)out_j, lanes_compress4(low, chosen & 15));
-    _mm_storeu_si128((__m128i *)(void *)(out_j + lower), lanes_compress4(high, chosen >> 4));
-    _mm256_storeu_si256((__m256i *)(void *)out_i, _mm256_set1_epi32((int)i));
+    _mm_storeu_si128((__m128i *)(void *)out, lanes_compress4(low, chosen & 15));
+    _mm_storeu_si128((__m128i *)(void *)(out + lower), lanes_compress4(high, chosen >> 4));
     return (unsigned)__builtin_popcount(chosen);
+}
+
+LANES_INLINE void lanes_fill(uint32_t *out, uint32_t i) {
+    _mm256_storeu_si256((__m256i *)(void *)out, _mm256_set1_epi32((int)i));
 }
 
 LANES_INLINE void lanes_copy(float *to, const float *from, float shift) {

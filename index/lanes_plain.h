@@ -42,16 +42,20 @@ LANES_INLINE unsigned lanes_test(const struct lanes_row *row, const float *x, co
     return possible;
 }
 
-/* Writes the pairs of row i with the chosen of LANES candidates; may write LANES entries. Returns how many.
- */
-LANES_INLINE unsigned lanes_put(uint32_t *out_i, uint32_t *out_j, uint32_t i, const uint32_t *j,
-                                unsigned chosen) {
+/* Writes the chosen of LANES candidates; may write LANES entries. Returns how many. */
+LANES_INLINE unsigned lanes_put(uint32_t *out, const uint32_t *j, unsigned chosen) {
     unsigned count = 0;
     for (; chosen != 0; chosen &= chosen - 1) {
-        out_i[count] = i;
-        out_j[count++] = j[__builtin_ctz(chosen)];
+        out[count++] = j[__builtin_ctz(chosen)];
     }
     return count;
+}
+
+/* Writes i to LANES entries. */
+LANES_INLINE void lanes_fill(uint32_t *out, uint32_t i) {
+    for (int k = 0; k < LANES; k++) {
+        out[k] = i;
+    }
 }
 
 /* to[k] = from[k] + shift, and to[k] = from[k] | bits, for LANES entries. */

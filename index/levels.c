@@ -94,28 +94,36 @@ static size_t members_count(const struct members *members, int group) {
     return members->begin[group + 1] - members->begin[group];
 }
 
-static void build_tables(struct levels *levels, const struct index_view *view) {
-    if (view->owned > levels->slot_capacity || levels->slot_of == NULL) {
+static void reserve_slot_of(struct levels *levels, size_t owned) {
+    if (owned > levels->slot_capacity || levels->slot_of == NULL) {
         memory_free(levels->slot_of);
-        levels->slot_of = memory_allocate(view->owned, sizeof(uint32_t), "index slots");
-        levels->slot_capacity = view->owned;
+        levels->slot_of = memory_allocate(owned, sizeof(uint32_t), "index slots");
+        levels->slot_capacity = owned;
     }
-    for (int g = 0; g < levels->plan.grids; g++) {
-        struct level *level = &levels->level[g];
-        size_t owned = members_count(&levels->owned, g), ghosts = members_count(&levels->ghosts, g);
+}
+
+/* The tables of grid g; that of the owned particles is only completed where it was kept. */
+static void build_level(struct levels *levels, const struct index_view *view, int g) {
+    struct level *level = &levels->level[g];
+    size_t owned = members_count(&levels->owned, g), ghosts = members_count(&levels->ghosts, g);
+    if (!levels->kept) {
         lay_grid(levels, g, owned);
-        struct cells_source source = {.view = view,
-                                      .frame = &levels->frame,
-                                      .grid = &level->grid,
-                                      .members = &levels->owned,
-                                      .group = g,
-                                      .sparse = too_many_cells(&level->grid, owned + ghosts)};
-        cells_build(&level->owned, &levels->scratch, &source, levels->slot_of);
-        source.members = &levels->ghosts;
-        source.sparse = source.sparse || (ghosts == 0 && level->grid.cells > CELLS_FREE);
-        cells_build(&level->ghosts, &levels->scratch, &source, NULL);
-        levels->frame.clamped = levels->frame.clamped || level->owned.clamped || level->ghosts.clamped;
     }
+    struct cells_source source = {.view = view,
+                                  .frame = &levels->frame,
+                                  .grid = &level->grid,
+                                  .members = &levels->owned,
+                                  .group = g,
+                                  .sparse = too_many_cells(&level->grid, owned + ghosts)};
+    if (levels->kept) {
+        cells_fill(&level->owned, &source, levels->slot_of);
+    } else {
+        cells_build(&level->owned, &levels->scratch, &source, levels->slot_of);
+    }
+    source.members = &levels->ghosts;
+    source.sparse = source.sparse || (ghosts == 0 && level->grid.cells > CELLS_FREE);
+    cells_build(&level->ghosts, &levels->scratch, &source, NULL);
+    levels->frame.clamped = levels->frame.clamped || level->owned.clamped || level->ghosts.clamped;
 }
 
 /* Least and largest margin between class c and the classes of grid g. */
@@ -200,12 +208,35 @@ static void plan_searches(struct levels *levels, const struct index_view *view) 
     }
 }
 
+static bool same_grids(const struct levels_plan *a, const struct levels_plan *b, int classes) {
+    bool same = a->grids == b->grids;
+    for (int c = 0; c < classes && same; c++) {
+        same = a->grid_of[c] == b->grid_of[c];
+    }
+    for (int g = 0; g < a->grids && same; g++) {
+        same = a->edge[g] == b->edge[g] && a->fixed[g] == b->fixed[g];
+    }
+    return same;
+}
+
 void levels_build(struct levels *levels, const struct levels_plan *plan, const struct index_view *view) {
+    levels->kept = levels->kept && view->ordered && view->total == view->owned &&
+                   levels->owned.begin[INDEX_CLASS_MAX] == view->owned &&
+                   same_grids(plan, &levels->plan, view->classes);
+    levels->ghosts_met = view->total > view->owned;
     levels->plan = *plan;
-    frame_make(&levels->frame, view);
-    members_split(&levels->owned, view, 0, view->owned, plan->grid_of);
+    if (levels->kept) {
+        levels->owned.contiguous = true;
+    } else {
+        frame_make(&levels->frame, view);
+        members_split(&levels->owned, view, 0, view->owned, plan->grid_of);
+    }
     members_split(&levels->ghosts, view, view->owned, view->total, plan->grid_of);
-    build_tables(levels, view);
+    reserve_slot_of(levels, view->owned);
+    for (int g = 0; g < plan->grids; g++) {
+        build_level(levels, view, g);
+    }
+    levels->kept = false;
     for (int c = 0; c < INDEX_CLASS_MAX; c++) {
         levels->radius_max[c] = c < view->classes ? view->radius_max[c] : 0;
         levels->radius_min[c] = c > 0 ? levels->radius_max[c - 1] : 0;
@@ -229,16 +260,18 @@ void levels_order(struct levels *levels, const struct levels_plan *plan, const s
     for (int g = 0; g < plan->grids; g++) {
         lay_grid(levels, g, owned[g]);
     }
+    levels->kept = plan->grids == view->classes && !levels->ghosts_met; /* a class a grid, then */
     for (int c = 0; c < view->classes; c++) {
-        const struct grid *grid = &levels->level[plan->grid_of[c]].grid;
+        struct level *level = &levels->level[plan->grid_of[c]];
         size_t count = members_count(&levels->owned, c);
         struct cells_source source = {.view = view,
                                       .frame = &levels->frame,
-                                      .grid = grid,
+                                      .grid = &level->grid,
                                       .members = &levels->owned,
                                       .group = c,
-                                      .sparse = too_many_cells(grid, count)};
-        cells_order(&levels->order_cells, &levels->scratch, &source, order + levels->owned.begin[c]);
+                                      .sparse = too_many_cells(&level->grid, count)};
+        cells_order(levels->kept ? &level->owned : &levels->order_cells, &levels->scratch, &source,
+                    levels->kept, order + levels->owned.begin[c]);
     }
 }
 

@@ -55,7 +55,9 @@ struct levels {
     uint32_t *slot_of; /* of owned particles, in their grid's table */
     size_t slot_capacity;
     struct cells_scratch scratch;
-    struct cells order_cells; /* scratch of levels_order */
+    struct cells order_cells; /* scratch of levels_order, where it does not keep its tables */
+    bool kept;                /* the tables of owned particles lack nothing but their coordinates */
+    bool ghosts_met;          /* by the last build: then none are kept */
     int instructions;         /* enum index_instructions, none of them INDEX_BEST */
     double radius_min[INDEX_CLASS_MAX], radius_max[INDEX_CLASS_MAX]; /* by grid, of the view's classes */
 };

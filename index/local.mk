@@ -27,6 +27,8 @@ libindex_la_SOURCES = \
 	index/levels_index.c \
 	index/levels_index.h \
 	index/linkcell.c \
+	index/locate.c \
+	index/locate.h \
 	index/members.c \
 	index/members.h \
 	index/multi.c \

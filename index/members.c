@@ -3,18 +3,18 @@
 #include "core/memory.h"
 
 #include <omp.h>
-#include <string.h>
 
-/* Counts the groups of [begin, end); true if they never descend. */
+/* Counts the groups of [begin, end), run by run; true if they never descend. */
 static bool count_groups(const struct index_view *view, size_t begin, size_t end, const int *group_of,
                          size_t *count) {
     bool ascending = true;
     int previous = 0;
-    for (size_t k = begin; k < end; k++) {
+    for (size_t k = begin, next; k < end; k = next) {
         int group = group_of[view->size_class[k]];
+        next = members_run(view->size_class, k, end);
         ascending = ascending && group >= previous;
         previous = group;
-        count[group]++;
+        count[group] += next - k;
     }
     return ascending;
 }

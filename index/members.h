@@ -5,6 +5,25 @@
 
 #include "index/index.h"
 
+#include <string.h>
+
+/* The end of the run of bytes equal to at[begin] that begins there, `end` at most. */
+static inline size_t members_run(const uint8_t *at, size_t begin, size_t end) {
+    uint64_t equal, eight;
+    size_t k = begin + 1;
+    memset(&equal, at[begin], sizeof equal);
+    for (; k + sizeof eight <= end; k += sizeof eight) {
+        memcpy(&eight, at + k, sizeof eight);
+        if (eight != equal) {
+            break;
+        }
+    }
+    while (k < end && at[k] == at[begin]) {
+        k++;
+    }
+    return k;
+}
+
 struct members {
     size_t first;                      /* number of the first particle of the range that was split */
     size_t begin[INDEX_CLASS_MAX + 1]; /* group g has the entries begin[g] ... begin[g + 1] */

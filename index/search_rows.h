@@ -4,9 +4,10 @@
  * Rows are taken in blocks: up to ROWS consecutive particles of one class in consecutive slots (or nearly) of
  * one pencil, as they lie in memory after a reorder. A search takes a span of them at once, the whole block,
  * or OWN_ROWS where the rows' own table is searched, which is dense. The candidates of the whole span are
- * copied to a small buffer, shifted by their image, and every row is tested against it, eight candidates at a
- * time. So cells are looked up once a span, no image appears in the inner loop, and that loop has no short
- * runs. Where rows lie in any other order, blocks are single rows: as right, only slower.
+ * copied to a small buffer, shifted by their image, and every row is tested against it, eight or
+ * sixteen candidates at a time. So cells are looked up once a span, no image appears in the inner loop, and
+ * that loop has no short runs. Where rows lie in any other order, blocks are single rows: as right, only
+ * slower.
  *
  * The filter is in single precision and loses nothing (frame.h): distances that are possible but not certain
  * are decided by the exact test.

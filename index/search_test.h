@@ -6,6 +6,8 @@
 #include "index/exact.h"
 #include "index/search.h"
 
+#include <stdalign.h>
+
 enum { ROWS = 32, OWN_ROWS = 12, SLOTS_APART = 128, CANDIDATES = 512 };
 
 struct block {
@@ -26,7 +28,7 @@ struct span {
 struct candidates {
     size_t count;
     bool continued; /* part of the search's candidates went through the buffer before */
-    float x[CANDIDATES + 2 * LANES], y[CANDIDATES + 2 * LANES], z[CANDIDATES + 2 * LANES];
+    alignas(64) float x[CANDIDATES + 2 * LANES], y[CANDIDATES + 2 * LANES], z[CANDIDATES + 2 * LANES];
     float r[CANDIDATES + 2 * LANES];
     uint32_t j[CANDIDATES + 2 * LANES];
 };
@@ -63,20 +65,27 @@ LANES_INLINE bool emit_row(struct quest *quest, const struct lanes_row *row, uin
                            bool exact) {
     const struct candidates *buffer = &quest->buffer;
     struct index_sink sink = quest->sink;
-    unsigned doubtful = 0;
-    for (; at < buffer->count; at += LANES) {
+    size_t first = sink.count;
+    unsigned doubtful = 0,
+             open = ~0u << at % LANES; /* whole vectors are tested: those before `at` do not count */
+    for (at -= at % LANES; at < buffer->count; at += LANES) {
         unsigned doubt;
         unsigned chosen =
-            lanes_test(row, buffer->x + at, buffer->y + at, buffer->z + at, buffer->r + at, &doubt);
+            lanes_test(row, buffer->x + at, buffer->y + at, buffer->z + at, buffer->r + at, &doubt) & open;
+        doubt &= open;
+        open = ~0u;
         doubtful |= doubt;
         if (exact && doubt != 0) {
             chosen ^= doubt ^ decide(quest, i, at, doubt);
         }
         if (sink.count < sink.capacity) {
-            sink.count += lanes_put(sink.i + sink.count, sink.j + sink.count, i, buffer->j + at, chosen);
+            sink.count += lanes_put(sink.j + sink.count, buffer->j + at, chosen);
         } else {
             sink.count += (unsigned)__builtin_popcount(chosen);
         }
+    }
+    for (size_t k = first; k < sink.count && k < sink.capacity; k += LANES) {
+        lanes_fill(sink.i + k, i);
     }
     quest->sink.count = sink.count;
     return doubtful != 0;
