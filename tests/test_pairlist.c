@@ -209,7 +209,7 @@ static void check_history(int before, int after, bool both_ends) {
     cloud_search(&c, before, true);
     struct history *old = history_create(3, before), *new = history_create(3, after);
     history_fill(&c, old);
-    history_detach(old, c.list, c.particles, both_ends, &rows);
+    history_detach(old, c.list, c.particles, both_ends, NULL, &rows);
     cloud_free(&c);
     uint32_t *order = memory_allocate(1200, sizeof *order, "test");
     for (uint32_t k = 0; k < 1200; k++)
@@ -234,31 +234,64 @@ static void test_history_survives_reorder_and_another_thread_count(void **state)
     check_history(2, 4, true);
 }
 
+/* Makes every `nth` particle leave and come back as the last ones, as if from another rank; none if 0. Gives
+ * all their places. */
+static void leave_and_return(struct cloud *c, const struct history *history, uint32_t nth, uint32_t *place,
+                             struct history_rows *rows) {
+    uint32_t order[1200], n = 0;
+    for (uint32_t k = 0; k < 1200; k++)
+        place[k] = nth && k % nth == 0 ? HISTORY_LEFT : 0;
+    history_detach(history, c->list, c->particles, true, place, rows);
+    for (uint32_t k = 0; k < 1200; k++)
+        if (place[k] == 0) {
+            order[n] = k;
+            place[k] = n++;
+        }
+    for (uint32_t k = 0; k < 1200; k++)
+        if (place[k] == HISTORY_LEFT)
+            order[n++] = k;
+    particles_reorder(c->particles, order);
+    history_rows_reorder(rows, order, 1200);
+}
+
 /* The short way gives what the long way gives, where particles meet through one image only. */
+static void check_kept(int threads, uint32_t nth) {
+    struct cloud c = {0};
+    struct history_kept kept;
+    struct history_rows rows = {0};
+    uint32_t order[1200], place[1200];
+    cloud_fill(&c, 1200, 0);
+    for (size_t k = 0; k < 1200; k++) /* boulders shrink, or they would meet others twice */
+        c.particles->state[k].radius = fmin(c.particles->state[k].radius, 1.5);
+    cloud_search(&c, threads, true);
+    struct history *history = history_create(3, threads);
+    history_fill(&c, history);
+    if (nth)
+        leave_and_return(&c, history, nth, place, &rows);
+    for (uint32_t k = 0; k < 1200; k++)
+        order[k] = k * 7 % 1200;
+    particles_reorder(c.particles, order);
+    if (nth)
+        history_rows_reorder(&rows, order, 1200);
+    struct history_numbers numbers = {order, 1200, nth ? place : NULL, 1200};
+    history_keep(history, c.list, &numbers, &kept);
+    cloud_free(&c);
+    cloud_search(&c, threads, true);
+    history_restore(history, &kept, &rows, c.list, c.particles);
+    history_compare(&c, history);
+    history_kept_free(&kept);
+    history_rows_free(&rows);
+    history_destroy(&history);
+    cloud_free(&c);
+    particles_destroy(&c.particles);
+}
+
 static void test_kept_history_equals_detached(void **state) {
     (void)state;
     for (int threads = 1; threads <= 4; threads++) {
-        struct cloud c = {0};
-        struct history_kept kept;
-        cloud_fill(&c, 1200, 0);
-        for (size_t k = 0; k < 1200; k++) /* boulders shrink, or they would meet others twice */
-            c.particles->state[k].radius = fmin(c.particles->state[k].radius, 1.5);
-        cloud_search(&c, threads, true);
-        struct history *history = history_create(3, threads);
-        history_fill(&c, history);
-        history_keep(history, c.list, 1200, &kept);
-        uint32_t order[1200];
-        for (uint32_t k = 0; k < 1200; k++)
-            order[k] = k * 7 % 1200;
-        particles_reorder(c.particles, order);
-        cloud_free(&c);
-        cloud_search(&c, threads, true);
-        history_restore(history, &kept, order, c.list);
-        history_compare(&c, history);
-        history_kept_free(&kept);
-        history_destroy(&history);
-        cloud_free(&c);
-        particles_destroy(&c.particles);
+        check_kept(threads, 0);
+        check_kept(threads, 5);
+        check_kept(threads, 1);
     }
 }
 

@@ -121,7 +121,7 @@ static void test_wrap_counts_images(void **state) {
     struct box box = {.dimension = 3, .edge = {4, 5, 6}, .periodic = {true, false, true}};
     struct particles *p = sample(PARTICLE_IMAGE, 50), *q = sample(PARTICLE_IMAGE, 50);
     q->state[0].x[0] = p->state[0].x[0] = -1e-17; /* rounds to the upper face, which is the lower one */
-    particles_wrap(p, &box);
+    assert_true(particles_wrap(p, &box));
     for (size_t k = 0; k < 50; k++) {
         assert_true(p->state[k].x[0] >= 0 && p->state[k].x[0] < 4);
         assert_true(p->state[k].x[2] >= 0 && p->state[k].x[2] < 6);
@@ -129,6 +129,10 @@ static void test_wrap_counts_images(void **state) {
             assert_true(fabs(p->state[k].x[d] + p->image[k][d] * box.edge[d] - q->state[k].x[d]) < 1e-12);
     }
     assert_true(p->state[0].x[0] == 0);
+    p->state[7].x[1] = NAN;
+    assert_false(particles_wrap(p, &box));
+    p->state[7].x[1] = INFINITY;
+    assert_false(particles_wrap(p, &box));
     particles_destroy(&p);
     particles_destroy(&q);
 }

@@ -76,12 +76,33 @@ static void test_the_next_step_is_foreseen(void **state) {
     skin_destroy(&skin);
 }
 
+/* One drift after a rebuild the bound is what the fastest particle has moved; later it is only a bound. */
+static void test_a_fast_particle_needs_no_measuring(void **state) {
+    (void)state;
+    struct size_classes classes = one_class();
+    struct skin *skin = skin_create();
+    struct particles *none = particles_create(0, 1);
+    double speed = 2;
+    skin_reset(skin, none);
+    skin_moved(skin, &speed, 1, 0.4, 0); /* 0.8 each: two of them are too much, one alone is not */
+    assert_true(skin_due(skin, &classes));
+    assert_false(skin_surely_due(skin, &classes));
+    skin_reset(skin, none);
+    skin_moved(skin, &speed, 1, 0.6, 0); /* 1.2 */
+    assert_true(skin_surely_due(skin, &classes));
+    skin_moved(skin, &speed, 1, 0.6, 0);
+    assert_false(skin_surely_due(skin, &classes));
+    particles_destroy(&none);
+    skin_destroy(&skin);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_two_particles_share_the_skin),
         cmocka_unit_test(test_moving_walls_count_against_particles_alone),
         cmocka_unit_test(test_nothing_moves),
         cmocka_unit_test(test_the_next_step_is_foreseen),
+        cmocka_unit_test(test_a_fast_particle_needs_no_measuring),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

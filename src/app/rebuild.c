@@ -31,7 +31,7 @@ static double images_apart(const struct simulation *s) {
 void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
     *rows = (struct rebuild_rows){0};
     if (s->history)
-        history_detach(s->history, s->list, s->particles, both_ends, &rows->pairs);
+        history_detach(s->history, s->list, s->particles, both_ends, NULL, &rows->pairs);
     if (s->walls && s->law.history_components)
         walls_detach(s->walls, s->particles, &rows->walls);
 }
@@ -39,7 +39,33 @@ void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *r
 void rebuild_rows_free(struct rebuild_rows *rows) {
     history_rows_free(&rows->pairs);
     history_kept_free(&rows->kept);
+    memory_free(rows->place);
     wall_rows_free(&rows->walls);
+}
+
+/* Who stays keeps its histories here, and gets a place among those who do; what concerns others becomes rows.
+ */
+static void part_with_leavers(struct simulation *s, struct rebuild_rows *rows) {
+    size_t owned = s->particles->owned;
+    uint32_t stay = 0;
+    double lower[3], upper[3];
+    domain_bounds(s->domain, s->comm->rank, lower, upper);
+    timer_start(&s->timers, TIMER_HISTORY);
+    rows->before = owned;
+    rows->place = memory_allocate(owned, sizeof *rows->place, "places of particles");
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < owned; k++) {
+        const double *x = s->particles->state[k].x;
+        bool inside = x[0] >= lower[0] && x[0] < upper[0] && x[1] >= lower[1] && x[1] < upper[1] &&
+                      x[2] >= lower[2] && x[2] < upper[2];
+        bool stays = inside || domain_owner(s->domain, x) == s->comm->rank;
+        rows->place[k] = stays ? 0 : HISTORY_LEFT;
+    }
+    for (size_t k = 0; k < owned; k++)
+        if (rows->place[k] != HISTORY_LEFT)
+            rows->place[k] = stay++;
+    history_detach(s->history, s->list, s->particles, true, rows->place, &rows->pairs);
+    timer_stop(&s->timers, TIMER_HISTORY);
 }
 
 /* Particles go to their owners, with their rows. */
@@ -78,10 +104,17 @@ static uint32_t *reorder(struct simulation *s, struct rebuild_rows *rows) {
     return order;
 }
 
-static void attach(struct simulation *s, struct rebuild_rows *rows, const uint32_t *order) {
+static void keep(struct simulation *s, struct rebuild_rows *rows, const uint32_t *order) {
+    struct history_numbers numbers = {order, s->particles->owned, rows->place,
+                                      rows->place ? rows->before : s->particles->owned};
+    if (rows->keep)
+        history_keep(s->history, s->list, &numbers, &rows->kept);
+}
+
+static void attach(struct simulation *s, struct rebuild_rows *rows) {
     if (rows->kept.start)
-        history_restore(s->history, &rows->kept, order, s->list);
-    if (rows->pairs.start)
+        history_restore(s->history, &rows->kept, &rows->pairs, s->list, s->particles);
+    else if (rows->pairs.start)
         history_attach(s->history, &rows->pairs, s->list, s->particles, images_apart(s));
     if (rows->walls.start)
         walls_attach(s->walls, &rows->walls, s->particles);
@@ -98,6 +131,7 @@ static void search(struct simulation *s) {
     timer_stop(&s->timers, TIMER_GHOSTS);
     timer_start(&s->timers, TIMER_INDEX);
     simulation_index_view(s, &s->view);
+    s->view.ordered = true;
     index_build(s->index, &s->view);
     timer_stop(&s->timers, TIMER_INDEX);
     timer_start(&s->timers, TIMER_PAIRS);
@@ -109,9 +143,9 @@ static void search(struct simulation *s) {
     timer_stop(&s->timers, TIMER_PAIRS);
 }
 
-static void plan(struct simulation *s) {
+void rebuild_plan(struct simulation *s) {
     size_t count = 0;
-    if (s->sweep == NULL)
+    if (!s->sweep->stale)
         return;
     timer_start(&s->timers, TIMER_PAIRS);
     const uint32_t *originals = s->alone ? NULL : ghosts_originals(s->ghosts, &count);
@@ -119,23 +153,36 @@ static void plan(struct simulation *s) {
     timer_stop(&s->timers, TIMER_PAIRS);
 }
 
+/* Size classes: those that travelled have none, and where classes are chosen anew everybody's change. */
+static void classify(struct simulation *s) {
+    bool anew = s->classes_stale || !s->alone;
+    if (s->classes_stale)
+        simulation_classify(s, &s->error);
+    if (anew)
+        particles_classify(s->particles, &s->classes);
+}
+
 void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
     timer_start(&s->timers, TIMER_MIGRATE);
     ghosts_drop(s->ghosts, s->particles);
-    guards_check_positions(s);
-    particles_wrap(s->particles, &s->scene->box);
+    if (!particles_wrap(s->particles, &s->scene->box))
+        guards_check_positions(s);
     sources_run(s, rows);
     load_begin(s);
+    if (!s->alone && rows->keep)
+        part_with_leavers(s, rows);
     if (!s->alone)
         migrate(s, rows);
-    if (s->classes_stale)
-        simulation_classify(s, &s->error);
-    particles_classify(s->particles, &s->classes);
+    classify(s);
     timer_stop(&s->timers, TIMER_MIGRATE);
     tune_begin(s);
     timer_start(&s->timers, TIMER_REORDER);
     uint32_t *order = reorder(s, rows);
     timer_stop(&s->timers, TIMER_REORDER);
+    timer_start(&s->timers, TIMER_HISTORY);
+    keep(s, rows, order);
+    memory_free(order);
+    timer_stop(&s->timers, TIMER_HISTORY);
     search(s);
     tune_end(s);
     timer_start(&s->timers, TIMER_WALL);
@@ -143,12 +190,12 @@ void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
         walls_build(s->walls, s->particles, &s->classes);
     timer_stop(&s->timers, TIMER_WALL);
     timer_start(&s->timers, TIMER_HISTORY);
-    attach(s, rows, order);
-    memory_free(order);
+    attach(s, rows);
     skin_reset(s->skin, s->particles);
     timer_stop(&s->timers, TIMER_HISTORY);
     force_loop_prepare(s->loop, &s->contact);
-    plan(s);
+    if (s->sweep)
+        s->sweep->stale = true;
 }
 
 /* Springs find their pairs by separations where images matter: copies must stand where particles now are. */
@@ -164,16 +211,14 @@ static void copies_follow(struct simulation *s) {
 void rebuild_run(struct simulation *s) {
     struct rebuild_rows rows = {0};
     load_balance(s);
-    bool all_stay = s->alone && !sources_due(s) && !simulation_may_lose(s);
+    bool none_lost = !sources_due(s) && !simulation_may_lose(s);
     copies_follow(s);
     timer_start(&s->timers, TIMER_HISTORY);
-    if (s->history && all_stay && one_image(s)) {
-        history_keep(s->history, s->list, s->particles->owned, &rows.kept);
-        if (s->walls)
-            walls_detach(s->walls, s->particles, &rows.walls);
-    } else {
+    rows.keep = s->history && none_lost && one_image(s);
+    if (!rows.keep)
         rebuild_detach(s, !s->alone, &rows);
-    }
+    else if (s->walls)
+        walls_detach(s->walls, s->particles, &rows.walls);
     timer_stop(&s->timers, TIMER_HISTORY);
     rebuild_from_rows(s, &rows);
 }

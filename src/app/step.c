@@ -131,6 +131,9 @@ static void measure_all(struct simulation *s) {
 static void measure(struct simulation *s) {
     if (s->signals.rebuild || !skin_due(s->skin, &s->classes))
         return;
+    s->signals.rebuild = skin_surely_due(s->skin, &s->classes);
+    if (s->signals.rebuild)
+        return;
     measure_all(s);
     s->signals.rebuild = skin_due(s->skin, &s->classes);
 }
@@ -344,6 +347,8 @@ void step_run(struct simulation *s, bool rebuild) {
     s->signals.rebuild = rebuild || sources_due(s);
     bool fused = s->scene->step.fused && !s->signals.rebuild && !skin_nearly_due(s->skin, &s->classes);
     const struct step_order *order = fused ? &s->fused : &s->plain;
+    if (fused)
+        rebuild_plan(s);
     for (int p = 0; p < order->passes; p++) {
         timer_start(&s->timers, order->pass[p].stage);
         order->pass[p].run(s);

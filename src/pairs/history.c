@@ -83,12 +83,13 @@ struct record_walk {
     const struct pairlist *list;
     size_t first, at;
     size_t mirror_first, mirror_last; /* pairs to leave out */
+    const uint32_t *place;            /* pairs to leave out: those of two particles that stay; NULL: none */
     size_t owned;
     int components;
 };
 
 static struct record_walk record_walk_begin(const struct history *history, const struct pairlist *list,
-                                            size_t owned, int t) {
+                                            size_t owned, const uint32_t *place, int t) {
     const struct pair_block *mirror = &list->blocks[list->thread_block[t + 1] - 2];
     assert(mirror->kind == PAIR_BLOCK_MIRROR);
     return (struct record_walk){.part = &history->part[history->now][t],
@@ -96,15 +97,21 @@ static struct record_walk record_walk_begin(const struct history *history, const
                                 .first = pairlist_thread_first(list, t),
                                 .mirror_first = mirror->first_pair,
                                 .mirror_last = mirror->end_pair,
+                                .place = place,
                                 .owned = owned,
                                 .components = history->components};
+}
+
+static bool both_stay(const struct record_walk *walk, uint32_t i, uint32_t j) {
+    return walk->place && j < walk->owned && walk->place[i] != HISTORY_LEFT && walk->place[j] != HISTORY_LEFT;
 }
 
 static bool record_walk_next(struct record_walk *walk, struct record *record) {
     for (; walk->at < walk->part->count; walk->at++) {
         size_t k = walk->first + walk->part->pair[walk->at];
         uint32_t i = walk->list->i[k];
-        if ((k >= walk->mirror_first && k < walk->mirror_last) || i >= walk->owned)
+        if ((k >= walk->mirror_first && k < walk->mirror_last) || i >= walk->owned ||
+            both_stay(walk, i, pair_partner(walk->list->j[k])))
             continue;
         record->i = i;
         record->j = walk->list->j[k];
@@ -171,7 +178,8 @@ static size_t starts_from_counts(size_t *start, size_t n) {
 }
 
 void history_detach(const struct history *history, const struct pairlist *list,
-                    const struct particles *particles, bool both_ends, struct history_rows *rows) {
+                    const struct particles *particles, bool both_ends, const uint32_t *place,
+                    struct history_rows *rows) {
     size_t owned = particles->owned;
     rows->start = memory_allocate_zero(owned + 1, sizeof *rows->start, "history rows");
     if (list->block_count == 0) {
@@ -181,12 +189,13 @@ void history_detach(const struct history *history, const struct pairlist *list,
     }
 #pragma omp parallel for num_threads(history->threads) schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
-        records_scatter(record_walk_begin(history, list, owned, t), particles, both_ends, rows->start, NULL);
+        records_scatter(record_walk_begin(history, list, owned, place, t), particles, both_ends, rows->start,
+                        NULL);
     rows->count = starts_from_counts(rows->start, owned);
     rows->row = memory_allocate(rows->count, sizeof *rows->row, "history rows");
 #pragma omp parallel for num_threads(history->threads) schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
-        records_scatter(record_walk_begin(history, list, owned, t), particles, both_ends, rows->start,
+        records_scatter(record_walk_begin(history, list, owned, place, t), particles, both_ends, rows->start,
                         rows->row);
     /* Each start has moved on to the next one's */
     memmove(rows->start + 1, rows->start, owned * sizeof *rows->start);

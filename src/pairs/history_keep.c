@@ -1,118 +1,256 @@
+/* Particles keep their places but for a few, so both lists run through memory in nearly the same way, and so
+ * do the records. No thread writes what another reads or writes: every thread first turns its own records
+ * into pairs of new numbers, and then sorts those whose lower number lies in its share of the particles,
+ * whosever they are. */
 #include "pairs/history_keep.h"
 #include "core/memory.h"
 #include "core/scan.h"
 #include <assert.h>
 #include <string.h>
 
+enum { CHUNK = 4096, BATCH = 1024 };
+
+/* A record between new numbers. */
+struct link {
+    uint32_t low; /* HISTORY_LEFT: not kept */
+    uint32_t high;
+};
+
+/* What history_keep works on. */
+struct keeping {
+    const struct history *history;
+    const struct pairlist *list;
+    const uint32_t *now; /* new number of each old one, or HISTORY_LEFT */
+    size_t before;       /* entries of now */
+    struct history_kept *kept;
+    struct link *link; /* of each record; HISTORY_KEPT_TURNED is added to `high` as in an entry */
+    struct {
+        uint32_t lowest, highest;
+    } * bounds; /* of the lower numbers of each CHUNK links */
+};
+
 /* Is pair k a second copy, of a record that another thread holds? */
 static bool mirrored(const struct pair_block *mirror, size_t k) {
     return k >= mirror->first_pair && k < mirror->end_pair;
 }
 
-/* One bit of 64, by the partner's number. */
-static inline uint64_t partner_bit(uint32_t partner) {
-    return (uint64_t)1 << (partner * 2654435769u >> 26);
+/* The number that particle k of the old list has now; copies have none. */
+static inline uint32_t number_now(const struct keeping *keeping, uint32_t k) {
+    return k < keeping->before ? keeping->now[k] : HISTORY_LEFT;
 }
 
-/* Counts the records of each row of a thread, or (entries given) writes them, moving the starts on. */
-static void records_put(const struct history *history, const struct pairlist *list, int t,
-                        struct history_kept *kept) {
-    const struct history_part *part = &history->part[history->now][t];
+/* The records of one thread. */
+static void links_make(const struct keeping *keeping, int t) {
+    const struct pairlist *list = keeping->list;
+    const struct history_part *part = &keeping->history->part[keeping->history->now][t];
     const struct pair_block *mirror = &list->blocks[list->thread_block[t + 1] - 2];
     size_t first = pairlist_thread_first(list, t);
+    struct link *link = keeping->link + keeping->kept->first[t];
     assert(mirror->kind == PAIR_BLOCK_MIRROR);
     for (size_t r = 0; r < part->count; r++) {
         size_t k = first + part->pair[r];
-        if (mirrored(mirror, k))
-            continue;
-        uint32_t row = list->i[k], partner = pair_partner(list->j[k]), at = kept->start[row]++;
-        if (kept->entry)
-            kept->entry[at] = (struct history_kept_entry){partner, (uint32_t)(kept->first[t] + r)};
-        else
-            kept->mask[row] |= partner_bit(partner);
+        uint32_t i = number_now(keeping, list->i[k]), j = number_now(keeping, pair_partner(list->j[k]));
+        bool kept = !mirrored(mirror, k) && i != HISTORY_LEFT && j != HISTORY_LEFT;
+        link[r].low = !kept ? HISTORY_LEFT : i < j ? i : j;
+        link[r].high = i < j ? j : i | HISTORY_KEPT_TURNED;
     }
 }
 
-void history_keep(const struct history *history, const struct pairlist *list, size_t owned,
-                  struct history_kept *kept) {
+static void bounds_find(const struct keeping *keeping, size_t chunk, size_t last) {
+    uint32_t lowest = UINT32_MAX, highest = 0;
+    for (size_t r = chunk * CHUNK; r < last; r++) {
+        uint32_t low = keeping->link[r].low;
+        lowest = low < lowest ? low : lowest;
+        highest = low > highest && low != HISTORY_LEFT ? low : highest;
+    }
+    keeping->bounds[chunk].lowest = lowest;
+    keeping->bounds[chunk].highest = highest;
+}
+
+/* Counts the links of each lower number from begin to end - 1, or (entries given) writes them, moving the
+ * starts on. */
+static void links_sort(const struct keeping *keeping, uint32_t begin, uint32_t end) {
+    struct history_kept *kept = keeping->kept;
+    size_t count = kept->first[keeping->history->threads];
+    for (size_t chunk = 0; chunk * CHUNK < count; chunk++) {
+        if (keeping->bounds[chunk].highest < begin || keeping->bounds[chunk].lowest >= end)
+            continue;
+        size_t last = (chunk + 1) * CHUNK < count ? (chunk + 1) * CHUNK : count;
+        for (size_t r = chunk * CHUNK; r < last; r++) {
+            const struct link link = keeping->link[r];
+            if (link.low < begin || link.low >= end)
+                continue;
+            uint32_t at = kept->start[link.low]++;
+            if (kept->entry)
+                kept->entry[at] = (struct history_kept_entry){
+                    link.high & ~HISTORY_KEPT_TURNED, (uint32_t)r | (link.high & HISTORY_KEPT_TURNED)};
+        }
+    }
+}
+
+static void links_sort_all(const struct keeping *keeping) {
+    size_t owned = keeping->kept->owned, threads = (size_t)keeping->history->threads;
+#pragma omp parallel for num_threads(keeping->history->threads) schedule(static, 1)
+    for (size_t t = 0; t < threads; t++)
+        links_sort(keeping, (uint32_t)(owned * t / threads), (uint32_t)(owned * (t + 1) / threads));
+}
+
+/* The new number of each old one. */
+static uint32_t *numbers_now(const struct history_numbers *numbers) {
+    uint32_t *now = memory_allocate(numbers->owned, sizeof *now, "kept history");
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < numbers->owned; k++)
+        now[numbers->order[k]] = (uint32_t)k;
+    if (numbers->place == NULL)
+        return now;
+    uint32_t *all = memory_allocate(numbers->before, sizeof *all, "kept history");
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < numbers->before; k++)
+        all[k] = numbers->place[k] != HISTORY_LEFT ? now[numbers->place[k]] : HISTORY_LEFT;
+    memory_free(now);
+    return all;
+}
+
+void history_keep(const struct history *history, const struct pairlist *list,
+                  const struct history_numbers *numbers, struct history_kept *kept) {
+    size_t owned = numbers->owned;
     *kept = (struct history_kept){.owned = owned};
     kept->start = memory_allocate_zero(owned + 1, sizeof *kept->start, "kept history");
-    kept->mask = memory_allocate_zero(owned, sizeof *kept->mask, "kept history");
     if (list->block_count == 0)
         return;
     for (int t = 0; t < history->threads; t++)
         kept->first[t + 1] = kept->first[t] + history->part[history->now][t].count;
-    assert(kept->first[history->threads] <= UINT32_MAX);
+    size_t count = kept->first[history->threads], chunks = (count + CHUNK - 1) / CHUNK;
+    assert(count < HISTORY_KEPT_TURNED);
+    uint32_t *now = numbers_now(numbers);
+    struct keeping keeping = {history, list, now, numbers->before, kept, NULL, NULL};
+    keeping.link = memory_allocate(count, sizeof *keeping.link, "kept history");
+    keeping.bounds = memory_allocate(chunks, sizeof *keeping.bounds, "kept history");
 #pragma omp parallel for num_threads(history->threads) schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
-        records_put(history, list, t, kept);
-    size_t count = scan_counts_narrow(kept->start, owned, kept->start);
+        links_make(&keeping, t);
+#pragma omp parallel for num_threads(history->threads) schedule(static)
+    for (size_t chunk = 0; chunk < chunks; chunk++)
+        bounds_find(&keeping, chunk, (chunk + 1) * CHUNK < count ? (chunk + 1) * CHUNK : count);
+    links_sort_all(&keeping);
+    count = scan_counts_narrow(kept->start, owned, kept->start);
     kept->entry = memory_allocate(count, sizeof *kept->entry, "kept history");
-#pragma omp parallel for num_threads(history->threads) schedule(static, 1)
-    for (int t = 0; t < history->threads; t++)
-        records_put(history, list, t, kept);
+    links_sort_all(&keeping);
     /* Each start has moved on to the next one's */
     memmove(kept->start + 1, kept->start, owned * sizeof *kept->start);
     kept->start[0] = 0;
+    memory_free(keeping.link);
+    memory_free(keeping.bounds);
+    memory_free(now);
 }
 
 void history_kept_free(struct history_kept *kept) {
     memory_free(kept->start);
-    memory_free(kept->mask);
     memory_free(kept->entry);
     *kept = (struct history_kept){0};
 }
 
-/* The record of the pair of old numbers (row, partner), or UINT32_MAX. */
-static inline uint32_t record_find(const struct history_kept *kept, uint32_t row, uint32_t partner) {
-    if (!(kept->mask[row] & partner_bit(partner)))
-        return UINT32_MAX;
-    for (uint32_t k = kept->start[row]; k < kept->start[row + 1]; k++)
-        if (kept->entry[k].partner == partner)
-            return kept->entry[k].record;
-    return UINT32_MAX;
+/* A pair that has a record, or may have a row. */
+struct find {
+    uint32_t pair;   /* counted from the first of the batch */
+    uint32_t record; /* turned as it is seen from the pair's row */
+};
+
+/* The records of the pairs [first, last); returns how many there are. With `all` the pairs without a record
+ * come, too, with HISTORY_LEFT. The lower number is never that of a copy. No branch depends on whether there
+ * is a record: nobody could foresee it. */
+static inline size_t records_find(const struct history_kept *kept, const struct pairlist *list, size_t first,
+                                  size_t last, bool all, struct find *restrict find) {
+    const uint32_t *restrict start = kept->start;
+    const struct history_kept_entry *restrict entry = kept->entry;
+    size_t found = 0;
+    for (size_t k = first; k < last; k++) {
+        uint32_t i = list->i[k], j = pair_partner(list->j[k]);
+        uint32_t low = i < j ? i : j, high = i < j ? j : i, record = 0, hits = 0, end = start[low + 1];
+        for (uint32_t e = start[low]; e < end; e++) {
+            uint32_t hit = entry[e].partner == high;
+            record |= entry[e].record & (0 - hit);
+            hits |= hit;
+        }
+        record ^= (uint32_t)(i > j) << 31;
+        find[found].pair = (uint32_t)(k - first);
+        find[found].record = record | (hits - 1);
+        found += all ? 1 : hits;
+    }
+    return found;
 }
 
-static const double *record_value(const struct history *history, const struct history_kept *kept,
-                                  uint32_t record) {
+/* What history_restore works on. */
+struct restoring {
+    const struct history_kept *kept;
+    const struct history_rows *rows;
+    const struct pairlist *list;
+    const struct particles *particles;
+};
+
+/* The row of particle `carrier` whose partner has id `partner`, or NULL. */
+static const struct history_row *row_of(const struct restoring *r, uint32_t carrier, int64_t partner) {
+    if (carrier >= r->kept->owned)
+        return NULL;
+    for (size_t k = r->rows->start[carrier]; k < r->rows->start[carrier + 1]; k++)
+        if (r->rows->row[k].partner == partner)
+            return &r->rows->row[k];
+    return NULL;
+}
+
+/* The value of a find from pair `first` on, and its sign; NULL: there is none. */
+static const double *find_value(const struct history *history, const struct restoring *r, size_t first,
+                                const struct find *find, double *sign) {
+    if (find->record == HISTORY_LEFT) {
+        uint32_t i = r->list->i[first + find->pair], j = pair_partner(r->list->j[first + find->pair]);
+        int64_t id_i = r->particles->id[i], id_j = r->particles->id[j];
+        const struct history_row *row = row_of(r, i, id_j);
+        row = row ? row : row_of(r, j, id_i);
+        *sign = id_i < id_j ? 1 : -1;
+        return row ? row->value : NULL;
+    }
+    uint32_t record = find->record & ~HISTORY_KEPT_TURNED;
     int t = 0;
-    while (record >= kept->first[t + 1])
+    while (record >= r->kept->first[t + 1])
         t++;
-    return history->part[history->now][t].value + (record - kept->first[t]) * (size_t)history->components;
+    *sign = find->record & HISTORY_KEPT_TURNED ? -1 : 1;
+    return history->part[history->now][t].value + (record - r->kept->first[t]) * (size_t)history->components;
 }
 
 /* The pairs of one thread find their records; they go to the buffer that is not read. */
-static void restore_thread(struct history *history, const struct history_kept *kept, const uint32_t *order,
-                           const struct pairlist *list, int t) {
+static void restore_thread(struct history *history, const struct restoring *r, int t) {
+    const struct pairlist *list = r->list;
     size_t components = (size_t)history->components, first = pairlist_thread_first(list, t), count = 0;
     struct history_part *part = &history->part[1 - history->now][t];
+    struct find find[BATCH];
     for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
-        size_t last = list->blocks[b].end_pair;
-        history_reserve(history, t, count + last - list->blocks[b].first_pair);
-        for (size_t k = list->blocks[b].first_pair; k < last; k++) {
-            uint32_t i = order[list->i[k]], j = order[pair_partner(list->j[k])];
-            double sign = 1;
-            uint32_t record = record_find(kept, i, j);
-            if (record == UINT32_MAX) {
-                record = record_find(kept, j, i);
-                sign = -1;
+        size_t end = list->blocks[b].end_pair;
+        for (size_t k = list->blocks[b].first_pair; k < end; k += BATCH) {
+            size_t last = k + BATCH < end ? k + BATCH : end;
+            size_t found = r->rows->start ? records_find(r->kept, list, k, last, true, find)
+                                          : records_find(r->kept, list, k, last, false, find);
+            history_reserve(history, t, count + found);
+            for (size_t f = 0; f < found; f++) {
+                double sign;
+                const double *value = find_value(history, r, k, &find[f], &sign);
+                if (value == NULL)
+                    continue;
+                part->pair[count] = (uint32_t)(k - first) + find[f].pair;
+                for (size_t c = 0; c < components; c++)
+                    part->value[count * components + c] = sign * value[c];
+                count++;
             }
-            if (record == UINT32_MAX)
-                continue;
-            const double *value = record_value(history, kept, record);
-            part->pair[count] = (uint32_t)(k - first);
-            for (size_t c = 0; c < components; c++)
-                part->value[count * components + c] = sign * value[c];
-            count++;
         }
     }
     part->count = count;
 }
 
-void history_restore(struct history *history, const struct history_kept *kept, const uint32_t *order,
-                     const struct pairlist *list) {
+void history_restore(struct history *history, const struct history_kept *kept,
+                     const struct history_rows *rows, const struct pairlist *list,
+                     const struct particles *particles) {
+    struct restoring restoring = {kept, rows, list, particles};
 #pragma omp parallel for num_threads(history->threads) schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
-        restore_thread(history, kept, order, list, t);
+        restore_thread(history, &restoring, t);
     history_flip(history);
 }

@@ -1,6 +1,6 @@
-/* The short way of history.h over a rebuild on which no particle comes, goes or changes ranks: records stay
- * where they are and are found again by old local numbers; nothing is keyed by ids. Needs that no two
- * particles can meet through several images. */
+/* The short way of history.h over a rebuild: records of two particles that both stay on this rank stay where
+ * they are and are found again by local numbers; only the others (pairs with copies, particles that change
+ * ranks) go as rows, keyed by ids. Needs that no two particles can meet through several images. */
 #ifndef SCREE_PAIRS_HISTORY_KEEP_H
 #define SCREE_PAIRS_HISTORY_KEEP_H
 
@@ -8,30 +8,40 @@
 
 /* A record's partner and place. */
 struct history_kept_entry {
-    uint32_t partner; /* old number */
-    uint32_t record;  /* counted over the threads, one after another */
+    uint32_t partner; /* the higher of the two numbers */
+    uint32_t record;  /* counted over the threads, one after another; HISTORY_KEPT_TURNED added if it is
+                         oriented from the higher number to the lower */
 };
 
-/* Rows by old number of the row particle: entries start[k] ... start[k + 1] - 1. Values stay in the history.
- */
+#define HISTORY_KEPT_TURNED (UINT32_C(1) << 31)
+
+/* Entries by the lower of the two new numbers: start[k] ... start[k + 1] - 1. Values stay in the history. */
 struct history_kept {
-    uint64_t *mask;  /* of each row: bits of its records' partners, so that most pairs without a record are
-                        told at  a glance */
     uint32_t *start; /* owned + 1 entries; NULL: nothing kept */
     struct history_kept_entry *entry;
     size_t owned;
     size_t first[PAIR_THREADS_MAX + 1]; /* number of each thread's first record */
 };
 
-/* Notes the records of the list, before the particles are reordered. Allocates; history_kept_free releases.
- * Opens its own thread team. */
-void history_keep(const struct history *history, const struct pairlist *list, size_t owned,
-                  struct history_kept *kept);
+/* How particles are numbered before and after. */
+struct history_numbers {
+    const uint32_t *order; /* of the reorder: new particle k was number order[k] after the migration */
+    size_t owned;          /* now */
+    const uint32_t *place; /* number after the migration of each particle of the list; HISTORY_LEFT: none.
+                              NULL: nobody came or went */
+    size_t before;         /* owned particles of the list, entries of place */
+};
 
-/* Hands the records to the pairs of the new list; `order` is that of the reorder between (new particle k is
- * the old order[k]). Opens its own thread team. */
-void history_restore(struct history *history, const struct history_kept *kept, const uint32_t *order,
-                     const struct pairlist *list);
+/* Notes the records of the list (which still has the numbers from before) by the new numbers, between the
+ * reorder and the search. Allocates; history_kept_free releases. Opens its own thread team. */
+void history_keep(const struct history *history, const struct pairlist *list,
+                  const struct history_numbers *numbers, struct history_kept *kept);
+
+/* Hands the records to the pairs of the new list, and the rows (start NULL: there are none). Opens its own
+ * thread team. */
+void history_restore(struct history *history, const struct history_kept *kept,
+                     const struct history_rows *rows, const struct pairlist *list,
+                     const struct particles *particles);
 
 void history_kept_free(struct history_kept *kept);
 

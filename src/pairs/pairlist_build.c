@@ -10,6 +10,7 @@
  * repeated. So it is if the set of busy classes turns out otherwise than assumed. */
 #include "pairs/pairlist_build.h"
 #include "core/memory.h"
+#include "index/members.h"
 #include <assert.h>
 #include <omp.h>
 #include <string.h>
@@ -34,10 +35,8 @@ struct class_run {
 };
 
 static struct class_run class_run_next(const struct index_view *view, size_t first) {
-    struct class_run run = {first, first, view->size_class[first]};
-    while (run.last < view->owned && view->size_class[run.last] == run.size_class)
-        run.last++;
-    return run;
+    return (struct class_run){first, members_run(view->size_class, first, view->owned),
+                              view->size_class[first]};
 }
 
 static size_t blocks_add(struct pairlist *list, size_t at, struct pair_block block) {
@@ -133,38 +132,76 @@ static uint32_t mirror_partner(uint32_t i, uint32_t j) {
     return i | box_image_opposite(pair_image(j)) << PARTICLE_INDEX_BITS;
 }
 
-static void block_sort(const struct pass *pass, struct pairlist_worker *worker, int t,
-                       const struct pair_block *block) {
-    struct pairlist *list = pass->list;
-    const struct pairlist_build *build = list->build;
-    const struct index_sink *sink = &worker->sink;
-    const struct index_view *view = pass->view;
-    for (size_t k = 0; k < sink->count; k++) {
-        uint32_t i = sink->i[k], j = sink->j[k], partner = pair_partner(j);
-        int class_j = view->size_class[partner];
-        worker->partners[class_j]++;
-        if (partner >= view->owned) {
-            buffer_put(&worker->ghost, i, j);
-        } else if (build->busy_class[class_j]) {
-            buffer_put(&worker->slot, i, j);
-        } else if (build->thread_of[partner] != t) {
-            buffer_put(&worker->one, i, j);
-            buffer_put(&worker->mirror, partner, mirror_partner(i, j));
-        } else {
-            region_put(list, worker, i, j);
-        }
-    }
-    worker->partners[block->size_class] += sink->count;
+/* Rows of one class that lie together and belong to one thread: partners among them need no look at whose
+ * they are. Empty for a busy class. */
+struct own_rows {
+    uint32_t first, count;
+};
+
+static struct own_rows own_rows_of(const struct pairlist *list, int t, const struct pair_block *block) {
+    const struct pair_block *first = block, *last = block;
+    if (list->build->busy_class[block->size_class])
+        return (struct own_rows){0, 0};
+    while (first > list->blocks + list->thread_block[t] && first[-1].last_row == first->first_row &&
+           first[-1].size_class == block->size_class)
+        first--;
+    while (last[1].kind == PAIR_BLOCK_ROWS && last[1].first_row == last->last_row &&
+           last[1].size_class == block->size_class)
+        last++;
+    return (struct own_rows){first->first_row, last->last_row - first->first_row};
 }
 
-/* With one thread and no ghosts there is nothing to sort. */
-static void block_copy(const struct pass *pass, struct pairlist_worker *worker) {
-    const struct index_sink *sink = &worker->sink;
-    if (sink->count > 0 && worker->used + sink->count <= worker->room) {
-        memcpy(pass->list->i + worker->first + worker->used, sink->i, sink->count * sizeof *sink->i);
-        memcpy(pass->list->j + worker->first + worker->used, sink->j, sink->count * sizeof *sink->j);
+/* A pair whose partner is not one of the own rows. */
+static void pair_sort(const struct pass *pass, struct pairlist_worker *worker, int t, uint32_t i,
+                      uint32_t j) {
+    const struct pairlist_build *build = pass->list->build;
+    const struct index_view *view = pass->view;
+    uint32_t partner = pair_partner(j);
+    int class_j = view->size_class[partner];
+    worker->partners[class_j]++;
+    if (partner >= view->owned) {
+        buffer_put(&worker->ghost, i, j);
+    } else if (build->busy_class[class_j]) {
+        buffer_put(&worker->slot, i, j);
+    } else if (build->thread_of[partner] != t) {
+        buffer_put(&worker->one, i, j);
+        buffer_put(&worker->mirror, partner, mirror_partner(i, j));
+    } else {
+        region_put(pass->list, worker, i, j);
     }
-    worker->used += sink->count;
+}
+
+/* Finds the pairs of a block and sorts them into its segments and the worker's buffers. */
+static void block_find(const struct pass *pass, struct pairlist_worker *worker, int t,
+                       const struct pair_block *block) {
+    const struct index_sink *sink = &worker->sink;
+    const struct own_rows own = own_rows_of(pass->list, t, block);
+    block_visit(pass, worker, block);
+    size_t others = 0;
+    for (size_t k = 0; k < sink->count; k++) {
+        if (pair_partner(sink->j[k]) - own.first < own.count) {
+            region_put(pass->list, worker, sink->i[k], sink->j[k]);
+        } else {
+            pair_sort(pass, worker, t, sink->i[k], sink->j[k]);
+            others++;
+        }
+    }
+    worker->primary += sink->count;
+    worker->partners[block->size_class] += 2 * sink->count - others;
+}
+
+/* With one thread and no ghosts there is nothing to sort: what the index finds goes into the list at once. */
+static void block_fill(const struct pass *pass, struct pairlist_worker *worker,
+                       const struct pair_block *block) {
+    struct index_sink sink = {0};
+    if (worker->used < worker->room) {
+        sink.i = pass->list->i + worker->first + worker->used;
+        sink.j = pass->list->j + worker->first + worker->used;
+        sink.capacity = worker->room - worker->used;
+    }
+    index_visit(pass->index, pass->view, block->first_row, block->last_row, &sink);
+    worker->used += sink.count;
+    worker->primary += sink.count;
 }
 
 static void pass_rows(const struct pass *pass, int t) {
@@ -177,13 +214,11 @@ static void pass_rows(const struct pass *pass, int t) {
         struct pair_block *block = &list->blocks[b];
         if (block->kind != PAIR_BLOCK_ROWS)
             continue;
-        block_visit(pass, worker, block);
-        worker->primary += worker->sink.count;
         block->first_pair = worker->first + worker->used;
         if (plain)
-            block_copy(pass, worker);
+            block_fill(pass, worker, block);
         else
-            block_sort(pass, worker, t, block);
+            block_find(pass, worker, t, block);
         block->one_sided = worker->first + worker->used;
         region_append(list, worker, &worker->one);
         block->slotted = worker->first + worker->used;

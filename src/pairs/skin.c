@@ -26,11 +26,13 @@ void skin_reset(struct skin *skin, const struct particles *particles) {
         memcpy(skin->anchor[k], particles->state[k].x, sizeof *skin->anchor);
     memset(skin->bound, 0, sizeof skin->bound);
     memset(skin->second, 0, sizeof skin->second);
+    skin->moves = 0;
     skin->rebuilds++;
 }
 
 void skin_moved(struct skin *skin, const double *speed, int classes, double dt, double walls) {
     memcpy(skin->before, skin->bound, sizeof skin->before);
+    skin->moves++;
     for (int c = 0; c < classes; c++) {
         skin->bound[c] += speed[c] * dt;
         skin->second[c] += speed[c] * dt;
@@ -106,6 +108,15 @@ static bool exceeded(const struct skin *skin, const struct size_classes *classes
 
 bool skin_due(const struct skin *skin, const struct size_classes *classes) {
     return exceeded(skin, classes, 0);
+}
+
+bool skin_surely_due(const struct skin *skin, const struct size_classes *classes) {
+    const double rounding = 1 - 1e-6;
+    for (int a = 0; a < classes->count && skin->moves == 1; a++)
+        for (int b = 0; b <= classes->count; b++)
+            if (skin->bound[a] * rounding > classes->skin[a][b])
+                return true;
+    return false;
 }
 
 bool skin_nearly_due(const struct skin *skin, const struct size_classes *classes) {

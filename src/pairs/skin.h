@@ -20,6 +20,7 @@ struct skin {
     uint64_t rebuilds,
         dangerous;     /* dangerous: a force evaluation used a list that could have missed a pair */
     uint64_t measured; /* exact measurements */
+    unsigned moves;    /* drifts since the rebuild */
 };
 
 struct skin *skin_create(void);
@@ -41,6 +42,10 @@ void skin_settle(struct skin *skin, int classes);
 
 /* True if some class pair may have used up its skin. */
 bool skin_due(const struct skin *skin, const struct size_classes *classes);
+
+/* True if some class pair has used up its skin beyond doubt, so that nothing is to be measured: right after a
+ * rebuild, when the bound of a class is what its fastest particle has moved, and that alone is enough. */
+bool skin_surely_due(const struct skin *skin, const struct size_classes *classes);
 
 /* True if the skin is to be expected used up after one more step like the last. */
 bool skin_nearly_due(const struct skin *skin, const struct size_classes *classes);

@@ -1,10 +1,9 @@
 #include "pairs/sweep.h"
 #include "core/memory.h"
+#include "index/members.h"
 #include <omp.h>
 #include <stdio.h>
 #include <string.h>
-
-static const uint32_t grain_unused = UINT32_MAX;
 
 struct sweep *sweep_create(int threads) {
     struct sweep *sweep = memory_allocate_zero(1, sizeof *sweep, "plan of the sweep");
@@ -79,29 +78,26 @@ static void *grown(void *array, size_t *capacity, size_t count, size_t size) {
     return memory_resize(array, *capacity, size, "plan of the sweep");
 }
 
-static inline void grain_use(uint32_t *use, uint32_t particle, uint32_t block) {
-    uint32_t *first = &use[particle / SWEEP_GRAIN];
-    if (*first == grain_unused)
-        *first = block;
-}
-
-/* Notes for each grain which block of thread t looks at it first. */
+/* Notes for each grain which block of thread t looks at it first: from the last block back, so that the first
+ * one's number is what remains. */
 static void uses_find(struct sweep_thread *thread, const struct pairlist *list, int t, size_t owned) {
     size_t grains = owned / SWEEP_GRAIN + 1;
     thread->use = grown(thread->use, &thread->use_capacity, grains, sizeof *thread->use);
     memset(thread->use, 0xff, grains * sizeof *thread->use);
-    for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
+    uint32_t *use = thread->use;
+    for (int b = list->thread_block[t + 1] - 1; b >= list->thread_block[t]; b--) {
         const struct pair_block *block = &list->blocks[b];
-        uint32_t number = (uint32_t)(b - list->thread_block[t]);
-        for (uint32_t row = block->first_row; row < block->last_row; row += SWEEP_GRAIN)
-            grain_use(thread->use, row, number);
-        if (block->last_row > block->first_row)
-            grain_use(thread->use, block->last_row - 1, number);
+        const uint32_t number = (uint32_t)(b - list->thread_block[t]);
+        const bool ghosts = block->kind == PAIR_BLOCK_GHOST;
         for (size_t k = block->first_pair; k < block->end_pair; k++) {
             uint32_t j = pair_partner(list->j[k]);
-            if (j < owned)
-                grain_use(thread->use, j, number);
+            if (!ghosts || j < owned)
+                use[j / SWEEP_GRAIN] = number;
         }
+        for (uint32_t row = block->first_row; row < block->last_row; row += SWEEP_GRAIN)
+            use[row / SWEEP_GRAIN] = number;
+        if (block->last_row > block->first_row)
+            use[(block->last_row - 1) / SWEEP_GRAIN] = number;
     }
 }
 
@@ -123,9 +119,8 @@ static void range_add(struct sweep_thread *thread, bool early, struct sweep_rang
 static void ranges_cut(struct sweep_thread *thread, const uint8_t *early, const struct pair_block *block) {
     for (uint32_t first = block->first_row; first < block->last_row;) {
         uint32_t grain_end = (first / SWEEP_GRAIN + 1) * SWEEP_GRAIN;
-        uint32_t end = grain_end < block->last_row ? grain_end : block->last_row, last = first + 1;
-        while (last < end && early[last] == early[first])
-            last++;
+        uint32_t end = grain_end < block->last_row ? grain_end : block->last_row;
+        uint32_t last = (uint32_t)members_run(early, first, end);
         range_add(thread, early[first], (struct sweep_range){first, last, block->size_class});
         first = last;
     }
@@ -146,6 +141,7 @@ static void ranges_sort(struct sweep_thread *thread, size_t blocks) {
 
 void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned, const uint32_t *originals,
                  size_t originals_count) {
+    sweep->stale = false;
     early_mark(sweep, list, owned, originals, originals_count);
 #pragma omp parallel for num_threads(sweep->threads) schedule(static, 1)
     for (int t = 0; t < sweep->threads; t++) {

@@ -16,6 +16,9 @@ static void arrays_resize(struct particles *particles, size_t capacity) {
         void *old = storage_get(particles, a);
         storage_set(particles, a, memory_resize(old, capacity, stride, "particles"));
     }
+    memory_free(particles->second);
+    particles->second = NULL;
+    particles->second_capacity = 0;
     particles->capacity = capacity;
 }
 
@@ -32,6 +35,7 @@ void particles_destroy(struct particles **particles) {
         return;
     for (int a = 0; a < STORAGE_ARRAYS; a++)
         memory_free(storage_get(*particles, a));
+    memory_free((*particles)->second);
     memory_free(*particles);
     *particles = NULL;
 }
@@ -117,25 +121,23 @@ static void copy(char *to, const char *from, size_t bytes) {
     }
 }
 
-/* Gathers the records of an array one half after the other, each through `spare`, which has room for halves.
- */
-static void gather_halves(char *array, char *spare, const uint32_t *order, size_t n, size_t stride) {
-    size_t half = stride / 2;
-    for (size_t offset = 0; offset < stride; offset += half) {
-#pragma omp parallel
-        {
-#pragma omp for schedule(static)
-            for (size_t k = 0; k < n; k++)
-                memcpy(spare + k * half, array + (size_t)order[k] * stride + offset, half);
-#pragma omp for schedule(static)
-            for (size_t k = 0; k < n; k++)
-                memcpy(array + k * stride + offset, spare + k * half, half);
-        }
+/* Gathers the hot records into their second array, which then is the first. */
+static void gather_state(struct particles *particles, const uint32_t *order) {
+    if (particles->second_capacity < particles->capacity) {
+        memory_free(particles->second);
+        particles->second_capacity = particles->capacity;
+        particles->second =
+            memory_allocate(particles->capacity, sizeof *particles->second, "particles, second array");
     }
+    struct particle_state *now = particles->state;
+    gather((char *)particles->second, (const char *)now, order, particles->owned, sizeof *now);
+    particles->state = particles->second;
+    particles->second = now;
 }
 
 /* Arrays as wide as the spare one gather into it and change places with it; others are copied back from it.
- * While forces are zero their array is the spare one. */
+ * While forces are zero their array is the spare one; where it is narrower than the hot records, these have a
+ * second array of their own. */
 void particles_reorder(struct particles *particles, const uint32_t *order) {
     assert(particles->ghosts == 0);
     const size_t force_stride = storage_stride(STORAGE_FORCE, particles->features), n = particles->owned;
@@ -149,7 +151,8 @@ void particles_reorder(struct particles *particles, const uint32_t *order) {
         size_t stride = storage_stride(a, particles->features);
         void *now = storage_get(particles, a);
         if (stride > width) {
-            gather_halves(now, spare, order, n, stride);
+            assert(a == STORAGE_STATE);
+            gather_state(particles, order);
             continue;
         }
         gather(spare, now, order, n, stride);
@@ -175,27 +178,36 @@ void particles_classify(struct particles *particles, const struct size_classes *
         particles->size_class[k] = (uint8_t)classes_of(classes, particles->state[k].radius);
 }
 
-void particles_wrap(struct particles *particles, const struct box *box) {
-    if (!box->periodic[0] && !box->periodic[1] && !box->periodic[2])
-        return;
-#pragma omp parallel for schedule(static)
+/* Wraps one coordinate; returns how many edges it had to go back. */
+static double wrap_coordinate(double *x, double edge) {
+    double turns = floor(*x / edge);
+    *x -= turns * edge;
+    /* Rounding may leave x at the upper face, which is the lower one */
+    if (*x >= edge) {
+        *x = 0;
+        turns += 1;
+    }
+    return turns;
+}
+
+bool particles_wrap(struct particles *particles, const struct box *box) {
+    int bad = 0;
+#pragma omp parallel for schedule(static) reduction(| : bad)
     for (size_t k = 0; k < particles->owned; k++) {
+        double *x = particles->state[k].x, sum = x[0] + x[1] + x[2];
+        if (!(sum - sum == 0)) {
+            bad = 1;
+            continue;
+        }
         for (int d = 0; d < 3; d++) {
-            double x = particles->state[k].x[d], edge = box->edge[d];
-            if (!box->periodic[d] || (x >= 0 && x < edge))
+            if (!box->periodic[d] || (x[d] >= 0 && x[d] < box->edge[d]))
                 continue;
-            double turns = floor(x / edge);
-            x -= turns * edge;
-            /* Rounding may leave x at the upper face, which is the lower one */
-            if (x >= edge) {
-                x = 0;
-                turns += 1;
-            }
-            particles->state[k].x[d] = x;
+            double turns = wrap_coordinate(&x[d], box->edge[d]);
             if (particles->image)
                 particles->image[k][d] += (int32_t)turns;
         }
     }
+    return !bad;
 }
 
 double particles_sphere_mass(double radius, double density) {

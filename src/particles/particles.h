@@ -43,6 +43,9 @@ struct particles {
     bool force_clear; /* every force is zero (between a drift and the next force evaluation): reorder need not
                          move them */
     struct particle_state *state;
+    struct particle_state
+        *second; /* reorder's, for `state` where the forces' array is too narrow to lend; else NULL */
+    size_t second_capacity;
     double (*omega)[4];  /* SPIN: angular velocity, rad/time; the fourth component is padding, 0 */
     double *force;       /* force_stride doubles a particle: fx fy fz 0 [tx ty tz 0 with SPIN] */
     int force_stride;    /* 4, or 8 with SPIN */
@@ -79,8 +82,8 @@ void particles_reorder(struct particles *particles, const uint32_t *order);
 void particles_classify(struct particles *particles, const struct size_classes *classes);
 
 /* Wraps owned particles into the box in the periodic directions (and counts crossings where IMAGE is kept).
- */
-void particles_wrap(struct particles *particles, const struct box *box);
+ * False if there are positions that are no numbers; these are left alone. Opens its own thread team. */
+bool particles_wrap(struct particles *particles, const struct box *box);
 
 /* Material of a particle: 0 where all are of one material. */
 static inline int particles_material(const struct particles *p, size_t i) {
