@@ -44,3 +44,11 @@ EXTRA_DIST += docs/hard-cases.md
 EXTRA_DIST += docs/speed-error.md
 EXTRA_DIST += docs/images/speed-error-column.svg docs/images/speed-error-drum.svg \
 	docs/images/speed-error-penetration.svg
+EXTRA_DIST += docs/performance.md \
+	docs/images/performance-auto.svg \
+	docs/images/performance-cells.svg \
+	docs/images/performance-continuous.svg \
+	docs/images/performance-growth.svg \
+	docs/images/performance-optimum.svg \
+	docs/images/performance-roofline.svg \
+	docs/images/performance-univol.svg

@@ -108,7 +108,10 @@ conditions() {
     echo "|---|---|---|---|---|---|---|---|"
     for file in "$results"/*.jsonl; do
         sed -n 's/^{"conditions": "\(.*\)"}$/\1/p' "$file" | head -n 1
-    done
+    done >"$data/conditions"
+    cat "$data/conditions"
+    awk -F'|' '{ cores = $5; sub(/.* of /, "", cores); if ($6 > 0.5 * cores + 1) { names = names (n++ ? ", " : "") $2 } }
+        END { gsub(/ +,/, ",", names); sub(/ +$/, "", names); if (n) printf "\nThe machine was busy with other work while these ran, and their times by wall clock mean little:%s. Run them again on a free one.\n", names }' "$data/conditions"
 }
 
 bidisperse() {
@@ -208,7 +211,7 @@ has(name) = int(system("wc -l <" . out . name . "-bytype")) > 0
 n = 0
 do for [name in names] { n = n + has(name) }
 set multiplot layout (n + 1) / 2,2
-set ylabel "s a rebuild"; set logscale xy; set xlabel "d_sep, or number of levels"
+set ylabel "s a rebuild"; set logscale xy; set xlabel "d_sep, or number of levels"; set key outside below horizontal
 do for [name in names] {
     if (has(name)) {
         set title name
@@ -312,7 +315,7 @@ roofline() {
     echo
     fields roofline '"summary"' threads seconds compulsory_seconds step_over_compulsory step_speed_up rebuild_seconds rebuild_speed_up bytes_per_particle |
         table threads 'step, ms:1000' 'its bytes alone, ms:1000' 'over' 'speed-up of the step' 'rebuild, ms:1000' 'speed-up of the rebuild' 'memory, bytes a particle'
-    fields roofline '"stage": "(step|pairs)"' threads bytes flops gigaflops stage | awk -F'|' '{ print $3 / $2 "|" $4 "|" $5 ", " $1 " threads" }' >"$data/roofline"
+    fields roofline '"stage": "(step|pairs)"' threads bytes flops gigaflops stage | awk -F'|' '{ print $3 / $2 "|" $4 "|" $5 ", " $1 ($1 == 1 ? " thread" : " threads") }' >"$data/roofline"
     fields roofline '"loop": "triad"' gigabytes_per_second | tail -n 1 >"$data/roofline-triad"
     fields roofline '"loop": "peak"' gigaflops | tail -n 1 >"$data/roofline-peak"
     plot roofline 560,380 <<'GP'
@@ -341,7 +344,7 @@ growth() {
 set multiplot layout 1,2
 set logscale x; set yrange [0:*]; set ylabel "ns a particle and step"
 set xlabel "particles"; plot out . "growth-particles" w lp ls 2 ps 1 notitle
-set xlabel "size ratio"; plot out . "growth-boulder" w lp ls 5 ps 1 t "one boulder", out . "growth-spread" w lp ls 4 ps 1 t "r^{-3}"
+set xlabel "size ratio"; plot out . "growth-boulder" w lp ls 5 ps 1 t "one boulder", out . "growth-spread" w lp ls 4 ps 1 t "r^-3"
 unset multiplot
 GP
 }
