@@ -103,3 +103,6 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/bench/report.sh \
 	examples/bench/roofline.sh \
 	examples/bench/table1.sh
+
+# Full and reduced ghosts against geometry
+nobase_dist_pkgdata_SCRIPTS += examples/scaling/ghosts.sh
