@@ -111,7 +111,7 @@ conditions() {
     done >"$data/conditions"
     cat "$data/conditions"
     awk -F'|' '{ cores = $5; sub(/.* of /, "", cores); if ($6 > 0.5 * cores + 1) { names = names (n++ ? ", " : "") $2 } }
-        END { gsub(/ +,/, ",", names); sub(/ +$/, "", names); if (n) printf "\nThe machine was busy with other work while these ran, and their times by wall clock mean little:%s. Run them again on a free one.\n", names }' "$data/conditions"
+        END { gsub(/ +,/, ",", names); gsub(/  +/, " ", names); sub(/ +$/, "", names); if (n) printf "\nThe machine was busy with other work while these ran, and their times by wall clock mean little:%s. Run them again on a free one.\n", names }' "$data/conditions"
 }
 
 bidisperse() {
