@@ -87,6 +87,22 @@ particles:
     - {from: random, count: 200, material: soft, sizes: {law: uniform, min: 0.15, max: 0.25}, velocity_sigma: 6}
 END
 } >thin.yaml
+# A disc of nearly the box, and others that leap by many times their size in a step, with springs
+{
+    echo "${common/speed: off/speed: off, overlap: off}"
+    cat <<'END'
+seed: 56
+box: {dimension: 2, lower: [-1, 0, 2], upper: [8.196, 7.290, 3], periodic: [true, true, false]}
+step: {dt: 0.001, count: 20, force: true}
+materials: [{name: soft, density: 1}, {name: hard, density: 3}]
+contact: {law: hooke}
+material_pairs: [{restitution: 0.7, friction: 0.4, k_n: 601.332}]
+particles:
+  sources:
+    - {from: random, count: 1, material: hard, velocity_sigma: 364.5, sizes: 3.0618}
+    - {from: random, count: 129, material: soft, velocity_sigma: 364.5, sizes: 0.15309}
+END
+} >leap.yaml
 # Particles that come, go and leave; 2D; a blade that turns
 {
     echo "$common"
@@ -163,6 +179,9 @@ done
 for case in flow bed; do
     check "$case: with next neighbours alone" layout $case 2 2 linkcell brick neighbours
 done
+check 'leap: the reference moves enough' reference leap
+check 'leap: springs of contacts across ranks' layout leap 2 1 brute brick auto
+check 'leap: on 5 ranks' layout leap 5 1 multi brick shadow
 check 'thin: two particles meet through two images' twice
 check 'thin: ranks across the thin direction' layout thin 4 1 hgrid brick auto domain.x=2
 check 'thin: four of them' layout thin 4 2 linkcell brick auto domain.x=4
