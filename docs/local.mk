@@ -2,6 +2,7 @@ EXTRA_DIST += docs/architecture.md docs/building.md docs/scene.md
 EXTRA_DIST += docs/indexes.md docs/images/penetration.png
 EXTRA_DIST += docs/physics.md
 EXTRA_DIST += docs/packing.md
+EXTRA_DIST += docs/scaling.md docs/images/scaling-ranks.svg
 EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-beverloo-3d.svg \
 	docs/images/verify-beverloo.svg \

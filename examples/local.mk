@@ -106,3 +106,20 @@ nobase_dist_pkgdata_SCRIPTS += \
 
 # Full and reduced ghosts against geometry
 nobase_dist_pkgdata_SCRIPTS += examples/scaling/ghosts.sh
+
+# Scaling over ranks and threads
+nobase_dist_pkgdata_DATA += \
+	examples/scaling/README.md \
+	examples/scaling/boulders.awk \
+	examples/scaling/boulders.yaml \
+	examples/scaling/figures.awk \
+	examples/scaling/hybrid.gp \
+	examples/scaling/job.slurm \
+	examples/scaling/lines.awk \
+	examples/scaling/model.awk \
+	examples/scaling/model.gp \
+	examples/scaling/ranks.gp \
+	examples/scaling/scene.yaml \
+	examples/scaling/speed.gp \
+	examples/scaling/tables.awk
+nobase_dist_pkgdata_SCRIPTS += examples/scaling/page.sh examples/scaling/run.sh

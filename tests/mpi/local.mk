@@ -87,3 +87,10 @@ tests_mpi_test_observables_LDADD = $(OUTPUT_TEST_LIBS)
 tests_mpi_test_report_SOURCES = tests/mpi/test_report.c $(OUTPUT_TEST_SOURCES)
 tests_mpi_test_report_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
 tests_mpi_test_report_LDADD = $(OUTPUT_TEST_LIBS)
+
+# make tests/mpi/bench_ranks: what has the length of the rank count
+EXTRA_PROGRAMS += tests/mpi/bench_ranks
+CLEANFILES += tests/mpi/bench_ranks
+tests_mpi_bench_ranks_SOURCES = tests/mpi/bench_ranks.c
+tests_mpi_bench_ranks_CPPFLAGS = $(MPI_TEST_FLAGS)
+tests_mpi_bench_ranks_LDADD = $(COMM_LIBS) $(MPI_LIBS)
