@@ -43,7 +43,8 @@ EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-wall-edge.svg
 EXTRA_DIST += docs/hard-cases.md
 EXTRA_DIST += docs/speed-error.md
-EXTRA_DIST += docs/images/speed-error-column.svg docs/images/speed-error-drum.svg \
+EXTRA_DIST += docs/images/speed-error-angle.svg docs/images/speed-error-column.svg \
+	docs/images/speed-error-drum.svg \
 	docs/images/speed-error-penetration.svg
 EXTRA_DIST += docs/performance.md \
 	docs/images/performance-auto.svg \
