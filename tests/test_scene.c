@@ -31,7 +31,7 @@ static void fills_options(void **state) {
     assert_true(scene->source[0].position[0] == 0.005);
     assert_int_equal(scene->source[0].material, 0);
     assert_string_equal(scene->index.name, "auto");
-    assert_true(scene->ghosts.newton && !scene->ghosts.reduced);
+    assert_true(scene->ghosts.newton && scene->ghosts.reduced);
     assert_false(scene->classes.skin_given);
     assert_true(scene->classes.skin_relative == 0.3);
     assert_true(scene->output.trajectory.xdmf);

@@ -112,6 +112,8 @@ void run_report_fill(const struct simulation *s, const struct run_record *run, s
     report->ranks = s->comm->size;
     report->threads = s->threads;
     report->newton = s->scene->ghosts.newton;
+    report->reduced = s->scene->ghosts.reduced;
+    snprintf(report->simd, sizeof report->simd, "%s", force_loop_kernel(s->loop));
     report->reproducible = s->scene->reproducible;
     snprintf(report->index, sizeof report->index, "%s", s->scene->index.name);
     snprintf(report->law, sizeof report->law, "%s", s->law.options.normal == LAW_HERTZ ? "hertz" : "hooke");

@@ -38,7 +38,8 @@ struct report {
     uint64_t particles;
     int ranks, threads;
     char index[REPORT_NAME_MAX], law[REPORT_NAME_MAX], integrator[REPORT_NAME_MAX];
-    bool newton;
+    bool newton, reduced;       /* reduced: copies travel only as far as partners do */
+    char simd[REPORT_NAME_MAX]; /* instruction set of the force loop */
     int levels;
     struct report_level level[REPORT_LEVELS_MAX];
     char choice[REPORT_NAME_MAX]; /* of an index that chooses: what it amounts to; "": it does not choose */

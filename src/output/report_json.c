@@ -136,6 +136,8 @@ static void put_counts(FILE *file, const struct report *report) {
     key_text(file, "law", report->law);
     key_text(file, "integrator", report->integrator);
     key_flag(file, "newton", report->newton);
+    key_flag(file, "reduced_ghosts", report->reduced);
+    key_text(file, "simd", report->simd);
     key_flag(file, "reproducible", report->reproducible);
     key_real(file, "particle_steps_per_second", report_speed(report));
     key_real(file, "seconds", report->seconds);
