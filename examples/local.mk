@@ -77,7 +77,7 @@ nobase_dist_pkgdata_DATA += \
 	examples/hard/ratio.yaml \
 	examples/hard/slivers.txt \
 	examples/hard/square.txt
-nobase_dist_pkgdata_SCRIPTS += examples/bench/needs.sh examples/hard/run.sh
+nobase_dist_pkgdata_SCRIPTS += examples/bench/needs.sh examples/hard/run.sh examples/speed-error.sh
 
 nobase_dist_pkgdata_DATA += \
 	examples/pupcs/README.md \
@@ -85,6 +85,23 @@ nobase_dist_pkgdata_DATA += \
 	examples/pupcs/large/scene.yaml \
 	examples/pupcs/sparse/scene.yaml
 nobase_dist_pkgdata_SCRIPTS += examples/pupcs/run.sh
+
+# Scaling over ranks and threads
+nobase_dist_pkgdata_DATA += \
+	examples/scaling/README.md \
+	examples/scaling/boulders.awk \
+	examples/scaling/boulders.yaml \
+	examples/scaling/figures.awk \
+	examples/scaling/hybrid.gp \
+	examples/scaling/job.slurm \
+	examples/scaling/lines.awk \
+	examples/scaling/model.awk \
+	examples/scaling/model.gp \
+	examples/scaling/ranks.gp \
+	examples/scaling/scene.yaml \
+	examples/scaling/speed.gp \
+	examples/scaling/tables.awk
+nobase_dist_pkgdata_SCRIPTS += examples/scaling/page.sh examples/scaling/run.sh
 
 # Benchmarks of packings, and the page of all
 nobase_dist_pkgdata_DATA += \
@@ -106,20 +123,3 @@ nobase_dist_pkgdata_SCRIPTS += \
 
 # Full and reduced ghosts against geometry
 nobase_dist_pkgdata_SCRIPTS += examples/scaling/ghosts.sh
-
-# Scaling over ranks and threads
-nobase_dist_pkgdata_DATA += \
-	examples/scaling/README.md \
-	examples/scaling/boulders.awk \
-	examples/scaling/boulders.yaml \
-	examples/scaling/figures.awk \
-	examples/scaling/hybrid.gp \
-	examples/scaling/job.slurm \
-	examples/scaling/lines.awk \
-	examples/scaling/model.awk \
-	examples/scaling/model.gp \
-	examples/scaling/ranks.gp \
-	examples/scaling/scene.yaml \
-	examples/scaling/speed.gp \
-	examples/scaling/tables.awk
-nobase_dist_pkgdata_SCRIPTS += examples/scaling/page.sh examples/scaling/run.sh
