@@ -150,7 +150,7 @@ static void fly(struct team *team, bool periodic, enum domain_kind kind, double 
     for (int turn = 0; turn < 27; turn++) {
         const int way[3] = {turn % 3 - 1, turn / 3 % 3 - 1, turn / 9 - 1};
         double speed = speeds[turn % 4];
-        int steps = turn == 13 ? 0 : STEPS;
+        int steps = turn == 13 ? 0 : side_of(team) < 7 ? STEPS : 1;
         for (int step = 0; step < steps; step++) {
             for (int d = 0; d < 3; d++)
                 flight.v[d] = speed * way[d] * (periodic || step % 2 == 0 ? 1 : -1);
