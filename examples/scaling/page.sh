@@ -221,6 +221,7 @@ END
     if has weak || has strong; then speed_section; fi
     if has hybrid; then hybrid_section; fi
     if has ranks; then ranks_section; fi
+    if [ -s "$runs/ghosts/section.md" ]; then cat "$runs/ghosts/section.md"; fi
     lengths_section
     if has weak strong ranks lengths; then model_section; fi
 } >"$columns/page"
