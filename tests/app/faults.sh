@@ -101,7 +101,7 @@ echo '== ranks that die'
 # killed RANK SECONDS: SIGKILL to one of three ranks, so long after its second checkpoint
 killed() {
     local dir=killed$1
-    start 3 "$dir" --set output.checkpoint.every=7 --set output.checkpoint.keep=3
+    start 3 "$dir" --set output.checkpoint.every=7 --set output.checkpoint.keep=1000
     wait_for "$dir/checkpoint-14.h5" || return 1
     sleep "$2"
     pids=$(ranks_of "$starter")
@@ -133,7 +133,7 @@ check 'SIGTERM to one rank of 3: a checkpoint, and 2 ranks go on' stopped
 # all_stopped: SIGTERM to mpirun, which gives ranks a second
 all_stopped() {
     local parent
-    start 3 ended --set output.checkpoint.every=7
+    start 3 ended --set output.checkpoint.every=7 --set output.checkpoint.keep=1000
     wait_for ended/checkpoint-14.h5 || return 1
     pids=$(ranks_of "$starter")
     parent=$(awk '/^PPid/ { print $2 }' /proc/"$(head -n 1 <<<"$pids")"/status)
