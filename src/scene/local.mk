@@ -43,6 +43,7 @@ EXTRA_DIST += docs/scene.md
 
 # What writes docs/scene.md, after a change of the schema
 EXTRA_PROGRAMS += src/scene/document
+CLEANFILES += src/scene/document
 src_scene_document_SOURCES = src/scene/document.c
 src_scene_document_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 src_scene_document_LDADD = $(SCENE_LIBS)

@@ -6,6 +6,7 @@ check_PROGRAMS += \
 	tests/index/test_stencil
 
 EXTRA_PROGRAMS += tests/index/bench_index
+CLEANFILES += tests/index/bench_index
 
 tests_index_test_auto_SOURCES = tests/index/test_auto.c tests/index/cloud.c tests/index/cloud.h
 tests_index_test_auto_LDADD = $(INDEX_LIBS) $(TEST_LIBS)
