@@ -22,7 +22,9 @@ static bool one_image(const struct simulation *s) {
 /* How far images of a particle are apart that may meet the same partner; INFINITY: none may. */
 static double images_apart(const struct simulation *s) {
     double apart = INFINITY;
-    for (int d = 0; d < 3 && !one_image(s); d++)
+    if (one_image(s))
+        return apart;
+    for (int d = 0; d < 3; d++)
         if (s->scene->box.periodic[d])
             apart = fmin(apart, s->scene->box.edge[d]);
     return apart;

@@ -5,7 +5,7 @@
  * How to use it: fill a `struct law_case` with constants, so that the compiler drops what the law has not;
  * fill a `struct law_contact`; call law_respond. There are no branches that a vectorising compiler could not
  * turn into selects, and no memory: a loop that calls it once an iteration vectorises
- * (contact/force_physics.c does).
+ * (contact/force_physics.h does).
  *
  * Signs. The normal n points from i to j (wall: from the sphere to the wall). Velocities are those of j minus
  * those of i. Force, rolling torque and springs are those of j; the negatives hold for i. With n, velocities

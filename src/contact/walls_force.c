@@ -17,10 +17,6 @@ struct wall_task {
     size_t listed;
 };
 
-static struct law_vector spring_at(const double *value) {
-    return value ? wall_vector(value) : (struct law_vector){0.0, 0.0, 0.0};
-}
-
 static void put(double row[3][FORCE_BATCH], int k, struct law_vector v) {
     row[0][k] = v.x;
     row[1][k] = v.y;
@@ -44,7 +40,7 @@ static void recall_springs(const struct wall_task *task, int w, const struct wal
         return;
     size_t record = walls->first[task->candidate] + (size_t)from;
     const double *value = old->value + record * (size_t)walls->law->history_components;
-    struct law_vector spring = spring_at(value), roll = task->law.rolling ? spring_at(value + 3) : none;
+    struct law_vector spring = wall_vector(value), roll = task->law.rolling ? wall_vector(value + 3) : none;
     if (old->key[record].feature != touch->feature) {
         double distance;
         struct law_vector before = walls_toward(&walls->wall[w], old->key[record].feature, x, &distance);

@@ -16,9 +16,6 @@ static void arrays_resize(struct particles *particles, size_t capacity) {
         void *old = storage_get(particles, a);
         storage_set(particles, a, memory_resize(old, capacity, stride, "particles"));
     }
-    memory_free(particles->second);
-    particles->second = NULL;
-    particles->second_capacity = 0;
     particles->capacity = capacity;
 }
 
@@ -35,7 +32,6 @@ void particles_destroy(struct particles **particles) {
         return;
     for (int a = 0; a < STORAGE_ARRAYS; a++)
         memory_free(storage_get(*particles, a));
-    memory_free((*particles)->second);
     memory_free(*particles);
     *particles = NULL;
 }
@@ -121,23 +117,25 @@ static void copy(char *to, const char *from, size_t bytes) {
     }
 }
 
-/* Gathers the hot records into their second array, which then is the first. */
-static void gather_state(struct particles *particles, const uint32_t *order) {
-    if (particles->second_capacity < particles->capacity) {
-        memory_free(particles->second);
-        particles->second_capacity = particles->capacity;
-        particles->second =
-            memory_allocate(particles->capacity, sizeof *particles->second, "particles, second array");
+/* Gathers the records of an array one half after the other, each through `spare`, which has room for halves.
+ */
+static void gather_halves(char *array, char *spare, const uint32_t *order, size_t n, size_t stride) {
+    size_t half = stride / 2;
+    for (size_t offset = 0; offset < stride; offset += half) {
+#pragma omp parallel
+        {
+#pragma omp for schedule(static)
+            for (size_t k = 0; k < n; k++)
+                memcpy(spare + k * half, array + (size_t)order[k] * stride + offset, half);
+#pragma omp for schedule(static)
+            for (size_t k = 0; k < n; k++)
+                memcpy(array + k * stride + offset, spare + k * half, half);
+        }
     }
-    struct particle_state *now = particles->state;
-    gather((char *)particles->second, (const char *)now, order, particles->owned, sizeof *now);
-    particles->state = particles->second;
-    particles->second = now;
 }
 
 /* Arrays as wide as the spare one gather into it and change places with it; others are copied back from it.
- * While forces are zero their array is the spare one; where it is narrower than the hot records, these have a
- * second array of their own. */
+ * While forces are zero their array is the spare one. */
 void particles_reorder(struct particles *particles, const uint32_t *order) {
     assert(particles->ghosts == 0);
     const size_t force_stride = storage_stride(STORAGE_FORCE, particles->features), n = particles->owned;
@@ -151,8 +149,7 @@ void particles_reorder(struct particles *particles, const uint32_t *order) {
         size_t stride = storage_stride(a, particles->features);
         void *now = storage_get(particles, a);
         if (stride > width) {
-            assert(a == STORAGE_STATE);
-            gather_state(particles, order);
+            gather_halves(now, spare, order, n, stride);
             continue;
         }
         gather(spare, now, order, n, stride);

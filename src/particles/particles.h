@@ -43,9 +43,6 @@ struct particles {
     bool force_clear; /* every force is zero (between a drift and the next force evaluation): reorder need not
                          move them */
     struct particle_state *state;
-    struct particle_state
-        *second; /* reorder's, for `state` where the forces' array is too narrow to lend; else NULL */
-    size_t second_capacity;
     double (*omega)[4];  /* SPIN: angular velocity, rad/time; the fourth component is padding, 0 */
     double *force;       /* force_stride doubles a particle: fx fy fz 0 [tx ty tz 0 with SPIN] */
     int force_stride;    /* 4, or 8 with SPIN */
