@@ -53,3 +53,27 @@ best() {
 median() {
     cut -d ' ' -f "$1" "$2" | sort -g | awk '{ v[NR] = $1 } END { print NR % 2 ? v[(NR + 1) / 2] : (v[NR / 2] + v[NR / 2 + 1]) / 2 }'
 }
+
+# table1_system R: edge of the cube, large and small spheres of Table 1 of Stratford, Shire and Hanley, in `table`; false if it has no such R
+table1_system() {
+    case $1 in
+    10) table="205.9 250 711657" ;;
+    20) table="314.15 111 2337678" ;;
+    40) table="500.14 56 9624306" ;;
+    80) table="793.92 28 42900051" ;;
+    100) table="955.61 25 66193461" ;;
+    *) return 1 ;;
+    esac
+}
+
+# lammps_unless_skipped SCRIPT: sets lammps, and with_lammps (empty with SKIP_LAMMPS=1, which is said); ends the script if it is missing
+lammps_unless_skipped() {
+    lammps=${LAMMPS:-lmp}
+    with_lammps=yes
+    if [ -n "${SKIP_LAMMPS:-}" ]; then
+        with_lammps=
+        echo "$1: LAMMPS is left out, as SKIP_LAMMPS asks" >&2
+    else
+        command -v "$lammps" >/dev/null || { echo "no $lammps here: apt-get install lammps, or SKIP_LAMMPS=1" >&2; exit 1; }
+    fi
+}

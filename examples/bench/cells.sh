@@ -26,20 +26,8 @@ ratio=${1:-}
 quick=
 test "${2:-}" != --quick || quick=yes
 test $# = 1 || test -n "$quick" || { echo "usage: cells.sh 10|20|40 [--quick]" >&2; exit 2; }
-case $ratio in
-10) table="205.9 250 711657" ;;
-20) table="314.15 111 2337678" ;;
-40) table="500.14 56 9624306" ;;
-*) echo "usage: cells.sh 10|20|40 [--quick]" >&2; exit 2 ;;
-esac
-lammps=${LAMMPS:-lmp}
-with_lammps=yes
-if [ -n "${SKIP_LAMMPS:-}" ]; then
-    with_lammps=
-    echo "cells.sh: LAMMPS is left out, as SKIP_LAMMPS asks" >&2
-else
-    command -v "$lammps" >/dev/null || { echo "no $lammps here: apt-get install lammps, or SKIP_LAMMPS=1" >&2; exit 1; }
-fi
+{ table1_system "$ratio" && [ "$ratio" -le 40 ]; } || { echo "usage: cells.sh 10|20|40 [--quick]" >&2; exit 2; }
+lammps_unless_skipped cells.sh
 bins="1.25 2.5 3.75 5 7.5 10"
 test -z "$quick" || bins="1.25 2.5 5 10"
 cube=

@@ -51,14 +51,7 @@ if [ -n "$quick" ]; then
 fi
 count=${COUNT:-${quick:+60000}}
 count=${count:-$published}
-lammps=${LAMMPS:-lmp}
-with_lammps=yes
-if [ -n "${SKIP_LAMMPS:-}" ]; then
-    with_lammps=
-    echo "continuous.sh: LAMMPS is left out, as SKIP_LAMMPS asks" >&2
-else
-    command -v "$lammps" >/dev/null || { echo "no $lammps here: apt-get install lammps, or SKIP_LAMMPS=1" >&2; exit 1; }
-fi
+lammps_unless_skipped continuous.sh
 # both codes in turn: 1,000 bytes a particle are enough for the larger of them
 until memory_for $((count * 1000)); do
     count=$((count * 3 / 4))

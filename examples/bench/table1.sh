@@ -16,14 +16,7 @@ ratio=${1:-}
 quick=
 test "${2:-}" != --quick || quick=yes
 test $# = 1 || test -n "$quick" || { echo "usage: table1.sh 10|20|40|80|100 [--quick]" >&2; exit 2; }
-case $ratio in
-10) table="205.9 250 711657" ;;
-20) table="314.15 111 2337678" ;;
-40) table="500.14 56 9624306" ;;
-80) table="793.92 28 42900051" ;;
-100) table="955.61 25 66193461" ;;
-*) echo "usage: table1.sh 10|20|40|80|100 [--quick]" >&2; exit 2 ;;
-esac
+table1_system "$ratio" || { echo "usage: table1.sh 10|20|40|80|100 [--quick]" >&2; exit 2; }
 threads=${THREADS:-$cores}
 runs=${RUNS:-${quick:+1}}
 runs=${runs:-3}
