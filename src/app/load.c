@@ -1,7 +1,7 @@
 /* The load of ranks, and the division of the box that follows it.
  *
- * Bricks are laid once, by the particles at the start; a resume on as many ranks keeps those of the
- * checkpoint. A bisection follows the load.
+ * Bricks are laid once, by the particles at the start; a bisection follows the load. A resume on as many
+ * ranks keeps the division of the checkpoint.
  *
  * The weight of a particle is what it costs: 1 for itself and half for each pair in its row (both about right
  * for the force loop), or the same scaled by the seconds that its rank took for the weight it has, or 1. The
@@ -120,6 +120,14 @@ void load_begin(struct simulation *s) {
         weight[k] = 1;
     divide(s, weight);
     memory_free(weight);
+}
+
+void load_restore(struct simulation *s, struct domain_tree *tree, bool fresh, double reached) {
+    domain_divide(s->domain, tree);
+    domain_wrap(s->domain, s->wrap);
+    s->load.begun = true;
+    s->load.fresh = fresh;
+    s->load.reached = reached;
 }
 
 /* The largest load over the mean. */

@@ -13,6 +13,10 @@ void load_lay(struct simulation *simulation, const int resumed[3]);
  */
 void load_begin(struct simulation *simulation);
 
+/* Divides the box as a checkpoint on as many ranks had it; takes the tree over. `fresh`: the imbalance was
+ * not measured since; `reached`: the imbalance after the division. */
+void load_restore(struct simulation *simulation, struct domain_tree *tree, bool fresh, double reached);
+
 /* At a rebuild, while the last pair list still stands: divides the box anew if the loads have become uneven.
  * Collective. */
 void load_balance(struct simulation *simulation);

@@ -1,6 +1,7 @@
 /* Checkpoints and going on from them. A checkpoint step rebuilds, so the particles stand in the order that a
  * rebuild gives, and a resume on the same layout rebuilds into the same order: its trajectory is the
  * uninterrupted one's, bit for bit. */
+#include "app/load.h"
 #include "app/simulation.h"
 #include "core/memory.h"
 #include <stdio.h>
@@ -8,7 +9,15 @@
 #include <string.h>
 
 /* What the counters of a checkpoint mean; insertions follow, three numbers each. */
-enum { COUNTER_STEP_BASE, COUNTER_TIME_BASE, COUNTER_INSERTED, COUNTER_DELETED, COUNTER_INSERTION };
+enum {
+    COUNTER_STEP_BASE,
+    COUNTER_TIME_BASE,
+    COUNTER_INSERTED,
+    COUNTER_DELETED,
+    COUNTER_DIVIDED, /* the bisection was divided since the imbalance was measured */
+    COUNTER_REACHED, /* the imbalance after its last division */
+    COUNTER_INSERTION
+};
 enum { SUM_TAKEN, SUM_WALL_WORK };
 enum { INSERTION_COUNTERS = 3 };
 
@@ -34,6 +43,8 @@ static void numbers_put(const struct simulation *s, struct checkpoint_numbers *n
     n->counter[COUNTER_TIME_BASE] = bits_of(s->time_base);
     n->counter[COUNTER_INSERTED] = s->inserted;
     n->counter[COUNTER_DELETED] = s->deleted;
+    n->counter[COUNTER_DIVIDED] = s->load.fresh;
+    n->counter[COUNTER_REACHED] = bits_of(s->load.reached);
     domain_grid(s->domain, n->grid);
     for (int k = 0; k < s->scene->insertions; k++) {
         uint64_t *counter = &n->counter[COUNTER_INSERTION + INSERTION_COUNTERS * k];
@@ -97,6 +108,7 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
         wall_forces_gather(s);
     struct checkpoint checkpoint = {.particles = s->particles,
                                     .box = &s->scene->box,
+                                    .tree = domain_tree(s->domain),
                                     .history_components = s->law.history_components,
                                     .history = rows.pairs.start ? &rows.pairs : NULL,
                                     .wall_history = rows.walls.start ? &rows.walls : NULL,
@@ -151,6 +163,11 @@ bool resume_read(struct simulation *s, const char *path, struct rebuild_rows *ro
     s->total = loaded.total;
     numbers_take(s, &loaded.numbers);
     walls_restore(s, &loaded);
+    if (loaded.tree && domain_bisects(s->domain)) {
+        load_restore(s, loaded.tree, loaded.numbers.counter[COUNTER_DIVIDED] != 0,
+                     double_of(loaded.numbers.counter[COUNTER_REACHED]));
+        loaded.tree = NULL;
+    }
     if (s->history) {
         rows->pairs = loaded.history;
         loaded.history = (struct history_rows){0};

@@ -77,6 +77,10 @@ bool domain_bisects(const struct domain *domain) {
     return domain->tree != NULL;
 }
 
+const struct domain_tree *domain_tree(const struct domain *domain) {
+    return domain->tree;
+}
+
 void domain_destroy(struct domain **domain) {
     if (*domain == NULL)
         return;

@@ -85,6 +85,9 @@ void domain_lay(struct domain *domain, const int grid[3]);
 void domain_divide(struct domain *domain, struct domain_tree *tree);
 bool domain_bisects(const struct domain *domain);
 
+/* The tree of a bisection, borrowed until it is divided anew; NULL for bricks. */
+const struct domain_tree *domain_tree(const struct domain *domain);
+
 /* Lower and upper corner of a rank's subdomain (infinite at open sides). */
 void domain_bounds(const struct domain *domain, int rank, double lower[3], double upper[3]);
 

@@ -52,6 +52,28 @@ static struct node node_child(const struct domain_tree *tree, const struct node 
     return child;
 }
 
+/* True if the cuts of a node and of all below it lie inside of it and share its ranks out. */
+static bool node_divides(const struct domain_tree *tree, const struct node *node) {
+    if (node_is_leaf(node))
+        return true;
+    const struct domain_cut *cut = &tree->cut[node->at];
+    if (cut->middle <= node->first || cut->middle >= node->last || cut->axis < 0 || cut->axis > 2 ||
+        !(cut->at >= node->lower[cut->axis] && cut->at <= node->upper[cut->axis]))
+        return false;
+    struct node lower = node_child(tree, node, false), upper = node_child(tree, node, true);
+    return node_divides(tree, &lower) && node_divides(tree, &upper);
+}
+
+struct domain_tree *domain_tree_from_cuts(int ranks, const struct domain_cut *cut, const double lower[3],
+                                          const double upper[3]) {
+    struct domain_tree *tree = tree_create(ranks);
+    struct node root = node_root(tree, lower, upper);
+    memcpy(tree->cut, cut, ((size_t)ranks - 1) * sizeof *cut);
+    if (!node_divides(tree, &root))
+        domain_tree_destroy(&tree);
+    return tree;
+}
+
 static void halve(struct domain_tree *tree, const struct node *node, int dimension) {
     if (node_is_leaf(node))
         return;

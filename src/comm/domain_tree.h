@@ -30,6 +30,11 @@ struct domain_tree *domain_tree_halve(int ranks, const struct box *box);
  * from `dimension` on are never cut. NULL if there is none. */
 struct domain_tree *domain_tree_from_bounds(int ranks, int dimension, const double (*lower)[3],
                                             const double (*upper)[3]);
+
+/* The tree with these cuts (ranks - 1, as in struct domain_tree; copied), or NULL if they divide the whole
+ * box `lower` ... `upper` into no subdomains of these ranks. */
+struct domain_tree *domain_tree_from_cuts(int ranks, const struct domain_cut *cut, const double lower[3],
+                                          const double upper[3]);
 void domain_tree_destroy(struct domain_tree **tree);
 
 /* The rank that owns a position. */

@@ -100,6 +100,22 @@ static bool put_numbers(struct writing *w, struct error *error) {
            put_of_ranks(w, "/run/particles_of_ranks", FIELD_INT64, 0, &owned, error);
 }
 
+static bool put_tree(struct writing *w, struct error *error) {
+    const struct domain_tree *tree = w->checkpoint->tree;
+    if (tree == NULL || tree->ranks < 2)
+        return true;
+    uint64_t cuts = (uint64_t)tree->ranks - 1;
+    double(*row)[CHECKPOINT_CUT] = memory_allocate(cuts, sizeof *row, "cuts of a bisection");
+    for (uint64_t k = 0; k < cuts; k++) {
+        row[k][0] = tree->cut[k].at;
+        row[k][1] = tree->cut[k].middle;
+        row[k][2] = tree->cut[k].axis;
+    }
+    bool good = put_common(w, CHECKPOINT_CUTS, FIELD_DOUBLE, cuts, CHECKPOINT_CUT, row, error);
+    memory_free(row);
+    return good;
+}
+
 static bool put_surroundings(struct writing *w, struct error *error) {
     const struct checkpoint *c = w->checkpoint;
     double lengths[6];
@@ -228,7 +244,8 @@ static bool put_wall_history(struct writing *w, struct error *error) {
 
 static bool put_all(struct writing *w, struct error *error) {
     const struct checkpoint *c = w->checkpoint;
-    bool good = put_numbers(w, error) && put_surroundings(w, error) && put_walls(w, error);
+    bool good =
+        put_numbers(w, error) && put_tree(w, error) && put_surroundings(w, error) && put_walls(w, error);
     for (int f = 0; good && f < fields_count(); f++)
         if ((fields_get(f)->use & FIELD_RESTART) && fields_present(c->particles, f))
             good = put_field(w, f, error);

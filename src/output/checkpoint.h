@@ -11,6 +11,7 @@
 #ifndef SCREE_OUTPUT_CHECKPOINT_H
 #define SCREE_OUTPUT_CHECKPOINT_H
 
+#include "comm/domain_tree.h"
 #include "output/output.h"
 
 enum { CHECKPOINT_COUNTERS = 128 };
@@ -43,6 +44,7 @@ struct checkpoint {
     struct checkpoint_numbers numbers;
     const struct particles *particles; /* ghosts are ignored */
     const struct box *box;
+    const struct domain_tree *tree;       /* of a bisection; NULL: bricks */
     int history_components;               /* 0: no history */
     const struct history_rows *history;   /* NULL where there is none */
     const struct wall_rows *wall_history; /* NULL where there is none */
@@ -54,9 +56,10 @@ struct checkpoint {
 struct checkpoint_loaded {
     struct checkpoint_numbers numbers;
     struct box box;
-    bool same_layout; /* written on as many ranks: particles lie where they lay */
-    int ranks;        /* that wrote it */
-    uint64_t total;   /* particles on all ranks */
+    struct domain_tree *tree; /* of a bisection among as many ranks, else NULL */
+    bool same_layout;         /* written on as many ranks: particles lie where they lay */
+    int ranks;                /* that wrote it */
+    uint64_t total;           /* particles on all ranks */
     int history_components;
     struct history_rows history;
     struct wall_rows wall_history;

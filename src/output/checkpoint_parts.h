@@ -25,6 +25,10 @@ enum checkpoint_integer {
     CHECKPOINT_INTEGERS = CHECKPOINT_GRID + 3
 };
 
+/* The cuts of a bisection, a row each: coordinate, first rank above, axis. */
+#define CHECKPOINT_CUTS "/run/cuts"
+enum { CHECKPOINT_CUT = 3 };
+
 /* /box/sides: dimension, periodic[3], leave[3][2]. */
 enum { CHECKPOINT_SIDES = 10 };
 

@@ -4,6 +4,8 @@
 
 #include "core/memory.h"
 
+#include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -75,6 +77,31 @@ static bool get_sums(struct reading *r, struct error *error) {
         for (int s = 0; s < CHECKPOINT_COUNTERS; s++)
             l->numbers.sum[s] += sums[k][s];
     memory_free(sums);
+    return good;
+}
+
+/* -1 where it is too large. */
+static int small_integer(double x) {
+    return x >= 0 && x <= INT_MAX ? (int)x : -1;
+}
+
+/* How the box was divided, if it was by a bisection among as many ranks. */
+static bool get_tree(struct reading *r, struct error *error) {
+    static const double lowest[3] = {-INFINITY, -INFINITY, -INFINITY},
+                        highest[3] = {INFINITY, INFINITY, INFINITY};
+    int ranks = r->loaded->ranks;
+    if (!r->loaded->same_layout || ranks < 2 || !h5_exists(&r->h5, CHECKPOINT_CUTS))
+        return true;
+    size_t cuts = (size_t)ranks - 1;
+    double(*row)[CHECKPOINT_CUT] = memory_allocate_zero(cuts, sizeof *row, "cuts of a bisection");
+    struct domain_cut *cut = memory_allocate(cuts, sizeof *cut, "cuts of a bisection");
+    bool good = get_common(r, CHECKPOINT_CUTS, FIELD_DOUBLE, cuts, CHECKPOINT_CUT, row, error);
+    for (size_t k = 0; k < cuts; k++)
+        cut[k] = (struct domain_cut){row[k][0], small_integer(row[k][1]), small_integer(row[k][2])};
+    if (good && !(r->loaded->tree = domain_tree_from_cuts(ranks, cut, lowest, highest)))
+        good = error_set(error, ERROR_USER, "%s: %s: holds impossible numbers", r->h5.path, CHECKPOINT_CUTS);
+    memory_free(row);
+    memory_free(cut);
     return good;
 }
 
@@ -274,7 +301,8 @@ static bool open_checked(struct reading *r, const char *path, bool head_only, st
 }
 
 static bool get_head(struct reading *r, struct error *error) {
-    return get_numbers(r, error) && get_sums(r, error) && get_surroundings(r, error) && get_walls(r, error);
+    return get_numbers(r, error) && get_sums(r, error) && get_tree(r, error) && get_surroundings(r, error) &&
+           get_walls(r, error);
 }
 
 static bool get_rest(struct reading *r, struct particles *particles, struct error *error) {
@@ -314,6 +342,7 @@ bool checkpoint_read(const struct comm *comm, const char *path, struct particles
 void checkpoint_loaded_free(struct checkpoint_loaded *loaded) {
     history_rows_free(&loaded->history);
     wall_rows_free(&loaded->wall_history);
+    domain_tree_destroy(&loaded->tree);
     memory_free(loaded->wall);
     memory_free(loaded->scene);
     *loaded = (struct checkpoint_loaded){0};

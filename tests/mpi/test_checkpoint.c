@@ -207,6 +207,40 @@ static void old_ones_are_deleted(void **state) {
     team_finish(team);
 }
 
+/* As many ranks get the tree back, others none; nor where the box was divided into bricks. */
+static void cuts_of_a_bisection_come_back(void **state) {
+    struct team *team = *state;
+    struct comm self = folder_self();
+    struct fixture f;
+    struct error error = {0};
+    struct checkpoint_loaded l;
+    char path[FOLDER_MAX + 64];
+    fixture_make(&f, team, &team->comm, 0);
+    struct domain_tree *tree = domain_tree_halve(team->comm.size, &f.cloud.box);
+    size_t bytes = ((size_t)team->comm.size - 1) * sizeof *tree->cut;
+    for (int k = 0; k < team->comm.size - 1; k++)
+        tree->cut[k].at *= 1 + 0x1p-50;
+    for (int divided = 0; divided < 2; divided++) {
+        f.checkpoint.tree = divided ? tree : NULL;
+        team_expect(team, checkpoint_write(&f.comm, f.folder.path, "", &f.checkpoint, 2, &error), "%s",
+                    error.text);
+        team_expect(team, checkpoint_read_head(&f.comm, path_of(&f, "checkpoint-1200.h5", path), &l, &error),
+                    "%s", error.text);
+        bool expected = divided && team->comm.size > 1;
+        team_expect(team, (l.tree != NULL) == expected, "divided %d", divided);
+        if (l.tree && expected)
+            team_expect(team, memcmp(l.tree->cut, tree->cut, bytes) == 0, "cuts");
+        checkpoint_loaded_free(&l);
+        team_expect(team, checkpoint_read_head(&self, path, &l, &error), "%s", error.text);
+        team_expect(team, l.tree == NULL, "a tree of other ranks");
+        checkpoint_loaded_free(&l);
+        team_finish(team);
+    }
+    domain_tree_destroy(&tree);
+    fixture_free(&f);
+    team_finish(team);
+}
+
 int main(int argc, char **argv) {
     struct team team;
     team_start(&team, &argc, &argv);
@@ -218,6 +252,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(wall_poses_come_back, &team),
         cmocka_unit_test_prestate(head_is_read_alone, &team),
         cmocka_unit_test_prestate(old_ones_are_deleted, &team),
+        cmocka_unit_test_prestate(cuts_of_a_bisection_come_back, &team),
     };
     int failed = cmocka_run_group_tests_name("checkpoint", tests, NULL, NULL);
     return team_stop(&team) || failed;

@@ -8,6 +8,7 @@
 
 #include "comm/domain.h"
 #include "comm/domain_grid.h"
+#include "comm/domain_tree.h"
 #include "core/memory.h"
 #include "core/random.h"
 
@@ -307,13 +308,40 @@ static void wrapped_directions(void **state) {
     domain_destroy(&domain);
 }
 
+/* Cuts give the tree that they came from; cuts that share ranks out wrongly or lie elsewhere give none. */
+static void trees_from_cuts(void **state) {
+    (void)state;
+    static const double corner[3] = {0, 0, 0};
+    const struct box *box = &boxes[0];
+    struct domain_tree *tree = domain_tree_halve(12, box);
+    struct domain_cut cut[11];
+    memcpy(cut, tree->cut, sizeof cut);
+    struct domain_tree *again = domain_tree_from_cuts(12, cut, corner, box->edge);
+    assert_non_null(again);
+    assert_memory_equal(again->cut, cut, sizeof cut);
+    domain_tree_destroy(&again);
+    const struct domain_cut wrong[] = {
+        {.at = cut[2].at, .middle = 0, .axis = cut[2].axis},
+        {.at = cut[2].at, .middle = 99, .axis = cut[2].axis},
+        {.at = cut[2].at, .middle = cut[2].middle, .axis = 3},
+        {.at = cut[2].at, .middle = cut[2].middle, .axis = -1},
+        {.at = 11, .middle = cut[2].middle, .axis = cut[2].axis},
+        {.at = NAN, .middle = cut[2].middle, .axis = cut[2].axis},
+    };
+    for (size_t k = 0; k < sizeof wrong / sizeof wrong[0]; k++) {
+        cut[2] = wrong[k];
+        assert_null(domain_tree_from_cuts(12, cut, corner, box->edge));
+    }
+    domain_tree_destroy(&tree);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(owner_of_any_position),    cmocka_unit_test(owner_on_the_upper_face),
         cmocka_unit_test(touching_of_random_balls), cmocka_unit_test(touching_in_thin_grids),
         cmocka_unit_test(touching_is_exact),        cmocka_unit_test(grids_of_least_surface),
         cmocka_unit_test(grids_of_least_load),      cmocka_unit_test(grids_that_do_not_fit),
-        cmocka_unit_test(wrapped_directions),
+        cmocka_unit_test(wrapped_directions),       cmocka_unit_test(trees_from_cuts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
