@@ -5,11 +5,12 @@
 /* One row a key, packed to the line: */
 /* clang-format off */
 
-static const struct schema_name region_names[] = {{"all", REGION_ALL, "the whole box"},
-                                                  {"box", REGION_BOX, NULL},
-                                                  {"sphere", REGION_SPHERE, NULL},
-                                                  {"cylinder", REGION_CYLINDER, NULL},
-                                                  {0}};
+static const struct schema_name region_names[] = {
+    {"all", REGION_ALL, "the whole box"},
+    {"box", REGION_BOX, NULL},
+    {"sphere", REGION_SPHERE, NULL},
+    {"cylinder", REGION_CYLINDER, NULL},
+    {0}};
 static const struct schema_row region_rows[] = {
     {.key = "shape", .type = SCHEMA_NAME, .names = region_names, .fallback = "all", AT(struct region, shape),
      .help = "the shape"},
@@ -89,12 +90,13 @@ static const struct schema_name format_names[] = {
     {"table", SOURCE_TABLE, "numbers in columns"},
     {"h5md", SOURCE_H5MD, "H5MD, as this program writes it"},
     {0}};
-static const struct schema_name lattice_names[] = {{"sc", SOURCE_SC, "simple cubic"},
-                                                   {"fcc", SOURCE_FCC, "face-centred cubic"},
-                                                   {"hcp", SOURCE_HCP, "hexagonal close-packed"},
-                                                   {"square", SOURCE_SQUARE, "two dimensions"},
-                                                   {"hexagonal", SOURCE_HEXAGONAL, "two dimensions"},
-                                                   {0}};
+static const struct schema_name lattice_names[] = {
+    {"sc", SOURCE_SC, "simple cubic"},
+    {"fcc", SOURCE_FCC, "face-centred cubic"},
+    {"hcp", SOURCE_HCP, "hexagonal close-packed"},
+    {"square", SOURCE_SQUARE, "two dimensions"},
+    {"hexagonal", SOURCE_HEXAGONAL, "two dimensions"},
+    {0}};
 
 #define SOURCE(member) AT(struct source_options, member)
 
