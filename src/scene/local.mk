@@ -29,6 +29,7 @@ libscene_la_SOURCES = \
 	src/scene/source.c \
 	src/scene/source.h \
 	src/scene/source_parts.h \
+	src/scene/source_sphere.c \
 	src/scene/table.c \
 	src/scene/tree.c \
 	src/scene/tree.h \

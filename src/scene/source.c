@@ -10,9 +10,7 @@
 #include "output/lammps_data.h"
 #include "scene/unique.h"
 
-#include <float.h>
 #include <math.h>
-#include <stdarg.h>
 #include <string.h>
 
 enum { SHARE_BLOCK = 1024 };
@@ -55,22 +53,6 @@ struct region source_region(const struct scene *scene, const struct region *regi
     return resolved;
 }
 
-/* Fills the error with the place of a sphere: line of the file, else its id. */
-static bool sphere_fail(const struct walk *walk, int source, const struct source_sphere *sphere,
-                        const char *text) {
-    const struct source_options *options = &walk->scene->source[source];
-    char place[SCENE_PATH_MAX], key[96];
-    if (options->kind == SOURCE_FILE && sphere->line > 0)
-        return error_set(walk->error, ERROR_USER, "%.700s:%ld: %s", options->file, sphere->line, text);
-    if (options->kind == SOURCE_FILE)
-        return error_set(walk->error, ERROR_USER, "%.700s: particle %lld: %s", options->file,
-                         (long long)sphere->id, text);
-    source_key(source, options->kind == SOURCE_SINGLE ? "position" : "from", key, sizeof(key));
-    scene_place(walk->scene, key, place, sizeof(place));
-    return error_set(walk->error, ERROR_USER, "%.700s: %s: particle %lld: %s", place, key,
-                     (long long)sphere->id, text);
-}
-
 /* Remembers a sphere under a key, on the rank to which the key falls. */
 static void remember(const struct walk *walk, struct unique *list, uint64_t key, int source,
                      const struct source_sphere *sphere) {
@@ -88,115 +70,7 @@ static bool check_unique(const struct walk *walk, struct unique *list, const cha
     if (first->line > 0)
         snprintf(line, sizeof(line), ", line %u", first->line);
     snprintf(text, sizeof(text), "%s particle %lld%s", what, (long long)first->id, line);
-    return sphere_fail(walk, (int)second->source, &sphere, text);
-}
-
-/* Writes a text; always false. */
-static __attribute__((format(printf, 3, 4))) bool because(char *why, size_t room, const char *format, ...) {
-    va_list list;
-    va_start(list, format);
-    vsnprintf(why, room, format, list);
-    va_end(list);
-    return false;
-}
-
-/* Puts a position into the box: box-relative, wrapped, images counted. False with a text if it cannot be
- * there. */
-static bool place_in_box(const struct scene *scene, struct source_sphere *sphere, double x[3], char *why,
-                         size_t room) {
-    const struct box *box = &scene->box;
-    for (int d = 0; d < 3; d++) {
-        x[d] = sphere->x[d] - box->origin[d];
-        if (d == 2 && box->dimension == 2) {
-            x[d] = box->edge[d] / 2;
-            continue;
-        }
-        int side = x[d] < 0 ? 0 : 1;
-        bool inside = x[d] >= 0 && x[d] <= box->edge[d];
-        if (!box->periodic[d] && !inside && box->leave[d][side] != BOX_KEEP)
-            return because(why, room,
-                           "%c = %g lies outside of the box (%g to %g); allowed only with box.periodic or "
-                           "box.leave: keep",
-                           "xyz"[d], sphere -> x[d], scene -> box_lower[d], scene -> box_upper[d]);
-        if (!box->periodic[d])
-            continue;
-        double images = floor(x[d] / box->edge[d]);
-        if (fabs(images) > 1e6)
-            return because(why, room, "%c = %g lies too many box lengths away", "xyz"[d], sphere -> x[d]);
-        x[d] -= images * box->edge[d];
-        if (x[d] >= box->edge[d]) {
-            x[d] = 0;
-            images++;
-        }
-        sphere->image[d] += (int32_t)images;
-        if (2 * sphere->radius >= box->edge[d])
-            return because(why, room, "the diameter (%g) is not smaller than the periodic box in %c (%g)",
-                           2 * sphere->radius, "xyz"[d], box -> edge[d]);
-    }
-    return true;
-}
-
-static int select_group(const struct scene *scene, const struct source_sphere *sphere) {
-    int chosen = 0;
-    struct region_space space = {.dimension = scene->box.dimension};
-    for (int g = 1; g < scene->groups; g++) {
-        const struct scene_group *group = &scene->group[g];
-        bool in = group->selects && (group->material < 0 || group->material == sphere->material) &&
-                  sphere->radius > group->radius_above && sphere->radius <= group->radius_upto &&
-                  (!group->by_region || region_contains(&group->region, &space, sphere->x, 0));
-        bool listed = group->id_count == 0;
-        for (int k = 0; k < group->id_count && !listed; k++)
-            listed = group->id[k] == sphere->id;
-        if (in && listed)
-            chosen = g;
-    }
-    return chosen;
-}
-
-/* Completes a sphere: material, density, velocity, group. */
-static bool complete(const struct walk *walk, int source, const struct source_batch *batch,
-                     struct source_sphere *sphere) {
-    const struct scene *scene = walk->scene;
-    const struct source_options *options = &scene->source[source];
-    bool typed = batch->rows.material && !batch->materials_named;
-    char text[200];
-    if (options->material >= 0)
-        sphere->material = options->material;
-    else if (typed && options->type_count > 0) {
-        if (sphere->material < 0 || sphere->material >= options->type_count) {
-            because(text, sizeof(text), "type %d, but `types` names %d materials", sphere->material + 1,
-                    options->type_count);
-            return sphere_fail(walk, source, sphere, text);
-        }
-        sphere->material = options->type_material[sphere->material];
-    } else if (!batch->rows.material && scene->materials > 1) {
-        return sphere_fail(walk, source, sphere,
-                           "has no material: the file names none, so the source needs `material`");
-    } else if (!batch->rows.material) {
-        sphere->material = 0;
-    }
-    if (sphere->material < 0 || sphere->material >= scene->materials) {
-        because(text, sizeof(text),
-                "type %d, but the scene has %d materials (`types` or `material` of the source maps them)",
-                sphere->material + 1, scene->materials);
-        return sphere_fail(walk, source, sphere, text);
-    }
-    if (options->density > 0)
-        sphere->density = options->density;
-    else if (!(sphere->density > 0))
-        sphere->density = scene->material[sphere->material].density;
-    struct random_sequence random = random_sequence(scene->seed, RANDOM_VELOCITY, (uint64_t)sphere->id);
-    for (int d = 0; d < 3; d++) {
-        bool flat = scene->box.dimension == 2 && d == 2;
-        sphere->v[d] +=
-            options->velocity[d] +
-            (options->velocity_sigma > 0 && !flat ? options->velocity_sigma * random_normal(&random) : 0);
-        sphere->omega[d] += options->omega[d];
-    }
-    if (scene->box.dimension == 2 && (sphere->v[2] != 0 || sphere->omega[0] != 0 || sphere->omega[1] != 0))
-        return sphere_fail(walk, source, sphere, "moves out of the plane of a two-dimensional scene");
-    sphere->group = options->group >= 0 ? options->group : select_group(scene, sphere);
-    return true;
+    return source_sphere_fail(walk->scene, (int)second->source, &sphere, text, walk->error);
 }
 
 static void count_sphere(struct walk *walk, const struct source_sphere *sphere) {
@@ -236,45 +110,10 @@ static void append_sphere(const struct walk *walk, const struct source_sphere *s
         memcpy(particles->image[i], sphere->image, sizeof(sphere->image));
 }
 
-/* What no source may give. */
-static bool check_sphere(const struct walk *walk, int source, const struct source_sphere *sphere) {
-    for (int d = 0; d < 3; d++)
-        if (!isfinite(sphere->x[d]) || !isfinite(sphere->v[d]) || !isfinite(sphere->omega[d]))
-            return sphere_fail(walk, source, sphere, "position, velocity or spin is not a finite number");
-    if (!(sphere->radius > 0) || !isfinite(sphere->radius))
-        return sphere_fail(walk, source, sphere, "the radius must be > 0 and finite");
-    if (sphere->id < 1)
-        return sphere_fail(walk, source, sphere, "ids must be >= 1");
-    return true;
-}
-
-/* Numbers that are finite, and yet of no use: squares and masses overflow, overlaps drown in rounding. */
-static bool check_range(const struct walk *walk, int source, const struct source_sphere *sphere,
-                        const double x[3]) {
-    const double *v = sphere->v;
-    double mass = particles_sphere_mass(sphere->radius, sphere->density);
-    if (!isnormal(mass) || !isnormal(1 / mass))
-        return sphere_fail(walk, source, sphere,
-                           "the mass that follows from radius and density is out of range");
-    if (!isfinite(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]))
-        return sphere_fail(walk, source, sphere, "the speed is out of range");
-    for (int d = 0; d < walk->scene->box.dimension; d++)
-        if (fabs(x[d]) * DBL_EPSILON > 1e-3 * sphere->radius)
-            return sphere_fail(
-                walk, source, sphere,
-                "so far from the lower corner of the box, rounding is above a thousandth of the radius");
-    return true;
-}
-
 static bool take_sphere(struct walk *walk, int source, const struct source_batch *batch,
                         struct source_sphere *sphere) {
     double x[3];
-    char why[200];
-    if (!check_sphere(walk, source, sphere) || !complete(walk, source, batch, sphere))
-        return false;
-    if (!place_in_box(walk->scene, sphere, x, why, sizeof(why)))
-        return sphere_fail(walk, source, sphere, why);
-    if (!check_range(walk, source, sphere, x))
+    if (!source_sphere_complete(walk->scene, source, batch, sphere, x, walk->error))
         return false;
     remember(walk, &walk->ids, checksum_row(1, &sphere->id, sizeof(sphere->id)), source, sphere);
     remember(walk, &walk->places, checksum_row(0, x, sizeof(x)), source, sphere);
@@ -288,28 +127,6 @@ static bool take_sphere(struct walk *walk, int source, const struct source_batch
     if (mine)
         append_sphere(walk, sphere, x);
     return true;
-}
-
-/* Row `k` of a batch as a sphere in the user's coordinates. */
-static struct source_sphere sphere_of(const struct source_options *options, const struct source_batch *batch,
-                                      size_t k) {
-    const struct rows *rows = &batch->rows;
-    struct source_sphere sphere = {.radius = rows->radius[k],
-                                   .material = rows->material ? rows->material[k] : 0,
-                                   .line = batch->line ? batch->line[k] : 0};
-    bool file = options->kind == SOURCE_FILE;
-    if (rows->mass && rows->mass[k] > 0)
-        sphere.density = rows->mass[k] / particles_sphere_mass(sphere.radius, 1);
-    for (int d = 0; d < 3; d++) {
-        sphere.x[d] =
-            file ? rows->position[k][d] * options->scale + options->offset[d] : rows->position[k][d];
-        sphere.v[d] = rows->velocity ? rows->velocity[k][d] : 0;
-        sphere.omega[d] = rows->angular_velocity ? rows->angular_velocity[k][d] : 0;
-        sphere.image[d] = rows->image ? rows->image[k][d] : 0;
-    }
-    if (file)
-        sphere.radius *= options->scale;
-    return sphere;
 }
 
 /* Room for what this rank is to expect of `count` particles, lest arrays grow step by step. */
@@ -326,7 +143,7 @@ static bool take_batch(struct walk *walk, int source, const struct source_batch 
     expect(walk, batch->rows.count);
     int64_t base = walk->census.id_max, taken = 0;
     for (size_t k = 0; k < batch->rows.count; k++) {
-        struct source_sphere sphere = sphere_of(options, batch, k);
+        struct source_sphere sphere = source_sphere_of(options, batch, k);
         if (options->kind == SOURCE_FILE &&
             !(sphere.radius > options->radius_above && sphere.radius <= options->radius_upto) &&
             sphere.radius > 0)

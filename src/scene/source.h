@@ -59,14 +59,4 @@ struct source_options {
     double density; /* 0: the file's, else the material's */
 };
 
-/* One sphere of the stream, positions in the user's coordinates. */
-struct source_sphere {
-    int64_t id; /* 0: the next free one */
-    double x[3], v[3], omega[3];
-    double radius, density; /* density 0: the material's */
-    int material, group;    /* material -1: as the source says */
-    int32_t image[3];
-    long line; /* in the file; for generators the number within the source */
-};
-
 #endif

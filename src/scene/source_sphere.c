@@ -1,0 +1,195 @@
+/* One sphere of a source: from its row to a particle's material, density, velocity and group, and to a place
+ * in the box; or why it cannot be one. */
+#include "scene/source_parts.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
+/* What a check needs to say which sphere it refuses. */
+struct subject {
+    const struct scene *scene;
+    int source;
+    const struct source_sphere *sphere;
+    struct error *error;
+};
+
+bool source_sphere_fail(const struct scene *scene, int source, const struct source_sphere *sphere,
+                        const char *text, struct error *error) {
+    const struct source_options *options = &scene->source[source];
+    char place[SCENE_PATH_MAX], key[96];
+    if (options->kind == SOURCE_FILE && sphere->line > 0)
+        return error_set(error, ERROR_USER, "%.700s:%ld: %s", options->file, sphere->line, text);
+    if (options->kind == SOURCE_FILE)
+        return error_set(error, ERROR_USER, "%.700s: particle %lld: %s", options->file, (long long)sphere->id,
+                         text);
+    source_key(source, options->kind == SOURCE_SINGLE ? "position" : "from", key, sizeof(key));
+    scene_place(scene, key, place, sizeof(place));
+    return error_set(error, ERROR_USER, "%.700s: %s: particle %lld: %s", place, key, (long long)sphere->id,
+                     text);
+}
+
+static __attribute__((format(printf, 2, 3))) bool fail(const struct subject *at, const char *format, ...) {
+    char text[200];
+    va_list list;
+    va_start(list, format);
+    vsnprintf(text, sizeof(text), format, list);
+    va_end(list);
+    return source_sphere_fail(at->scene, at->source, at->sphere, text, at->error);
+}
+
+struct source_sphere source_sphere_of(const struct source_options *options, const struct source_batch *batch,
+                                      size_t k) {
+    const struct rows *rows = &batch->rows;
+    struct source_sphere sphere = {.radius = rows->radius[k],
+                                   .material = rows->material ? rows->material[k] : 0,
+                                   .line = batch->line ? batch->line[k] : 0};
+    bool file = options->kind == SOURCE_FILE;
+    if (rows->mass && rows->mass[k] > 0)
+        sphere.density = rows->mass[k] / particles_sphere_mass(sphere.radius, 1);
+    for (int d = 0; d < 3; d++) {
+        sphere.x[d] =
+            file ? rows->position[k][d] * options->scale + options->offset[d] : rows->position[k][d];
+        sphere.v[d] = rows->velocity ? rows->velocity[k][d] : 0;
+        sphere.omega[d] = rows->angular_velocity ? rows->angular_velocity[k][d] : 0;
+        sphere.image[d] = rows->image ? rows->image[k][d] : 0;
+    }
+    if (file)
+        sphere.radius *= options->scale;
+    return sphere;
+}
+
+/* What no source may give. */
+static bool check_given(const struct subject *at) {
+    const struct source_sphere *sphere = at->sphere;
+    for (int d = 0; d < 3; d++)
+        if (!isfinite(sphere->x[d]) || !isfinite(sphere->v[d]) || !isfinite(sphere->omega[d]))
+            return fail(at, "position, velocity or spin is not a finite number");
+    if (!(sphere->radius > 0) || !isfinite(sphere->radius))
+        return fail(at, "the radius must be > 0 and finite");
+    if (sphere->id < 1)
+        return fail(at, "ids must be >= 1");
+    return true;
+}
+
+static bool choose_material(const struct subject *at, const struct source_batch *batch,
+                            struct source_sphere *sphere) {
+    const struct scene *scene = at->scene;
+    const struct source_options *options = &scene->source[at->source];
+    bool typed = batch->rows.material && !batch->materials_named;
+    if (options->material >= 0)
+        sphere->material = options->material;
+    else if (typed && options->type_count > 0) {
+        if (sphere->material < 0 || sphere->material >= options->type_count)
+            return fail(at, "type %d, but `types` names %d materials", sphere->material + 1,
+                        options->type_count);
+        sphere->material = options->type_material[sphere->material];
+    } else if (!batch->rows.material && scene->materials > 1) {
+        return fail(at, "has no material: the file names none, so the source needs `material`");
+    } else if (!batch->rows.material) {
+        sphere->material = 0;
+    }
+    if (sphere->material < 0 || sphere->material >= scene->materials)
+        return fail(at,
+                    "type %d, but the scene has %d materials (`types` or `material` of the source maps them)",
+                    sphere->material + 1, scene->materials);
+    return true;
+}
+
+static int select_group(const struct scene *scene, const struct source_sphere *sphere) {
+    int chosen = 0;
+    struct region_space space = {.dimension = scene->box.dimension};
+    for (int g = 1; g < scene->groups; g++) {
+        const struct scene_group *group = &scene->group[g];
+        bool in = group->selects && (group->material < 0 || group->material == sphere->material) &&
+                  sphere->radius > group->radius_above && sphere->radius <= group->radius_upto &&
+                  (!group->by_region || region_contains(&group->region, &space, sphere->x, 0));
+        bool listed = group->id_count == 0;
+        for (int k = 0; k < group->id_count && !listed; k++)
+            listed = group->id[k] == sphere->id;
+        if (in && listed)
+            chosen = g;
+    }
+    return chosen;
+}
+
+/* Density, velocity and group, once the material is known. */
+static bool complete(const struct subject *at, struct source_sphere *sphere) {
+    const struct scene *scene = at->scene;
+    const struct source_options *options = &scene->source[at->source];
+    if (options->density > 0)
+        sphere->density = options->density;
+    else if (!(sphere->density > 0))
+        sphere->density = scene->material[sphere->material].density;
+    struct random_sequence random = random_sequence(scene->seed, RANDOM_VELOCITY, (uint64_t)sphere->id);
+    for (int d = 0; d < 3; d++) {
+        bool flat = scene->box.dimension == 2 && d == 2;
+        sphere->v[d] +=
+            options->velocity[d] +
+            (options->velocity_sigma > 0 && !flat ? options->velocity_sigma * random_normal(&random) : 0);
+        sphere->omega[d] += options->omega[d];
+    }
+    if (scene->box.dimension == 2 && (sphere->v[2] != 0 || sphere->omega[0] != 0 || sphere->omega[1] != 0))
+        return fail(at, "moves out of the plane of a two-dimensional scene");
+    sphere->group = options->group >= 0 ? options->group : select_group(scene, sphere);
+    return true;
+}
+
+/* Puts the centre into the box: box-relative, wrapped, images counted. */
+static bool place_in_box(const struct subject *at, struct source_sphere *sphere, double x[3]) {
+    const struct box *box = &at->scene->box;
+    for (int d = 0; d < 3; d++) {
+        x[d] = sphere->x[d] - box->origin[d];
+        if (d == 2 && box->dimension == 2) {
+            x[d] = box->edge[d] / 2;
+            continue;
+        }
+        char axis = "xyz"[d];
+        int side = x[d] < 0 ? 0 : 1;
+        bool inside = x[d] >= 0 && x[d] <= box->edge[d];
+        if (!box->periodic[d] && !inside && box->leave[d][side] != BOX_KEEP)
+            return fail(at,
+                        "%c = %g lies outside of the box (%g to %g); allowed only with box.periodic or "
+                        "box.leave: keep",
+                        axis, sphere->x[d], at->scene->box_lower[d], at->scene->box_upper[d]);
+        if (!box->periodic[d])
+            continue;
+        double images = floor(x[d] / box->edge[d]);
+        if (fabs(images) > 1e6)
+            return fail(at, "%c = %g lies too many box lengths away", axis, sphere->x[d]);
+        x[d] -= images * box->edge[d];
+        if (x[d] >= box->edge[d]) {
+            x[d] = 0;
+            images++;
+        }
+        sphere->image[d] += (int32_t)images;
+        if (2 * sphere->radius >= box->edge[d])
+            return fail(at, "the diameter (%g) is not smaller than the periodic box in %c (%g)",
+                        2 * sphere->radius, axis, box->edge[d]);
+    }
+    return true;
+}
+
+/* Numbers that are finite, and yet of no use: squares and masses overflow, overlaps drown in rounding. */
+static bool check_range(const struct subject *at, const double x[3]) {
+    const struct source_sphere *sphere = at->sphere;
+    const double *v = sphere->v;
+    double mass = particles_sphere_mass(sphere->radius, sphere->density);
+    if (!isnormal(mass) || !isnormal(1 / mass))
+        return fail(at, "the mass that follows from radius and density is out of range");
+    if (!isfinite(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]))
+        return fail(at, "the speed is out of range");
+    for (int d = 0; d < at->scene->box.dimension; d++)
+        if (fabs(x[d]) * DBL_EPSILON > 1e-3 * sphere->radius)
+            return fail(
+                at, "so far from the lower corner of the box, rounding is above a thousandth of the radius");
+    return true;
+}
+
+bool source_sphere_complete(const struct scene *scene, int source, const struct source_batch *batch,
+                            struct source_sphere *sphere, double x[3], struct error *error) {
+    const struct subject at = {scene, source, sphere, error};
+    return check_given(&at) && choose_material(&at, batch, sphere) && complete(&at, sphere) &&
+           place_in_box(&at, sphere, x) && check_range(&at, x);
+}
