@@ -57,6 +57,38 @@ static void test_spring_round_an_edge(void **state) {
     world_close(&w);
 }
 
+/* Moving spheres of radius 0.4, at random wherever they do not lie deep in the walls of test_sums. */
+static void add_where_not_deep(struct world *w) {
+    unsigned seed = 4;
+    for (int i = 0; i < 3000; i++) {
+        double x[3];
+        for (int d = 0; d < 3; d++)
+            x[d] = 1.2 + 5.6 * hand_random(&seed);
+        bool deep = 0.6 * (x[1] - 5.5) + 0.8 * (x[2] - 1.0) < 0.2 || hypot(x[0] - 4.0, x[2] - 4.0) > 2.4;
+        if (deep)
+            continue;
+        struct particle_state *s = world_add(w, x[0], x[1], x[2], 0.4, 0.3);
+        for (int d = 0; d < 3; d++)
+            s->v[d] = hand_random(&seed) - 0.5;
+    }
+}
+
+/* Adds what a contact gives to its wall: force, and torque about the wall's centre. */
+static void add_to_wall(const struct world *w, const struct force_contact *contact, double sum[][6]) {
+    int i = (int)contact->id_i - 1, id = (int)-contact->id_j - 1;
+    const double *c = contact->normal, *f = contact->force, *x = w->particles->state[i].x;
+    struct wall_pose pose;
+    walls_pose(w->walls, id, &pose);
+    double lever = 0.4 - 0.5 * contact->overlap, arm[3];
+    assert_near(hand_length(c), 1.0, 1e-14);
+    for (int d = 0; d < 3; d++)
+        arm[d] = x[d] + lever * c[d] - pose.centre[d];
+    for (int d = 0; d < 3; d++) {
+        sum[id][d] += f[d];
+        sum[id][3 + d] += arm[(d + 1) % 3] * f[(d + 2) % 3] - arm[(d + 2) % 3] * f[(d + 1) % 3];
+    }
+}
+
 /* Every shape: the force on the wall is what the particles give, its torque about the centre agrees with the
  * contacts, and the contact list says the same. */
 static void test_sums(void **state) {
@@ -76,18 +108,7 @@ static void test_sums(void **state) {
     law.options.synchronised = false; /* then the list repeats the forces exactly */
     world_open(&w, hand_box(8.0), law, wall, 3, 2);
     remove(file);
-    unsigned seed = 4;
-    for (int i = 0; i < 3000; i++) {
-        double x[3];
-        for (int d = 0; d < 3; d++)
-            x[d] = 1.2 + 5.6 * hand_random(&seed);
-        bool deep = 0.6 * (x[1] - 5.5) + 0.8 * (x[2] - 1.0) < 0.2 || hypot(x[0] - 4.0, x[2] - 4.0) > 2.4;
-        if (deep)
-            continue;
-        struct particle_state *s = world_add(&w, x[0], x[1], x[2], 0.4, 0.3);
-        for (int d = 0; d < 3; d++)
-            s->v[d] = hand_random(&seed) - 0.5;
-    }
+    add_where_not_deep(&w);
     world_build(&w);
     world_forces(&w, 1e-4);
     double on_wall[3][6], sum[3][6] = {{0}}, on_particles[3] = {0};
@@ -96,20 +117,8 @@ static void test_sums(void **state) {
     walls_forces(w.walls, on_wall);
     assert_int_equal(n, w.sums.contacts);
     assert_int_equal(2 * n, w.sums.contact_sides);
-    for (size_t k = 0; k < n; k++) {
-        int i = (int)contact[k].id_i - 1, id = (int)-contact[k].id_j - 1;
-        const double *c = contact[k].normal, *f = contact[k].force, *x = w.particles->state[i].x;
-        struct wall_pose pose;
-        walls_pose(w.walls, id, &pose);
-        double lever = 0.4 - 0.5 * contact[k].overlap, arm[3];
-        assert_near(hand_length(c), 1.0, 1e-14);
-        for (int d = 0; d < 3; d++)
-            arm[d] = x[d] + lever * c[d] - pose.centre[d];
-        for (int d = 0; d < 3; d++) {
-            sum[id][d] += f[d];
-            sum[id][3 + d] += arm[(d + 1) % 3] * f[(d + 2) % 3] - arm[(d + 2) % 3] * f[(d + 1) % 3];
-        }
-    }
+    for (size_t k = 0; k < n; k++)
+        add_to_wall(&w, &contact[k], sum);
     for (size_t i = 0; i < w.particles->owned; i++)
         for (int d = 0; d < 3; d++)
             on_particles[d] += world_force(&w, i)[d];

@@ -104,15 +104,14 @@ static void resume_goes_on(void **state) {
     }
 }
 
-static void contacts_are_listed(void **state) {
-    struct team *team = *state;
-    struct fixture f;
+/* Two frames of contacts: three a rank in the first, two in the second, and one with a wall. */
+static void write_contacts(struct fixture *f) {
+    struct team *team = f->team;
     struct error error = {0};
-    fixture_make(&f, team, &box_3d, 0);
-    struct h5md_head head = head_of(&f, false);
+    struct h5md_head head = head_of(f, false);
     struct h5md *h5md = NULL;
-    h5md_open(&h5md, &team->comm, f.path, &head, -1, &error);
-    int rank = team->comm.rank, size = team->comm.size;
+    h5md_open(&h5md, &team->comm, f->path, &head, -1, &error);
+    int rank = team->comm.rank;
     for (int frame = 0; frame < 2; frame++) {
         struct force_contact contact[3], wall = {.id_i = rank + 1, .id_j = -4, .force = {0, 0, rank}};
         for (int k = 0; k < 3; k++)
@@ -124,31 +123,48 @@ static void contacts_are_listed(void **state) {
                                     .wall_count = 1,
                                     .particle = contact,
                                     .wall = &wall};
-        team_expect(team, h5md_write_contacts(h5md, &list, &f.cloud.box, &error), "%s", error.text);
+        team_expect(team, h5md_write_contacts(h5md, &list, &f->cloud.box, &error), "%s", error.text);
     }
-    write_frames(&f, h5md, 0, 1);
+    write_frames(f, h5md, 0, 1);
     team_expect(team, h5md_close(&h5md, &error), "%s", error.text);
-    if (rank == 0) {
+}
+
+/* Rows in the order of ranks; what is missing in the second frame has the ids -1. */
+static void expect_contacts(struct team *team, hid_t file) {
+    int size = team->comm.size;
+    double *ids = read_all(file, "/connectivity/contacts/value");
+    double *force = read_all(file, "/observables/contact_list/force/value");
+    double *wall = read_all(file, "/observables/wall_contact_list/wall/value");
+    double *count = read_all(file, "/observables/contact_list/count/value");
+    team_expect(team, count[0] == 3 * size && count[1] == 2 * size, "counts %g %g", count[0], count[1]);
+    for (int frame = 0; frame < 2; frame++)
+        for (int row = 0; row < 3 * size; row++) {
+            int each = 3 - frame, owner = row / each, k = row % each, place = frame * 3 * size + row;
+            bool there = row < each * size;
+            team_expect(team, ids[2 * place] == (there ? 10 * owner + k : -1), "id in row %d", row);
+            if (there)
+                team_expect(team, force[3 * place] == owner && force[3 * place + 1] == frame,
+                            "force in row %d", row);
+        }
+    team_expect(team, wall[0] == 3, "wall %g", wall[0]);
+    memory_free(ids);
+    memory_free(force);
+    memory_free(wall);
+    memory_free(count);
+}
+
+static void contacts_are_listed(void **state) {
+    struct team *team = *state;
+    struct fixture f;
+    fixture_make(&f, team, &box_3d, 0);
+    write_contacts(&f);
+    if (team->comm.rank == 0) {
         hid_t file = H5Fopen(f.path, H5F_ACC_RDONLY, H5P_DEFAULT);
-        hsize_t pairs[3] = {2, (hsize_t)(3 * size), 2};
+        hsize_t pairs[3] = {2, (hsize_t)(3 * team->comm.size), 2};
         expect_size(team, file, "/connectivity/contacts/value", 3, pairs);
         expect_same_object(team, file, "/connectivity/contacts/step", "/observables/contact_list/force/step");
         expect_same_object(team, file, "/connectivity/contacts/time", "/connectivity/wall_contacts/time");
-        double *ids = read_all(file, "/connectivity/contacts/value");
-        double *force = read_all(file, "/observables/contact_list/force/value");
-        double *wall = read_all(file, "/observables/wall_contact_list/wall/value");
-        double *count = read_all(file, "/observables/contact_list/count/value");
-        team_expect(team, count[0] == 3 * size && count[1] == 2 * size, "counts %g %g", count[0], count[1]);
-        for (int frame = 0; frame < 2; frame++)
-            for (int row = 0; row < 3 * size; row++) {
-                int each = 3 - frame, owner = row / each, k = row % each, place = frame * 3 * size + row;
-                bool there = row < each * size;
-                team_expect(team, ids[2 * place] == (there ? 10 * owner + k : -1), "id in row %d", row);
-                if (there)
-                    team_expect(team, force[3 * place] == owner && force[3 * place + 1] == frame,
-                                "force in row %d", row);
-            }
-        team_expect(team, wall[0] == 3, "wall %g", wall[0]);
+        expect_contacts(team, file);
         hid_t id =
             H5Aopen_by_name(file, "/connectivity/contacts", "particles_group", H5P_DEFAULT, H5P_DEFAULT);
         hobj_ref_t reference;
@@ -157,10 +173,6 @@ static void contacts_are_listed(void **state) {
         H5Rget_name(file, H5R_OBJECT, &reference, name, sizeof name);
         team_expect(team, strcmp(name, "/particles/all") == 0, "refers to %s", name);
         H5Aclose(id);
-        memory_free(ids);
-        memory_free(force);
-        memory_free(wall);
-        memory_free(count);
         H5Fclose(file);
     }
     fixture_free(&f);
