@@ -4,6 +4,7 @@
 # poses) must be that of brute on one rank and thread to the last bit; so must sums over particles in observables.csv.
 set -u
 . "$top_srcdir/tests/app/common.sh"
+. "$top_srcdir/tests/app/scenes.sh"
 cd "$out" || exit 1
 
 common='units: none
@@ -13,30 +14,10 @@ guards: {overlap_bound: 1.5, speed: off}
 domain: {name: brick}
 observables: {every: 10, list: [{name: momentum}, {name: angular_momentum}, {name: energy_kinetic}, {name: centre}, {name: contacts}]}
 '
-# Friction, rolling, a frozen particle, a wall that oscillates, one that is pushed until the force on it is right, a mesh
-printf 'solid step\nfacet normal 0 0 1\nouter loop\nvertex 1 1 1.5\nvertex 5 1 1.5\nvertex 3 5 1.5\nendloop\nendfacet\nendsolid\n' >step.stl
 {
     echo "$common"
-    cat <<'END'
-box: {lower: [0, 0, 0], upper: [6, 6, 9], periodic: [true, true, false]}
-gravity: [0, 0, -1]
-step: {dt: 0.001, count: 100}
-materials: [{name: soft, density: 1}, {name: hard, density: 2}]
-contact: {law: hooke, rolling: spring}
-material_pairs: [{restitution: 0.6, friction: 0.5, rolling_friction: 0.05, k_n: 1500}]
-walls:
-  - {name: floor, shape: plane, material: hard, point: [0, 0, 0.2], normal: [0, 0, 1],
-     motion: [{kind: oscillate, direction: [0, 0, 1], amplitude: 0.1, frequency: 5}]}
-  - {name: lid, shape: plane, material: hard, point: [0, 0, 8.2], normal: [0, 0, -1],
-     motion: [{kind: servo, direction: [0, 0, 1], force: 50, speed_max: 2}]}
-  - {name: step, shape: mesh, material: soft, file: step.stl}
-groups: [{name: stuck, motion: frozen, select: {ids: [12]}}]
-particles:
-  sources:
-    - {from: random, count: 12, material: hard, velocity_sigma: 4, sizes: 0.9, region: {shape: box, lower: [0, 0, 1.6], upper: [6, 6, 8]}}
-    - {from: random, count: 300, material: soft, velocity_sigma: 4, sizes: {law: uniform, min: 0.22, max: 0.35}, region: {shape: box, lower: [0, 0, 1.6], upper: [6, 6, 8]}}
-skin: {relative: 0.2}
-END
+    echo 'step: {dt: 0.001, count: 100}'
+    bed
 } >bed.yaml
 # Radii 10 : 1, Hertz's law
 {

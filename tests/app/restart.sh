@@ -3,33 +3,18 @@
 # duration; after SIGTERM and SIGKILL; files that go on where they stood.
 set -u
 . "$top_srcdir/tests/app/common.sh"
+. "$top_srcdir/tests/app/scenes.sh"
 cd "$out" || exit 1
 
-# Friction, rolling, two materials, periodic sides, an oscillating floor, a lid that is pushed down, a mesh, a group
-printf 'solid step\nfacet normal 0 0 1\nouter loop\nvertex 1 1 1.5\nvertex 5 1 1.5\nvertex 3 5 1.5\nendloop\nendfacet\nendsolid\n' >step.stl
-cat >scene.yaml <<'EOF'
+{
+    cat <<'EOF'
 units: none
-box: {lower: [0, 0, 0], upper: [6, 6, 9], periodic: [true, true, false]}
-gravity: [0, 0, -1]
 step: {dt: 0.001, count: 120}
-contact: {law: hooke, rolling: spring}
-materials: [{name: soft, density: 1}, {name: hard, density: 2}]
-material_pairs: [{restitution: 0.6, friction: 0.5, rolling_friction: 0.05, k_n: 1500}]
-walls:
-  - {name: floor, shape: plane, material: hard, point: [0, 0, 0.2], normal: [0, 0, 1],
-     motion: [{kind: oscillate, direction: [0, 0, 1], amplitude: 0.1, frequency: 5}]}
-  - {name: lid, shape: plane, material: hard, point: [0, 0, 8.2], normal: [0, 0, -1],
-     motion: [{kind: servo, direction: [0, 0, 1], force: 50, speed_max: 2}]}
-  - {name: step, shape: mesh, material: soft, file: step.stl}
-groups: [{name: stuck, motion: frozen, select: {ids: [12]}}]
-particles:
-  sources:
-    - {from: random, count: 12, material: hard, velocity_sigma: 4, sizes: 0.9, region: {shape: box, lower: [0, 0, 1.6], upper: [6, 6, 8]}}
-    - {from: random, count: 300, material: soft, velocity_sigma: 4, sizes: {law: uniform, min: 0.22, max: 0.35}, region: {shape: box, lower: [0, 0, 1.6], upper: [6, 6, 8]}}
-skin: {relative: 0.2}
 output: {checkpoint: {every: 80, keep: 9}}
 guards: {overlap_bound: 0.9}
 EOF
+    bed
+} >scene.yaml
 
 # contacts with history in a checkpoint, or the tests below would test nothing
 rows() {
@@ -42,11 +27,12 @@ contents() {
     head -c 8192 "$1" | grep -a '^dataset ' | awk '{ print $2, $4, $6 } END { exit NR < 20 }'
 }
 
-# same_layout RANKS THREADS: whole: 120 steps; then again from step 80
+# same_layout RANKS THREADS [NAME SETTINGS...]: whole: 120 steps; then again from step 80
 same_layout() {
-    local whole=whole-$1-$2 again=again-$1-$2
-    run_scene "$1" scene.yaml "$whole" --set threads="$2" || return 1
-    run_scene "$1" scene.yaml "$again" --set threads="$2" --resume "$whole/checkpoint-80.h5" || return 1
+    local whole=whole-$1-$2${3:-} again=again-$1-$2${3:-} ranks=$1 threads=$2
+    shift $(($# > 2 ? 3 : 2))
+    run_scene "$ranks" scene.yaml "$whole" --set threads="$threads" "$@" || return 1
+    run_scene "$ranks" scene.yaml "$again" --set threads="$threads" "$@" --resume "$whole/checkpoint-80.h5" || return 1
     [ "$(number "$again/report.json" steps)" = 40 ] || { echo '  not 40 steps'; return 1; }
     contents "$whole/checkpoint-120.h5" >whole.txt && contents "$again/checkpoint-120.h5" >again.txt || return 1
     diff whole.txt again.txt
@@ -55,6 +41,12 @@ same_layout() {
 for layout in '1 1' '1 2' '2 1' '2 2'; do
     check "resumed bit for bit on ranks x threads $layout" same_layout $layout
 done
+check 'resumed bit for bit under a bisection that follows the load' same_layout 3 1 -bisection \
+    --set domain.name=bisection --set domain.threshold=1.01
+divided() {
+    [ "$(number whole-3-1-bisection/report.json divisions)" -gt 0 ]
+}
+check 'it was divided anew on the way' divided
 # same_bits RANKS THREADS SETTING: the same 120 steps with another setting
 same_bits() {
     local other=other-$1-$2-$3
@@ -75,7 +67,7 @@ check 'more than fifty contacts between particles, five with walls are remembere
 
 # other_layout FROM TO: the same 20 steps on other ranks
 other_layout() {
-    local bound=1e-11 from=whole-$1-1
+    local bound=1e-11 from=whole-$1-1 ranks
     [ -e "$from" ] || run_scene "$1" scene.yaml "$from" --set threads=1 || return 1
     for ranks in "$1" "$2"; do
         run_scene "$ranks" scene.yaml "other-$ranks" --overwrite --set threads=1 --set output.dump.every=20 --set step.count=100 \
@@ -93,7 +85,7 @@ cat >frames.txt <<'EOF'
 --set output.trajectory.every=8 --set output.trajectory.contacts=16 --set output.dump.every=6 --set observables.every=4
 EOF
 files_go_on() {
-    local flags ranks=$1
+    local flags ranks=$1 dir file
     flags=$(cat frames.txt)
     run_scene "$ranks" scene.yaml "smooth$ranks" $flags || return 1
     run_scene "$ranks" scene.yaml "broken$ranks" $flags --set step.count=110 --set output.checkpoint.at_end=false || return 1
