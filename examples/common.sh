@@ -28,13 +28,12 @@ find_scree() {
 
 # on_ranks N COMMAND ...: also with more ranks than cores, and as root
 on_ranks() {
-    count=$1
-    shift
-    if [ "$count" = 1 ]; then
+    if [ "$1" = 1 ]; then
+        shift
         "$@"
     else
         OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "${MPIRUN:-mpirun}" --oversubscribe \
-            --bind-to none --mca mpi_yield_when_idle 1 --mca btl_vader_single_copy_mechanism none -n "$count" "$@"
+            --bind-to none --mca mpi_yield_when_idle 1 --mca btl_vader_single_copy_mechanism none -n "$@"
     fi
 }
 
