@@ -358,12 +358,34 @@ static void test_resume(void **state) {
     world_close(&d);
 }
 
+/* A contact that has ended leaves the room to the one that goes on: the sphere that has parted by more than
+ * the skin from one wall is a candidate of the other alone. */
+static void test_one_of_two_ends(void **state) {
+    (void)state;
+    struct wall_options wall[2] = {hand_plane(0, 0, 0, 1, 0, 0), hand_plane(0, 0, 0, 0, 0, 1)};
+    struct world w;
+    world_open(&w, hand_box(8.0), hand_law(LAW_HOOKE, 1.0, 1e6), wall, 2, 1);
+    struct particle_state *s = world_add(&w, 0.99, 4.0, 0.99, 1.0, 1.0);
+    world_rebuild(&w, NULL);
+    s->v[1] = 1.0;
+    world_forces(&w, 1e-4);
+    assert_int_equal(w.sums.contacts, 2);
+    s->v[1] = 0.0;
+    s->x[0] = 2.0;
+    world_rebuild(&w, NULL);
+    world_forces(&w, 1e-4);
+    assert_int_equal(w.sums.contacts, 1);
+    assert_near(world_force(&w, 0)[1], -2e4 / 7.0 * 1e-4, 1e-9);
+    world_close(&w);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_spring_round_an_edge),
                                        cmocka_unit_test(test_sums),
                                        cmocka_unit_test(test_threads),
                                        cmocka_unit_test(test_reorder),
                                        cmocka_unit_test(test_rows),
+                                       cmocka_unit_test(test_one_of_two_ends),
                                        cmocka_unit_test(test_energy),
                                        cmocka_unit_test(test_resume)};
     return cmocka_run_group_tests(tests, NULL, NULL);

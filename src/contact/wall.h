@@ -173,7 +173,8 @@ struct wall_rows {
     size_t count;
 };
 /* Before and after a rebuild: detach allocates `rows` (also when there is no history: then no row), attach
- * hands them to the new candidates; rows of walls or features that no longer exist are dropped. */
+ * hands them to the new candidates; rows of walls or features that no longer exist, and of walls that the
+ * particle is no longer near, are dropped. */
 void walls_detach(const struct walls *walls, const struct particles *particles, struct wall_rows *rows);
 void walls_attach(struct walls *walls, const struct wall_rows *rows, const struct particles *particles);
 void wall_rows_reorder(struct wall_rows *rows, const uint32_t *order, size_t owned);

@@ -101,24 +101,57 @@ static bool row_exists(const struct walls *walls, const struct wall_row *row) {
            (size_t)row->patch < walls_features(&walls->wall[row->wall]);
 }
 
-void walls_attach(struct walls *walls, const struct wall_rows *rows, const struct particles *particles) {
+static bool triangle_has(const struct wall_triangle *t, int32_t feature) {
+    bool has = t->patch == feature;
+    for (int c = 0; c < 3; c++)
+        has = has || t->edge[c] == feature || t->vertex[c] == feature;
+    return has;
+}
+
+/* What a row is to the pieces of candidate k. */
+enum row_place {
+    ROW_AWAY,   /* its wall is not among them: no contact can go on with it */
+    ROW_BESIDE, /* its wall is, its feature is not: a contact that crossed an edge may */
+    ROW_HERE
+};
+
+static enum row_place row_place(const struct walls *walls, size_t k, const struct wall_row *row) {
+    enum row_place place = ROW_AWAY;
+    for (size_t p = walls->first[k]; p < walls->first[k + 1] && place != ROW_HERE; p++) {
+        const struct wall_piece *piece = &walls->piece[p];
+        const struct wall_mesh *mesh = walls->wall[piece->wall].mesh;
+        if (piece->wall == row->wall)
+            place = mesh == NULL || triangle_has(&mesh->triangle[piece->triangle], row->patch) ? ROW_HERE
+                                                                                               : ROW_BESIDE;
+    }
+    return place;
+}
+
+/* Gives candidate k the rows [first, last) that stand to it as `place`, as far as there is room. */
+static void attach_rows(struct walls *walls, size_t k, const struct wall_row *first,
+                        const struct wall_row *last, enum row_place place) {
     struct wall_records *now = &walls->records[walls->now];
     size_t components = (size_t)walls->law->history_components;
+    size_t at = walls->first[k] + (size_t)now->count[k];
+    for (const struct wall_row *row = first; row < last && at < walls->first[k + 1]; row++) {
+        if (!row_exists(walls, row) || row_place(walls, k, row) != place)
+            continue;
+        now->key[at] = (struct wall_key){row->wall, row->patch};
+        memcpy(now->value + at * components, row->value, components * sizeof *row->value);
+        at++;
+    }
+    now->count[k] = (int32_t)(at - walls->first[k]);
+}
+
+void walls_attach(struct walls *walls, const struct wall_rows *rows, const struct particles *particles) {
     (void)particles; /* without assertions */
     assert(walls->candidates == 0 || walls->particle[walls->candidates - 1] < particles->owned);
-    if (components == 0 || rows->count == 0)
+    if (walls->law->history_components == 0 || rows->count == 0)
         return;
     for (size_t k = 0; k < walls->candidates; k++) {
-        size_t i = walls->particle[k], room = walls->first[k + 1] - walls->first[k], count = 0;
-        for (size_t r = rows->start[i]; r < rows->start[i + 1] && count < room; r++) {
-            const struct wall_row *row = &rows->row[r];
-            if (!row_exists(walls, row))
-                continue;
-            now->key[walls->first[k] + count] = (struct wall_key){row->wall, row->patch};
-            memcpy(now->value + (walls->first[k] + count) * components, row->value,
-                   components * sizeof *row->value);
-            count++;
-        }
-        now->count[k] = (int32_t)count;
+        const struct wall_row *first = rows->row + rows->start[walls->particle[k]];
+        const struct wall_row *last = rows->row + rows->start[walls->particle[k] + 1];
+        attach_rows(walls, k, first, last, ROW_HERE);
+        attach_rows(walls, k, first, last, ROW_BESIDE);
     }
 }
