@@ -265,6 +265,34 @@ static void test_periodic(void **state) {
     world_close(&w);
 }
 
+/* A finite tube along a periodic direction, as long as the box or nearly: one tube, whose seam is not felt.
+ */
+static void test_seam(void **state) {
+    (void)state;
+    const double length[5] = {3.9999, 4.0, 4.0001, 5.0, 7.9}, z[6] = {0.0, 3e-5, 0.1, 1.0, 2.0, 3.95};
+    struct box box = hand_box(4.0);
+    box.periodic[2] = true;
+    for (int k = 0; k < 5; k++) {
+        struct wall_options tube = {.name = "tube", .shape = WALL_CYLINDER, .point = {2, 2, 2}};
+        struct world w;
+        tube.axis[2] = 1.0;
+        tube.radius = 1.5;
+        tube.length = length[k];
+        tube.inside = true;
+        world_open(&w, box, hand_law(LAW_HOOKE, 0.5, 0.0), &tube, 1, 1);
+        for (int i = 0; i < 6; i++)
+            world_add(&w, 3.05, 2.0, z[i], 0.5, 1.0);
+        world_rebuild(&w, NULL);
+        world_forces(&w, 0.0);
+        for (int i = 0; i < 6; i++) {
+            assert_near(world_force(&w, (size_t)i)[0], -1e4 * 0.05, 0.1);
+            assert_near(world_force(&w, (size_t)i)[2], 0.0, 0.1);
+        }
+        assert_int_equal(w.sums.contacts, 6);
+        world_close(&w);
+    }
+}
+
 /* Beyond a plane the force grows on; a sphere in free flight costs nothing and feels nothing. */
 static void test_deep(void **state) {
     (void)state;
@@ -358,6 +386,7 @@ int main(void) {
                                        cmocka_unit_test(test_box),
                                        cmocka_unit_test(test_ridge),
                                        cmocka_unit_test(test_periodic),
+                                       cmocka_unit_test(test_seam),
                                        cmocka_unit_test(test_deep),
                                        cmocka_unit_test(test_overlap),
                                        cmocka_unit_test(test_refused)};

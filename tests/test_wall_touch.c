@@ -229,9 +229,36 @@ static void test_cylinder(void **state) {
     assert_false(wall_cylinder_touch(&tube, (struct law_vector){2.3, 0, 2.6}, 0.6, &touch));
 }
 
+/* Contacts with images of a tube end to end: the shell before the rim, equal points once; rims apart stay. */
+static void test_cylinder_images(void **state) {
+    (void)state;
+    struct wall_cylinder tube = {.axis = {0, 0, 1}, .radius = 2.0, .length = 4.0, .inside = true};
+    const double apart[4] = {4.0, 3.9, 4.0002, 4.3};
+    const size_t left[4] = {1, 1, 1, 2};
+    for (int k = 0; k < 4; k++) {
+        struct wall_touch touch[2];
+        double height = 0.5 * apart[k]; /* over the middle of the seam */
+        assert_true(wall_cylinder_touch(&tube, (struct law_vector){1.6, 0, height}, 0.5, &touch[0]));
+        assert_true(
+            wall_cylinder_touch(&tube, (struct law_vector){1.6, 0, height - apart[k]}, 0.5, &touch[1]));
+        touch[0].image = 1;
+        touch[1].image = 0;
+        assert_int_equal(wall_cylinder_resolve(&tube, touch, 2, 0.5), left[k]);
+        assert_near(touch->normal.x, apart[k] > 4.1 ? 0.4 / hypot(0.4, 0.15) : 1.0, 1e-6);
+        assert_int_equal(touch->image, k == 2 || k == 3 ? 1 : 0);
+    }
+    struct wall_touch touch[2]; /* a little beside the seam: the rim comes first here, the shell there */
+    assert_true(wall_cylinder_touch(&tube, (struct law_vector){1.6, 0, 2.1}, 0.5, &touch[0]));
+    assert_true(wall_cylinder_touch(&tube, (struct law_vector){1.6, 0, -1.9}, 0.5, &touch[1]));
+    assert_int_equal(touch[0].feature, WALL_CYLINDER_UPPER);
+    assert_int_equal(wall_cylinder_resolve(&tube, touch, 2, 0.5), 1);
+    assert_int_equal(touch->feature, WALL_CYLINDER_SHELL);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_nearest), cmocka_unit_test(test_convex),
-                                       cmocka_unit_test(test_concave), cmocka_unit_test(test_hidden),
-                                       cmocka_unit_test(test_notch),   cmocka_unit_test(test_cylinder)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_nearest),        cmocka_unit_test(test_convex),
+                                       cmocka_unit_test(test_concave),        cmocka_unit_test(test_hidden),
+                                       cmocka_unit_test(test_notch),          cmocka_unit_test(test_cylinder),
+                                       cmocka_unit_test(test_cylinder_images)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

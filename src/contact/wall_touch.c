@@ -194,6 +194,32 @@ bool wall_cylinder_touch(const struct wall_cylinder *cylinder, struct law_vector
     return touch->distance < radius && (cylinder->length == 0.0 || touch->distance > -radius);
 }
 
+/* The order in which contacts are taken, as nearest_compare's. */
+static bool touch_before(const struct wall_touch *a, const struct wall_touch *b) {
+    if (a->kind != b->kind)
+        return a->kind < b->kind;
+    if (a->distance != b->distance)
+        return a->distance < b->distance;
+    return a->feature != b->feature ? a->feature < b->feature : a->image < b->image;
+}
+
+size_t wall_cylinder_resolve(const struct wall_cylinder *cylinder, struct wall_touch *touch, size_t count,
+                             double radius) {
+    double tolerance = fmin(1e-6 * fmax(cylinder->radius, cylinder->length), 1e-3 * radius);
+    size_t taken = 0;
+    for (size_t k = 1; k < count; k++) {
+        struct wall_touch one = touch[k];
+        size_t at = k;
+        for (; at > 0 && touch_before(&one, &touch[at - 1]); at--)
+            touch[at] = touch[at - 1];
+        touch[at] = one;
+    }
+    for (size_t k = 0; k < count; k++)
+        if (!hidden(touch, taken, law_scale(touch[k].distance, touch[k].normal), tolerance))
+            touch[taken++] = touch[k];
+    return taken;
+}
+
 bool wall_cylinder_near(const struct wall_cylinder *cylinder, struct law_vector x, double reach) {
     struct polar polar = polar_of(cylinder, x);
     double gap = cylinder->inside ? cylinder->radius - polar.radius : polar.radius - cylinder->radius;

@@ -81,6 +81,12 @@ struct law_vector wall_cylinder_toward(const struct wall_cylinder *cylinder, int
 bool wall_cylinder_touch(const struct wall_cylinder *cylinder, struct law_vector x, double radius,
                          struct wall_touch *touch);
 
+/* Of the contacts of a sphere with images of a cylinder those that no other one hides, by the rule above
+ * (shell before rim, then by distance): where ends of images meet, or images overlap, they are one tube.
+ * `touch` is sorted and cut in place. Returns how many. */
+size_t wall_cylinder_resolve(const struct wall_cylinder *cylinder, struct wall_touch *touch, size_t count,
+                             double radius);
+
 /* True if a sphere comes nearer than `reach` from its centre to the cylinder. */
 bool wall_cylinder_near(const struct wall_cylinder *cylinder, struct law_vector x, double reach);
 

@@ -27,7 +27,7 @@ static size_t touch_cylinder(const struct walls *walls, const struct wall_piece 
         if (wall_cylinder_touch(&cylinder, here, radius, &touch[count]))
             touch[count++].image = piece[k].image;
     }
-    return count;
+    return count > 1 ? wall_cylinder_resolve(&cylinder, touch, count, radius) : count;
 }
 
 static size_t touch_mesh(const struct walls *walls, const struct wall_piece *piece, size_t pieces,
