@@ -17,14 +17,9 @@
 # whose names match this expression), WORK (keeps the packings) may be set.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../common.sh"
-. "$here/bench.sh"
 . "$here/packing.sh"
-quick=
-test "${1:-}" != --quick || quick=yes
-test $# = 0 || test -n "$quick" || { echo "usage: auto.sh [--quick]" >&2; exit 2; }
-bench=${BENCH:-$(dirname "$SCREE")/tests/index/bench_index}
-command -v "$bench" >/dev/null || { echo "no $bench here: make tests/index/bench_index, or set BENCH" >&2; exit 1; }
+quick_after 0 "auto.sh [--quick]" "$@"
+bench=$(built BENCH "${BENCH:-}" tests/index/bench_index)
 threads=${THREADS:-1}
 total=50000
 runs=${RUNS:-5}

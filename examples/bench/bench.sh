@@ -1,4 +1,39 @@
-# Sourced by the benchmarks (sh, after ../common.sh): what a run of either code tells about itself.
+# Sourced by the benchmarks (sh, with `here` set to this folder): how they are called and where they work; what a run of either
+# code tells about itself.
+
+. "$here/../common.sh"
+cores=${CORES:-$(env -u OMP_NUM_THREADS nproc)}
+work=${WORK:-${TMPDIR:-/tmp}/scree-bench}
+mkdir -p "$work"
+
+# wrong_call: says how the script is called, and ends it
+wrong_call() {
+    echo "usage: $usage" >&2
+    exit 2
+}
+
+# quick_after COUNT USAGE ARGUMENT...: there are COUNT arguments, then --quick or no more, which sets quick (yes or empty); else the
+# script ends with its usage
+quick_after() {
+    usage=$2
+    test $# -ge $(($1 + 2)) || wrong_call
+    shift $(($1 + 2))
+    quick=
+    test "${1:-}" != --quick || quick=yes
+    test $# = 0 || test -n "$quick" || wrong_call
+}
+
+# by_mode QUICK FULL: one of the two
+by_mode() {
+    if [ -n "$quick" ]; then echo "$1"; else echo "$2"; fi
+}
+
+# built VARIABLE VALUE PROGRAM: the value if it has one, else this program of the folder where scree was built; ends the script if
+# it is not there
+built() {
+    program=${2:-$(dirname "$SCREE")/$3}
+    command -v "$program" || { echo "no $program here: make $3, or set $1" >&2; exit 1; }
+}
 
 # lammps_figures LOG STEPS: loop seconds, Neigh seconds, rebuilds, pairs, kinetic energy after STEPS (thermo_style custom step ke)
 lammps_figures() {
@@ -66,14 +101,31 @@ table1_system() {
     esac
 }
 
-# lammps_unless_skipped SCRIPT: sets lammps, and with_lammps (empty with SKIP_LAMMPS=1, which is said); ends the script if it is missing
-lammps_unless_skipped() {
+# table1_cube EDGE: keys of a packing as dense as `table`, in a cube of this edge
+table1_cube() {
+    echo "$table" | awk -v edge="$1" '{
+        part = (edge / $1) ^ 3
+        printf "box=%g large=%d small=%d", edge, part * $2 + 0.5, part * $3 + 0.5 }'
+}
+
+# quick_edge R: of the cube for --quick, max(4 R, 80)
+quick_edge() {
+    echo $((4 * $1 > 80 ? 4 * $1 : 80))
+}
+
+# find_lammps [HINT]: sets lammps; ends the script if it is missing
+find_lammps() {
     lammps=${LAMMPS:-lmp}
-    with_lammps=yes
+    command -v "$lammps" >/dev/null || { echo "no $lammps here: apt-get install lammps${1:-}" >&2; exit 1; }
+}
+
+# lammps_unless_skipped SCRIPT: find_lammps, and with_lammps, which is empty with SKIP_LAMMPS=1; that is said
+lammps_unless_skipped() {
+    with_lammps=
     if [ -n "${SKIP_LAMMPS:-}" ]; then
-        with_lammps=
         echo "$1: LAMMPS is left out, as SKIP_LAMMPS asks" >&2
     else
-        command -v "$lammps" >/dev/null || { echo "no $lammps here: apt-get install lammps, or SKIP_LAMMPS=1" >&2; exit 1; }
+        find_lammps ", or SKIP_LAMMPS=1"
+        with_lammps=yes
     fi
 }

@@ -12,44 +12,18 @@
 # Needs LAMMPS (Debian: lammps). SCREE, LAMMPS (lmp), CORES (all), RUNS (5), WORK (a folder that keeps the packings) may be set.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../common.sh"
 . "$here/bench.sh"
 export OMP_NUM_THREADS=1
-
-usage() {
-    echo "usage: bidisperse.sh 10|20|40 [--quick]" >&2
-    exit 2
-}
-
-ratio=${1:-}
-quick=
-test "${2:-}" != --quick || quick=yes
-test $# = 1 || test -n "$quick" || usage
-case $ratio in
-10) table="205.9 250 711657" ;;
-20) table="314.15 111 2337678" ;;
-40) table="500.14 56 9624306" ;;
-*) usage ;;
-esac
-cores=${CORES:-$(env -u OMP_NUM_THREADS nproc)}
-runs=${RUNS:-${quick:+3}}
-runs=${runs:-5}
-steps=${quick:+48}
-steps=${steps:-100}
+quick_after 1 "bidisperse.sh 10|20|40 [--quick]" "$@"
+ratio=$1
+{ table1_system "$ratio" && [ "$ratio" -le 40 ]; } || wrong_call
+runs=${RUNS:-$(by_mode 3 5)}
+steps=$(by_mode 48 100)
 every=16
-lammps=${LAMMPS:-lmp}
-command -v "$lammps" >/dev/null || { echo "no $lammps here: apt-get install lammps" >&2; exit 1; }
-work=${WORK:-${TMPDIR:-/tmp}/scree-bench}
-mkdir -p "$work"
+find_lammps
 
-# a cube of the same density with an edge of max(4 R, 80)
 cube=
-if [ -n "$quick" ]; then
-    cube=$(echo "$table" | awk -v ratio="$ratio" '{
-        edge = 4 * ratio > 80 ? 4 * ratio : 80
-        part = (edge / $1) ^ 3
-        printf "box=%g large=%d small=%d", edge, part * $2 + 0.5, part * $3 + 0.5 }')
-fi
+test -z "$quick" || cube=$(table1_cube "$(quick_edge "$ratio")")
 data=$work/bidisperse-$ratio${quick:+-quick}.data
 if [ ! -s "$data" ]; then
     # shellcheck disable=SC2086

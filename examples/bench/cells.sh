@@ -18,25 +18,16 @@
 # max(4 R, 80), four sizes of cells.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../common.sh"
-. "$here/bench.sh"
 . "$here/packing.sh"
 export OMP_NUM_THREADS=1
-ratio=${1:-}
-quick=
-test "${2:-}" != --quick || quick=yes
-test $# = 1 || test -n "$quick" || { echo "usage: cells.sh 10|20|40 [--quick]" >&2; exit 2; }
-{ table1_system "$ratio" && [ "$ratio" -le 40 ]; } || { echo "usage: cells.sh 10|20|40 [--quick]" >&2; exit 2; }
+quick_after 1 "cells.sh 10|20|40 [--quick]" "$@"
+ratio=$1
+{ table1_system "$ratio" && [ "$ratio" -le 40 ]; } || wrong_call
 lammps_unless_skipped cells.sh
 bins="1.25 2.5 3.75 5 7.5 10"
 test -z "$quick" || bins="1.25 2.5 5 10"
 cube=
-if [ -n "$quick" ]; then
-    cube=$(echo "$table" | awk -v ratio="$ratio" '{
-        edge = 4 * ratio > 80 ? 4 * ratio : 80
-        part = (edge / $1) ^ 3
-        printf "box=%g large=%d small=%d", edge, part * $2 + 0.5, part * $3 + 0.5 }')
-fi
+test -z "$quick" || cube=$(table1_cube "$(quick_edge "$ratio")")
 # shellcheck disable=SC2086
 packed bidisperse ratio="$ratio" $cube velocity=1
 ranks=$cores

@@ -12,21 +12,13 @@
 # Needs LAMMPS (Debian: lammps). SCREE, LAMMPS (lmp), CORES (all), RUNS (5), WORK (a folder that keeps the bed) may be set.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../common.sh"
 . "$here/bench.sh"
-cores=${CORES:-$(env -u OMP_NUM_THREADS nproc)}
 export OMP_NUM_THREADS=1
-lammps=${LAMMPS:-lmp}
-command -v "$lammps" >/dev/null || { echo "no $lammps here: apt-get install lammps" >&2; exit 1; }
-work=${WORK:-${TMPDIR:-/tmp}/scree-bench}
-mkdir -p "$work"
+quick_after 0 "chute.sh [--quick]" "$@"
+find_lammps
 
 length=40 width=20 count=32000 steps=2000 runs=${RUNS:-5} name=chute
-case ${1:-} in
---quick) length=20 width=10 count=8000 steps=1000 runs=${RUNS:-3} name=chute-quick ;;
-'') ;;
-*) echo "usage: chute.sh [--quick]" >&2; exit 2 ;;
-esac
+test -z "$quick" || length=20 width=10 count=8000 steps=1000 runs=${RUNS:-3} name=chute-quick
 data=$work/$name.data
 
 # fill TEMPLATE STEPS DATA SKIN

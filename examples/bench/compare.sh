@@ -14,8 +14,6 @@
 # be set. --quick: a cube of edge 80, 5 pairs.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../common.sh"
-. "$here/bench.sh"
 . "$here/packing.sh"
 quick=
 if [ "${1:-}" = --quick ]; then
@@ -28,8 +26,7 @@ second=$2
 program_a=$SCREE
 program_b=${SCREE_B:-$SCREE}
 threads=${THREADS:-$cores}
-pairs=${PAIRS:-${quick:+5}}
-pairs=${pairs:-11}
+pairs=${PAIRS:-$(by_mode 5 11)}
 steps=96
 law=${SCENE_LAW:-bidisperse ratio=10 velocity=1}
 test -z "$quick" || law=${SCENE_LAW:-bidisperse ratio=10 box=80 large=15 small=41744 velocity=1}

@@ -16,41 +16,30 @@
 # LAMMPS out. Where memory is short, fewer particles are taken, and that is said.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../common.sh"
-. "$here/bench.sh"
 . "$here/packing.sh"
 export OMP_NUM_THREADS=1
-
-usage() {
-    echo "usage: continuous.sh dunkirk 10|20|40 [--quick]; continuous.sh exponential 50 [--quick]" >&2
-    exit 2
-}
-name=${1:-}
-ratio=${2:-}
-quick=
-test "${3:-}" != --quick || quick=yes
-test $# = 2 || test -n "$quick" || usage
+quick_after 2 "continuous.sh dunkirk 10|20|40 [--quick]; continuous.sh exponential 50 [--quick]" "$@"
+name=$1
+ratio=$2
 case $name:$ratio in
 dunkirk:10) published=712333 keys="sand ratio=10" ;;
 dunkirk:20) published=2336380 keys="sand ratio=20" ;;
 dunkirk:40) published=9591137 keys="sand ratio=40" ;;
 exponential:50) published=5040560 keys="exponential ratio=50" ;;
-*) usage ;;
+*) wrong_call ;;
 esac
 case $name in
 dunkirk) separations=$(for x in 0.1 0.15 0.2 0.25 0.3 0.35 0.4 0.5 0.6 0.8; do calc "1 + $x * ($ratio - 1)" && echo; done) ;;
 *) separations="1.5 2 3 4 5 6 7 8 10 12" ;;
 esac
 levels="1 2 3 4 5 6 7 8"
-runs=${RUNS:-${quick:+1}}
-runs=${runs:-5}
+runs=${RUNS:-$(by_mode 1 5)}
 every=4
 if [ -n "$quick" ]; then
     separations=$(echo "$separations" | tr ' ' '\n' | sed -n '2p;4p;6p;8p')
     levels="1 2 3 5 8"
 fi
-count=${COUNT:-${quick:+60000}}
-count=${count:-$published}
+count=${COUNT:-$(by_mode 60000 "$published")}
 lammps_unless_skipped continuous.sh
 # both codes in turn: 1,000 bytes a particle are enough for the larger of them
 until memory_for $((count * 1000)); do

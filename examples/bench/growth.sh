@@ -13,15 +13,10 @@
 # the first series), SMALL (small ones of the others), WORK (keeps the packings) may be set.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../common.sh"
-. "$here/bench.sh"
 . "$here/packing.sh"
-quick=
-test "${1:-}" != --quick || quick=yes
-test $# = 0 || test -n "$quick" || { echo "usage: growth.sh [--quick]" >&2; exit 2; }
+quick_after 0 "growth.sh [--quick]" "$@"
 threads=${THREADS:-$cores}
-runs=${RUNS:-${quick:+3}}
-runs=${runs:-5}
+runs=${RUNS:-$(by_mode 3 5)}
 steps=96
 numbers="10000 100000 1000000 10000000"
 small=200000

@@ -1,9 +1,7 @@
-# Sourced by the benchmarks of packings (sh, after ../common.sh and bench.sh): makes packings, runs packing.yaml on them.
+# Sourced by the benchmarks of packings (sh, with `here` set to this folder): makes packings, runs packing.yaml on them.
 
+. "$here/bench.sh"
 export OMP_WAIT_POLICY=passive LC_ALL=C
-cores=${CORES:-$(env -u OMP_NUM_THREADS nproc)}
-work=${WORK:-${TMPDIR:-/tmp}/scree-bench}
-mkdir -p "$work"
 
 # memory_for BYTES: does this machine have so much free?
 memory_for() {

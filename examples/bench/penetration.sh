@@ -9,22 +9,14 @@
 # Needs LAMMPS (Debian: lammps). SCREE, LAMMPS (lmp), CORES (all), RUNS (1, quick 3), WORK may be set.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../common.sh"
 . "$here/bench.sh"
-case=$here/../penetration
-cores=${CORES:-$(env -u OMP_NUM_THREADS nproc)}
 export OMP_NUM_THREADS=1
-lammps=${LAMMPS:-lmp}
-command -v "$lammps" >/dev/null || { echo "no $lammps here: apt-get install lammps" >&2; exit 1; }
-work=${WORK:-${TMPDIR:-/tmp}/scree-bench}
-mkdir -p "$work"
+quick_after 0 "penetration.sh [--quick]" "$@"
+find_lammps
+case=$here/../penetration
 
 z=0.06 v=-5 steps=200000 runs=${RUNS:-1}
-case ${1:-} in
---quick) z=-0.0445615 v=-5.201105 steps=2000 runs=${RUNS:-3} ;;
-'') ;;
-*) echo "usage: penetration.sh [--quick]" >&2; exit 2 ;;
-esac
+test -z "$quick" || z=-0.0445615 v=-5.201105 steps=2000 runs=${RUNS:-3}
 
 tsuji() { awk -v e="$1" -f "$case/lammps/tsuji.awk"; }
 awk -v z=$z -v vz=$v -f "$case/lammps/data.awk" "$case/particles.txt" >"$work/penetration.data"

@@ -25,16 +25,10 @@
 # SCREE, CORES (all), RUNS (5; quick: 3), WORK may be set.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../common.sh"
-. "$here/bench.sh"
 . "$here/packing.sh"
-quick=
-test "${1:-}" != --quick || quick=yes
-test $# = 0 || test -n "$quick" || { echo "usage: roofline.sh [--quick]" >&2; exit 2; }
-triad=${TRIAD:-$(dirname "$SCREE")/tests/bench_triad}
-command -v "$triad" >/dev/null || { echo "no $triad here: make tests/bench_triad, or set TRIAD" >&2; exit 1; }
-runs=${RUNS:-${quick:+3}}
-runs=${runs:-5}
+quick_after 0 "roofline.sh [--quick]" "$@"
+triad=$(built TRIAD "${TRIAD:-}" tests/bench_triad)
+runs=${RUNS:-$(by_mode 3 5)}
 steps=96
 every=16
 cube=

@@ -9,23 +9,15 @@
 # SCREE, THREADS (all cores), RUNS (3; quick: 1), WORK (keeps the packings) may be set.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../common.sh"
-. "$here/bench.sh"
 . "$here/packing.sh"
-ratio=${1:-}
-quick=
-test "${2:-}" != --quick || quick=yes
-test $# = 1 || test -n "$quick" || { echo "usage: table1.sh 10|20|40|80|100 [--quick]" >&2; exit 2; }
-table1_system "$ratio" || { echo "usage: table1.sh 10|20|40|80|100 [--quick]" >&2; exit 2; }
+quick_after 1 "table1.sh 10|20|40|80|100 [--quick]" "$@"
+ratio=$1
+table1_system "$ratio" || wrong_call
 threads=${THREADS:-$cores}
-runs=${RUNS:-${quick:+1}}
-runs=${runs:-3}
+runs=${RUNS:-$(by_mode 1 3)}
 steps=32
 every=16
-cube=$(echo "$table" | awk -v ratio="$ratio" -v quick="$quick" '{
-    edge = quick ? (4 * ratio > 80 ? 4 * ratio : 80) : $1
-    part = (edge / $1) ^ 3
-    printf "box=%g large=%d small=%d", edge, part * $2 + 0.5, part * $3 + 0.5 }')
+cube=$(table1_cube "$(by_mode "$(quick_edge "$ratio")" "${table%% *}")")
 expected=$(echo "$cube" | awk '{ split($2, a, "="); split($3, b, "="); print a[2] + b[2] }')
 known=$work/table1.bytes # bytes a particle of the last system that ran
 if ! memory_for $((expected * 400)); then

@@ -18,26 +18,16 @@
 # COUNT (particles), WORK may be set.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
-. "$here/../common.sh"
-. "$here/bench.sh"
 . "$here/packing.sh"
-usage() {
-    echo "usage: univol.sh NU [--quick]" >&2
-    exit 2
-}
-nu=${1:-}
-quick=
-test "${2:-}" != --quick || quick=yes
-test $# = 1 || test -n "$quick" || usage
+quick_after 1 "univol.sh NU [--quick]" "$@"
+nu=$1
 case $nu in
 0.[0-9]*) ;;
-*) usage ;;
+*) wrong_call ;;
 esac
-bench=${BENCH:-$(dirname "$SCREE")/tests/index/bench_index}
-command -v "$bench" >/dev/null || { echo "no $bench here: make tests/index/bench_index, or set BENCH" >&2; exit 1; }
+bench=$(built BENCH "${BENCH:-}" tests/index/bench_index)
 threads=${THREADS:-1}
-runs=${RUNS:-${quick:+3}}
-runs=${runs:-5}
+runs=${RUNS:-$(by_mode 3 5)}
 levels="1 2 3 4 5 6 7 8 9 10 12 14 16 18 20 22 24 26 28 30 32"
 step_levels="1 2 3 4 5 6 8 10 16 32"
 count=125001
