@@ -246,6 +246,28 @@ static void test_servo(void **state) {
     wall_mover_destroy(&m);
 }
 
+/* What turns a servo's displacement turns the direction of the force that it looks at: by a quarter from t =
+ * 1 on; what comes before it does not. */
+static void test_servo_turned(void **state) {
+    (void)state;
+    struct wall_motion servo = {
+        .kind = WALL_SERVO, .stop = INFINITY, .direction = {0.0, 0.0, 1.0}, .force = 10.0, .speed_max = 0.5};
+    struct wall_motion turn = {
+        .kind = WALL_ROTATE, .stop = 1.0, .direction = {0.0, 1.0, 0.0}, .rate = 0.5 * M_PI};
+    struct law_vector push = {10.0, 0.0, 0.0}; /* along z when it has turned */
+    struct wall_options o = {.motions = 2, .motion = {servo, turn}};
+    struct wall_mover *m = mover(&o);
+    assert_near(wall_mover_servo_speed(m, 0.0, push), -0.5, 1e-15);
+    assert_near(wall_mover_servo_speed(m, 2.0, push), 0.0, 1e-15);
+    assert_point(wall_mover_twist(m, 2.0, 1e-3, 0.1, 0.3).velocity, 0.3, 0.0, 0.0, 1e-15);
+    wall_mover_destroy(&m);
+    o = (struct wall_options){.motions = 2, .motion = {turn, servo}};
+    m = mover(&o);
+    assert_near(wall_mover_servo_speed(m, 2.0, push), -0.5, 1e-15);
+    assert_point(wall_mover_twist(m, 2.0, 1e-3, 0.1, 0.3).velocity, 0.0, 0.0, 0.3, 1e-15);
+    wall_mover_destroy(&m);
+}
+
 static void test_transforms(void **state) {
     (void)state;
     struct wall_options o = {.motions = 1};
@@ -268,10 +290,11 @@ static void test_transforms(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_translate),  cmocka_unit_test(test_rotate),
-                                       cmocka_unit_test(test_velocities), cmocka_unit_test(test_order),
-                                       cmocka_unit_test(test_oscillate),  cmocka_unit_test(test_table),
-                                       cmocka_unit_test(test_bad),        cmocka_unit_test(test_servo),
-                                       cmocka_unit_test(test_transforms)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_translate),    cmocka_unit_test(test_rotate),
+        cmocka_unit_test(test_velocities),   cmocka_unit_test(test_order),
+        cmocka_unit_test(test_oscillate),    cmocka_unit_test(test_table),
+        cmocka_unit_test(test_bad),          cmocka_unit_test(test_servo),
+        cmocka_unit_test(test_servo_turned), cmocka_unit_test(test_transforms)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -36,7 +36,8 @@ enum wall_motion_kind {
     WALL_OSCILLATE_ROTATION, /* angle amplitude about a point and axis */
     WALL_TABLE, /* pose against time from a file: t x y z angle_x angle_y angle_z (rotation vector), linear
                    between rows */
-    WALL_SERVO  /* along a direction, so that the force on the wall along it becomes `force` */
+    WALL_SERVO  /* along a direction, so that the force on the wall along it becomes `force`; motions behind
+                   it turn the direction */
 };
 
 /* One motion. Outside of start ... stop it rests where it was last: displacement and angle are functions of

@@ -240,12 +240,22 @@ bool wall_mover_has_servo(const struct wall_mover *mover) {
     return mover_servo(mover) >= 0;
 }
 
+/* The direction of servo k as the motions behind it have turned it at time t. */
+static struct law_vector servo_direction(const struct wall_mover *mover, int k, double t) {
+    struct law_vector direction = wall_vector(mover->motion[k].direction);
+    for (int behind = k + 1; behind < mover->motions; behind++) {
+        struct wall_transform one = motion_place(mover, behind, t, 0.0);
+        direction = wall_turn(one.rotation, direction);
+    }
+    return direction;
+}
+
 double wall_mover_servo_speed(const struct wall_mover *mover, double t, struct law_vector force) {
     int k = mover_servo(mover);
     if (k < 0 || t < mover->motion[k].start || t >= mover->motion[k].stop)
         return 0.0;
     const struct wall_motion *servo = &mover->motion[k];
-    double along = law_dot(force, wall_vector(servo->direction));
+    double along = law_dot(force, servo_direction(mover, k, t));
     double gain = servo->gain > 0.0 ? servo->gain : servo->speed_max;
     double speed = gain * (along - servo->force) / fabs(servo->force);
     return speed > servo->speed_max    ? servo->speed_max

@@ -74,8 +74,8 @@ struct wall_twist wall_mover_twist(const struct wall_mover *mover, double t, dou
                                    double servo_speed);
 
 bool wall_mover_has_servo(const struct wall_mover *mover);
-/* Speed along the servo's direction for the step that starts at t, from the force on the wall; 0 without a
- * servo or outside of its span. */
+/* Speed along the servo's direction, which the motions behind it turn, for the step that starts at t, from
+ * the force on the wall; 0 without a servo or outside of its span. */
 double wall_mover_servo_speed(const struct wall_mover *mover, double t, struct law_vector force);
 
 /* The point about which the wall turns first (box-relative); false if it never turns. */
