@@ -152,6 +152,62 @@ static const struct bad_setting settings[] = {
     {{"box.upper=[0, 1, 1]"}, "command line: box.upper: ", {"x: 0 is not above"}},
     {{"box.periodic=[true, true]"}, "command line: box.periodic: ", {"not three values"}},
     {{"box.dimension=4"}, "command line: box.dimension: ", {"from 2 to 3"}},
+    {{"box.dimension=2", "gravity=[0, 0]", "insertions=[{sizes: 1 mm, rate: 3, velocity: [0, 0, 3]}]"},
+     "command line: insertions[0].velocity: ",
+     {"z component (3)", "[x, y, 0]"}},
+    {{"box.dimension=2", "gravity=[0, 0]", "insertions=[{sizes: 1 mm, rate: 3, omega: [5, 0, 0]}]"},
+     "command line: insertions[0].omega: ",
+     {"out of the plane", "[0, 0, z]"}},
+    {{"box.dimension=2", "gravity=[0, 0]",
+      "groups=[{name: a, motion: moving, omega: [0, 2, 0], select: {ids: [1]}}]"},
+     "command line: groups[0].omega: ",
+     {"out of the plane", "[0, 0, z]"}},
+    {{"box.dimension=2", "gravity=[0, 0]",
+      "groups=[{name: a, motion: moving, velocity: [0, 2, 1], select: {ids: [1]}}]"},
+     "command line: groups[0].velocity: ",
+     {"z component (1)"}},
+    {{"box.dimension=2", "gravity=[0, 0]", "particles.omega=[1, 0, 0]"},
+     "command line: particles.sources[0].omega: ",
+     {"out of the plane", "[0, 0, z]"}},
+    {{"box.dimension=2", "gravity=[0, 0]", "walls[0]={shape: plane, point: [0, 0, 0], normal: [0, 3, 4]}"},
+     "command line: walls[0].normal: ",
+     {"z component (0.8)", "[x, y, 0], or along z where the box ends"}},
+    {{"box.dimension=2", "gravity=[0, 0]", "walls[0]={shape: plane, point: [0, 0, 1 mm], normal: [0, 0, 1]}"},
+     "command line: walls[0].normal: ",
+     {"z component (1)", "where the box ends"}},
+    {{"box.dimension=2", "gravity=[0, 0]",
+      "walls[0]={shape: plane, point: [0, 0, 1 mm], normal: [0, 0, -1]}"},
+     "command line: walls[0].normal: ",
+     {"z component (-1)", "where the box ends"}},
+    {{"box.dimension=2", "gravity=[0, 0]",
+      "walls[0]={shape: cylinder, point: [0, 0, 0], axis: [0, 1, 1], radius: 1 mm}"},
+     "command line: walls[0].axis: ",
+     {"leans out of the plane", "[0, 0, 1] or [x, y, 0]"}},
+    {{"box.dimension=2", "gravity=[0, 0]",
+      "walls[0]={shape: plane, point: [0, 0, 0], normal: [0, 1], motion: [{kind: translate, velocity: [0, 1, "
+      "1]}]}"},
+     "command line: walls[0].motion[0].velocity: ",
+     {"z component (1)", "[x, y, 0]"}},
+    {{"box.dimension=2", "gravity=[0, 0]",
+      "walls[0]={shape: plane, point: [0, 0, 0], normal: [0, 1], motion: [{kind: rotate, direction: [0, 1, "
+      "1], rate: 1}]}"},
+     "command line: walls[0].motion[0].direction: ",
+     {"turns out of the plane", "[0, 0, z]"}},
+    {{"box.dimension=2", "gravity=[0, 0]",
+      "walls[0]={shape: plane, point: [0, 0, 0], normal: [0, 1], motion: [{kind: oscillate_rotation, "
+      "direction: [1, 0, 0], angle: 1, frequency: 1}]}"},
+     "command line: walls[0].motion[0].direction: ",
+     {"turns out of the plane"}},
+    {{"box.dimension=2", "gravity=[0, 0]",
+      "walls[0]={shape: plane, point: [0, 0, 0], normal: [0, 1], motion: [{kind: oscillate, direction: [0, "
+      "0, 1], amplitude: 1, frequency: 1}]}"},
+     "command line: walls[0].motion[0].direction: ",
+     {"z component"}},
+    {{"box.dimension=2", "gravity=[0, 0]",
+      "walls[0]={shape: plane, point: [0, 0, 0], normal: [0, 1], motion: [{kind: servo, direction: [0, 0, "
+      "1], force: 1, speed_max: 1}]}"},
+     "command line: walls[0].motion[0].direction: ",
+     {"z component"}},
     {{"box.dimension=2"}, "case/scene.yaml:2: gravity: ", {"z component", "two-dimensional"}},
     {{"box.dimension=2", "gravity=[0, 0]", "box.periodic=[true, true, true]"},
      "command line: box.periodic: ",
@@ -276,8 +332,26 @@ static void bad_wholes(void **state) {
     check_message(&error, "case/scene.yaml:1: ", (const char *const[3]){"must be a section"}, "a list");
 }
 
+/* What stays in the plane is good. */
+static void good_planes(void **state) {
+    (void)state;
+    const char *const set[] = {
+        "box.dimension=2",
+        "gravity=[0, -9.81]",
+        "insertions=[{sizes: 1 mm, rate: 3, velocity: [1, 2], omega: [0, 0, 3]}]",
+        "walls[0]={shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}",
+        "walls[1]={shape: plane, point: [0, 0, 20 mm], normal: [0, 0, -1]}",
+        "walls[2]={shape: cylinder, point: [5 mm, 5 mm, 0], axis: [0, 0, 1], radius: 4 mm, motion: [{kind: "
+        "rotate, direction: [0, 0, 1], rate: 1}, {kind: oscillate, direction: [1, 1], amplitude: 1 mm, "
+        "frequency: 1}]}",
+        NULL};
+    struct scene *scene = good_scene(GOOD_SCENE, set);
+    assert_int_equal(scene->walls, 3);
+    scene_free(&scene);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(bad_lines), cmocka_unit_test(bad_settings),
-                                       cmocka_unit_test(bad_wholes)};
+                                       cmocka_unit_test(bad_wholes), cmocka_unit_test(good_planes)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -268,6 +268,26 @@ static void test_servo_turned(void **state) {
     wall_mover_destroy(&m);
 }
 
+/* Tables that stay in the plane, and others. */
+static void test_flat(void **state) {
+    (void)state;
+    const char *const rows[] = {"0 0 0 0 0 0 0\n1 2 3 0 0 0 4\n", "0 0 0 0 0 0 0\n1 2 3 4 0 0 0\n",
+                                "0 0 0 0 0 0 0\n1 0 0 0 1 0 0\n", "0 0 0 0 0 0 0\n1 0 0 0 0 1 0\n"};
+    for (int k = 0; k < 4; k++) {
+        struct wall_options o = {.motions = 1, .motion = {{.kind = WALL_TABLE, .stop = INFINITY}}};
+        struct error error = {0};
+        char file[64];
+        snprintf(o.motion[0].table, sizeof o.motion[0].table, "%s",
+                 hand_file(file, "flat", rows[k], strlen(rows[k])));
+        struct wall_mover *m = mover(&o);
+        assert_true(wall_mover_flat(m, &error) == (k == 0));
+        if (k > 0)
+            assert_non_null(strstr(error.text, "flat:2: leaves the plane"));
+        wall_mover_destroy(&m);
+        remove(file);
+    }
+}
+
 static void test_transforms(void **state) {
     (void)state;
     struct wall_options o = {.motions = 1};
@@ -290,11 +310,11 @@ static void test_transforms(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_translate),    cmocka_unit_test(test_rotate),
-        cmocka_unit_test(test_velocities),   cmocka_unit_test(test_order),
-        cmocka_unit_test(test_oscillate),    cmocka_unit_test(test_table),
-        cmocka_unit_test(test_bad),          cmocka_unit_test(test_servo),
-        cmocka_unit_test(test_servo_turned), cmocka_unit_test(test_transforms)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_translate),    cmocka_unit_test(test_rotate),
+                                       cmocka_unit_test(test_velocities),   cmocka_unit_test(test_order),
+                                       cmocka_unit_test(test_oscillate),    cmocka_unit_test(test_table),
+                                       cmocka_unit_test(test_bad),          cmocka_unit_test(test_servo),
+                                       cmocka_unit_test(test_servo_turned), cmocka_unit_test(test_flat),
+                                       cmocka_unit_test(test_transforms)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -333,6 +333,18 @@ bool wall_mover_create(struct wall_mover **mover, const struct wall_options *opt
     return true;
 }
 
+bool wall_mover_flat(const struct wall_mover *mover, struct error *error) {
+    for (int k = 0; k < mover->motions; k++)
+        for (size_t row = 0; row < mover->table[k].rows; row++) {
+            const double *value = mover->table[k].value + row * TABLE_COLUMNS;
+            if (value[3] != 0.0 || value[4] != 0.0 || value[5] != 0.0)
+                return error_set(error, ERROR_USER,
+                                 "%s:%u: leaves the plane of a two-dimensional scene; allowed: t x y 0 0 0 c",
+                                 mover->motion[k].table, mover->table[k].line[row]);
+        }
+    return true;
+}
+
 void wall_mover_destroy(struct wall_mover **mover) {
     if (*mover == NULL)
         return;

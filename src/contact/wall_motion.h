@@ -63,6 +63,8 @@ struct wall_mover;
  * a span that ends before it starts. One thread. Destroy frees and nulls. */
 bool wall_mover_create(struct wall_mover **mover, const struct wall_options *options, const double origin[3],
                        struct error *error);
+/* In two dimensions: fails (user; file and line) on a table that moves along z or turns about x or y. */
+bool wall_mover_flat(const struct wall_mover *mover, struct error *error);
 void wall_mover_destroy(struct wall_mover **mover);
 
 /* M(t), with the servo displaced by servo_offset. */

@@ -83,7 +83,8 @@ static bool wall_create(struct wall *wall, const struct wall_options *options, c
     wall->base = wall->pose = wall->built = wall_transform_identity();
     bool good = options->shape == WALL_MESH ? wall_read_mesh(wall, box, notes, error)
                                             : wall_set_shape(wall, box, error);
-    if (!good || !wall_mover_create(&wall->mover, options, box->origin, error))
+    if (!good || !wall_mover_create(&wall->mover, options, box->origin, error) ||
+        (box->dimension == 2 && !wall_mover_flat(wall->mover, error)))
         return false;
     if (!wall_mover_pivot(wall->mover, &wall->centre))
         wall->centre = wall->mesh ? wall->mesh->centre : wall->point;

@@ -4,31 +4,102 @@
 #include <math.h>
 #include <string.h>
 
-static bool check_plane_motion(const struct scene *scene, struct error *error) {
+/* In two dimensions: what moves has no z component. */
+static bool check_moves(const struct scene *scene, const double v[3], const char *key, struct error *error) {
+    return v[2] == 0 ||
+           finish_fail(scene, error, key,
+                       "has a z component (%g) in a two-dimensional scene; allowed: [x, y, 0]", v[2]);
+}
+
+/* And what turns does so about z. */
+static bool check_turns(const struct scene *scene, const double v[3], const char *key, struct error *error) {
+    return (v[0] == 0 && v[1] == 0) ||
+           finish_fail(scene, error, key,
+                       "turns out of the plane of a two-dimensional scene; allowed: [0, 0, z]");
+}
+
+/* Velocity and spin of a source, group or insertion. */
+static bool check_plane_pair(const struct scene *scene, const double velocity[3], const double omega[3],
+                             const char *section, struct error *error) {
+    char key[96];
+    snprintf(key, sizeof(key), "%s.velocity", section);
+    if (!check_moves(scene, velocity, key, error))
+        return false;
+    snprintf(key, sizeof(key), "%s.omega", section);
+    return check_turns(scene, omega, key, error);
+}
+
+static bool check_plane_motion(const struct scene *scene, const struct wall_motion *motion,
+                               const char *section, struct error *error) {
+    char key[96];
+    snprintf(key, sizeof(key), "%s.%s", section, motion->kind == WALL_TRANSLATE ? "velocity" : "direction");
+    switch (motion->kind) {
+    case WALL_TRANSLATE:
+        return check_moves(scene, motion->velocity, key, error);
+    case WALL_ROTATE:
+    case WALL_OSCILLATE_ROTATION:
+        return check_turns(scene, motion->direction, key, error);
+    case WALL_OSCILLATE:
+    case WALL_SERVO:
+        return check_moves(scene, motion->direction, key, error);
+    case WALL_TABLE: /* known when the walls are made */
+        break;
+    }
+    return true;
+}
+
+/* A plane stands upright, or bounds z where the box ends; a cylinder stands or lies. */
+static bool check_plane_wall(const struct scene *scene, int w, struct error *error) {
+    const struct wall_options *wall = &scene->wall[w];
+    const double *n = wall->normal, *axis = wall->axis;
+    char key[80];
+    snprintf(key, sizeof(key), "walls[%d].%s", w, wall->shape == WALL_PLANE ? "normal" : "axis");
+    bool bounds = n[0] == 0 && n[1] == 0 &&
+                  (n[2] > 0 ? wall->point[2] <= scene->box_lower[2] : wall->point[2] >= scene->box_upper[2]);
+    if (wall->shape == WALL_PLANE && n[2] != 0 && !bounds)
+        return finish_fail(
+            scene, error, key,
+            "has a z component (%g) in a two-dimensional scene; allowed: [x, y, 0], or along z "
+            "where the box ends or beyond",
+            n[2]);
+    if (wall->shape == WALL_CYLINDER && axis[2] != 0 && (axis[0] != 0 || axis[1] != 0))
+        return finish_fail(
+            scene, error, key,
+            "leans out of the plane of a two-dimensional scene; allowed: [0, 0, 1] or [x, y, 0]");
+    for (int m = 0; m < wall->motions; m++) {
+        snprintf(key, sizeof(key), "walls[%d].motion[%d]", w, m);
+        if (!check_plane_motion(scene, &wall->motion[m], key, error))
+            return false;
+    }
+    return true;
+}
+
+static bool check_plane(const struct scene *scene, struct error *error) {
+    char section[64];
     if (scene->box.dimension != 2)
         return true;
     if (scene->box.periodic[2])
         return finish_fail(scene, error, "box.periodic", "z cannot be periodic in two dimensions");
-    if (scene->gravity[2] != 0)
-        return finish_fail(scene, error, "gravity", "has a z component (%g) in a two-dimensional scene",
-                           scene->gravity[2]);
+    if (!check_moves(scene, scene->gravity, "gravity", error))
+        return false;
     for (int s = 0; s < scene->sources; s++) {
-        const struct source_options *source = &scene->source[s];
-        char key[80];
-        snprintf(key, sizeof(key), "particles.sources[%d].velocity", s);
-        if (source->velocity[2] != 0)
-            return finish_fail(scene, error, key, "has a z component (%g) in a two-dimensional scene",
-                               source->velocity[2]);
-        snprintf(key, sizeof(key), "particles.sources[%d].omega", s);
-        if (source->omega[0] != 0 || source->omega[1] != 0)
-            return finish_fail(scene, error, key, "turns out of the plane of a two-dimensional scene");
+        snprintf(section, sizeof(section), "particles.sources[%d]", s);
+        if (!check_plane_pair(scene, scene->source[s].velocity, scene->source[s].omega, section, error))
+            return false;
     }
     for (int g = 1; g < scene->groups; g++) {
-        char key[80];
-        snprintf(key, sizeof(key), "groups[%d].velocity", g - 1);
-        if (scene->group[g].velocity[2] != 0)
-            return finish_fail(scene, error, key, "has a z component in a two-dimensional scene");
+        snprintf(section, sizeof(section), "groups[%d]", g - 1);
+        if (!check_plane_pair(scene, scene->group[g].velocity, scene->group[g].omega, section, error))
+            return false;
     }
+    for (int k = 0; k < scene->insertions; k++) {
+        snprintf(section, sizeof(section), "insertions[%d]", k);
+        if (!check_plane_pair(scene, scene->insertion[k].velocity, scene->insertion[k].omega, section, error))
+            return false;
+    }
+    for (int w = 0; w < scene->walls; w++)
+        if (!check_plane_wall(scene, w, error))
+            return false;
     return true;
 }
 
@@ -318,7 +389,7 @@ static bool check_output(const struct scene *scene, struct error *error) {
 }
 
 bool scene_check(const struct scene *scene, struct error *error) {
-    return check_law(scene, error) && check_step(scene, error) && check_plane_motion(scene, error) &&
+    return check_law(scene, error) && check_step(scene, error) && check_plane(scene, error) &&
            check_periodic_walls(scene, error) && check_motions(scene, error) && check_search(scene, error) &&
            check_groups(scene, error) && check_sources(scene, error) && check_insertions(scene, error) &&
            check_output(scene, error);

@@ -132,6 +132,24 @@ scene 'a step above the stable one' "case.yaml:3|step.dt|stable|step.force" 'ste
 scene 'step.dt and step.fraction both' "case.yaml:3|step.fraction|step.dt" 'step: {count: 4, dt: 1 us, fraction: 0.1}'
 scene 'gravity along z in two dimensions' "case.yaml:2|gravity|two-dimensional" \
     'box: {dimension: 2, lower: [0, 0, 0], upper: [10 mm, 10 mm, 10 mm]}'
+plane='box: {dimension: 2, lower: [0, 0, 0], upper: [10 mm, 10 mm, 10 mm]}'
+flat() { # WHAT WORDS LINE: in two dimensions
+    scene "$1 in two dimensions" "$2" "$plane" 'gravity: [0, -9.81]' "$3"
+}
+flat 'an insertion along z' "insertions[0].velocity|two-dimensional|[x, y, 0]" 'insertions: [{sizes: 1 mm, rate: 1, velocity: [0, 0, 3]}]'
+flat 'an insertion that tumbles' "insertions[0].omega|plane|[0, 0, z]" 'insertions: [{sizes: 1 mm, rate: 1, omega: [5, 0, 0]}]'
+flat 'a group that tumbles' "groups[0].omega|plane|[0, 0, z]" 'groups: [{name: a, motion: moving, omega: [0, 1, 0], select: {ids: [1]}}]'
+flat 'a slanting plane' "walls[0].normal|two-dimensional|[x, y, 0]" 'walls: [{shape: plane, point: [0, 0, 0], normal: [0, 1, 1]}]'
+flat 'a plane across the particles' "walls[0].normal|where the box ends" 'walls: [{shape: plane, point: [0, 0, 1 mm], normal: [0, 0, 1]}]'
+flat 'a leaning cylinder' "walls[0].axis|plane|[0, 0, 1]" 'walls: [{shape: cylinder, point: [0, 0, 0], axis: [0, 1, 1], radius: 1 mm}]'
+flat 'a wall that moves along z' "walls[0].motion[0].velocity|two-dimensional|[x, y, 0]" \
+    'walls: [{shape: plane, point: [0, 0, 0], normal: [0, 1], motion: [{kind: translate, velocity: [0, 0, 1]}]}]'
+flat 'a wall that turns about x' "walls[0].motion[0].direction|plane|[0, 0, z]" \
+    'walls: [{shape: plane, point: [0, 0, 0], normal: [0, 1], motion: [{kind: rotate, direction: [1, 0, 0], rate: 1}]}]'
+printf '0 0 0 0 0 0 0\n1 0 0 1 0 0 0\n' >motion.txt
+flat 'a table along z' "motion.txt:2|plane of a two-dimensional scene" \
+    'walls: [{shape: plane, point: [0, 0, 0], normal: [0, 1], motion: [{kind: table, file: motion.txt}]}]'
+rm motion.txt
 scene 'reduced ghosts, newton off' "case.yaml:8|ghosts|newton: on" 'ghosts: reduced' 'newton: off'
 scene 'a periodic box too thin for its particles' "case.yaml:7|diameter|periodic box in x" \
     'box: {lower: [0, 0, 0], upper: [1 mm, 10 mm, 10 mm], periodic: [true, false, false]}' \
