@@ -203,9 +203,43 @@ static void test_displacement(void **state) {
     world_close(&w);
 }
 
+/* What turns moves farther where a particle has left the box; a finite cylinder no farther than its rims. */
+static void test_displacement_outside(void **state) {
+    (void)state;
+    struct wall_options wall[2] = {hand_plane(1, 1, 1, 0, 0, 1),
+                                   {.name = "tube", .shape = WALL_CYLINDER, .axis = {1, 0, 0}, .radius = 3}};
+    struct law law = hand_law(LAW_HOOKE, 0.5, 0.5);
+    const double lower[3] = {2, 2, 2}, upper[3] = {31, 2, 2}, here[3] = {3, 3, 3};
+    for (int k = 0; k < 2; k++) {
+        struct world w;
+        double angle = 1e-3;
+        wall[k].point[0] = wall[k].point[1] = wall[k].point[2] = 1.0;
+        wall[k].motions = 1;
+        wall[k].motion[0] = (struct wall_motion){
+            .kind = WALL_ROTATE, .stop = INFINITY, .direction = {0, 1, 0}, .point = {1, 1, 1}, .rate = 1.0};
+        world_open(&w, hand_box(4.0), law, &wall[k], 1, 1);
+        walls_advance(w.walls, 0.0, angle, NULL);
+        double inside = walls_displacement(w.walls);
+        walls_set_extent(w.walls, here, here); /* within the box: no change */
+        assert_near(walls_displacement(w.walls), inside, 0.0);
+        walls_set_extent(w.walls, lower, upper);
+        double moved = walls_displacement(w.walls);
+        assert_true(moved >= 30.0 * sin(angle) && moved <= (k == 0 ? 31.0 : 60.0) * angle);
+        world_close(&w);
+    }
+    wall[1].length = 8.0;
+    struct world w;
+    world_open(&w, hand_box(4.0), law, &wall[1], 1, 1);
+    walls_advance(w.walls, 0.0, 1e-3, NULL);
+    walls_set_extent(w.walls, lower, upper);
+    assert_near(walls_displacement(w.walls), 5e-3, 1e-8);
+    world_close(&w);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_piston), cmocka_unit_test(test_servo),
-                                       cmocka_unit_test(test_drum), cmocka_unit_test(test_conveyor),
-                                       cmocka_unit_test(test_displacement)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_piston),       cmocka_unit_test(test_servo),
+        cmocka_unit_test(test_drum),         cmocka_unit_test(test_conveyor),
+        cmocka_unit_test(test_displacement), cmocka_unit_test(test_displacement_outside)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

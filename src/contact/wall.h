@@ -118,8 +118,13 @@ void walls_advance(struct walls *walls, double t, double dt, const double (*serv
 bool walls_have_servo(const struct walls *walls);
 bool walls_move(const struct walls *walls);
 
-/* Largest distance that a wall surface point within the box may have moved since the last walls_build (a
- * bound; a plane moving within itself and an infinite cylinder turning about its axis have not moved). */
+/* At a rebuild, where walls move and particles may be outside of the box: the corners (box-relative) of what
+ * holds the centres of all particles, on all ranks the same. Without particles lower may lie above upper. */
+void walls_set_extent(struct walls *walls, const double lower[3], const double upper[3]);
+
+/* Largest distance that a wall surface point within the box, or that extent where it reaches farther, may
+ * have moved since the last walls_build (a bound; a plane moving within itself and an infinite cylinder
+ * turning about its axis have not moved). */
 double walls_displacement(const struct walls *walls);
 
 /* True if a sphere at x (box-relative) would overlap a wall as it stands now, or be beyond a one-sided one.

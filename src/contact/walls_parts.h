@@ -87,6 +87,7 @@ struct walls {
     int count, threads;
     struct wall *wall;
     struct box box;
+    double extent[2][3];               /* lower and upper corner: holds the box and all particles */
     const struct law *law;             /* borrowed */
     const struct force_kernel *kernel; /* the law over a batch of contacts */
     double shift[BOX_IMAGE_CODES][4];
