@@ -236,10 +236,39 @@ static void test_displacement_outside(void **state) {
     world_close(&w);
 }
 
+/* How far the centre has moved, wherever the box begins: a turn about it adds nothing, one about another
+ * point does. */
+static void test_offset(void **state) {
+    (void)state;
+    struct law law = hand_law(LAW_HOOKE, 0.5, 0.5);
+    for (int k = 0; k < 3; k++) {
+        struct wall_options wall = hand_plane(1, 2, 3, 0, 0, 1);
+        struct wall_motion shift = {.kind = WALL_TRANSLATE, .stop = INFINITY, .velocity = {0, 1, 2}};
+        struct wall_motion turn = {
+            .kind = WALL_ROTATE, .stop = INFINITY, .direction = {0, 1, 0}, .point = {3, 2, 1}, .rate = M_PI};
+        struct box box = hand_box(4.0);
+        struct world w;
+        double offset[3];
+        for (int d = 0; d < 3; d++)
+            box.origin[d] = 7.0 * k;
+        wall.motions = 2;
+        wall.motion[0] = k == 2 ? shift : turn;
+        wall.motion[1] = k == 2 ? turn : shift;
+        world_open(&w, box, law, &wall, 1, 1);
+        walls_advance(w.walls, 0.0, 0.5, NULL);
+        walls_offset(w.walls, 0, offset);
+        assert_near(offset[0], k == 2 ? 1.0 : 0.0, 1e-14);
+        assert_near(offset[1], 0.5, 1e-14);
+        assert_near(offset[2], k == 2 ? 0.0 : 1.0, 1e-14);
+        world_close(&w);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_piston),       cmocka_unit_test(test_servo),
         cmocka_unit_test(test_drum),         cmocka_unit_test(test_conveyor),
-        cmocka_unit_test(test_displacement), cmocka_unit_test(test_displacement_outside)};
+        cmocka_unit_test(test_displacement), cmocka_unit_test(test_displacement_outside),
+        cmocka_unit_test(test_offset)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -192,6 +192,9 @@ void wall_rows_free(struct wall_rows *rows);
 void walls_pose(const struct walls *walls, int wall, struct wall_pose *pose);
 void walls_set_pose(struct walls *walls, int wall, const struct wall_pose *pose);
 
+/* How far the wall's centre (see struct wall_pose) is from where the scene puts it at rest; length. */
+void walls_offset(const struct walls *walls, int wall, double offset[3]);
+
 /* Triangles of a mesh wall at its present pose, user's coordinates, 9 doubles each, for output; 0 for other
  * shapes. */
 size_t walls_triangles(const struct walls *walls, int wall, double (**triangles)[9]);

@@ -309,6 +309,12 @@ void walls_pose(const struct walls *walls, int wall, struct wall_pose *pose) {
     put(pose->centre, w->centre_now);
 }
 
+void walls_offset(const struct walls *walls, int wall, double offset[3]) {
+    const struct wall *w = &walls->wall[wall];
+    struct law_vector turned = law_add(wall_turn(w->pose.rotation, w->centre), -1.0, w->centre);
+    put(offset, law_add(wall_vector(w->pose.translation), 1.0, turned));
+}
+
 void walls_set_pose(struct walls *walls, int wall, const struct wall_pose *pose) {
     struct wall *w = &walls->wall[wall];
     struct wall_transform rest = wall_transform_identity();

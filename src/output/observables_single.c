@@ -21,10 +21,8 @@ static void torque_on_wall(const struct observable_context *context, struct obse
 /* Every rank knows the poses: rank 0 gives them. */
 static void wall_offset(const struct observable_context *context, struct observable_item *item,
                         double *part) {
-    struct wall_pose pose;
-    walls_pose(context->view->walls, item->wall, &pose);
     if (context->view->comm->rank == 0)
-        memcpy(part, pose.translation, sizeof pose.translation);
+        walls_offset(context->view->walls, item->wall, part);
 }
 
 static void wall_velocity(const struct observable_context *context, struct observable_item *item,
@@ -146,7 +144,8 @@ static const struct observable_kind kinds[] = {
      .symbol = "t",
      .parts = 3,
      .of_rank = torque_on_wall},
-    {.info = OF(WALL, "wall_offset", "", "m", 3, "how far a wall has moved"),
+    {.info =
+         OF(WALL, "wall_offset", "", "m", 3, "how far a wall's centre has moved from where it was at rest"),
      .symbol = "",
      .parts = 3,
      .of_rank = wall_offset},

@@ -182,6 +182,12 @@ oscillated() { # a quarter of a cycle
     run_scene 1 oscillate.yaml oscillate && within "$(column oscillate/observables.csv floor_z)" 0.2 1e-9
 }
 check 'an oscillating wall stands at its amplitude after a quarter' oscillated
+turned() { # its centre stays where it is, wherever the box begins
+    run_scene 1 oscillate.yaml turned --set 'box={lower: [-3, -4, -5], upper: [10, 10, 10]}' \
+        --set 'walls[0].motion=[{kind: rotate, direction: [0, 1, 0], point: [0, 0, 1], rate: 1}]' || return 1
+    within "$(column turned/observables.csv floor_x)" 0 1e-9 && within "$(column turned/observables.csv floor_z)" 0 1e-9
+}
+check 'a wall that turns about its centre has not moved' turned
 cat >servo.yaml <<'EOF'
 units: none
 box: {lower: [0, 0, 0], upper: [10, 10, 10]}
