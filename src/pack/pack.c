@@ -2,11 +2,11 @@
 
 #include "core/memory.h"
 #include "core/random.h"
+#include "core/threads.h"
 #include "pack/draw.h"
 #include "pack/push.h"
 
 #include <math.h>
-#include <omp.h>
 
 /* A sphere must not meet its own image. */
 static const double widths_least = 2.5;
@@ -143,9 +143,9 @@ static double solid_fraction(const struct rows *rows, double edge) {
 bool pack_make(const struct pack_options *options, const struct pack_hook *hook, struct rows *rows,
                struct pack_report *report, struct error *error) {
     struct pack_work work = {.options = options, .hook = hook, .report = report};
-    work.threads = options->threads > 0 ? (int)options->threads : omp_get_max_threads();
-    work.threads = work.threads > PAIR_THREADS_MAX ? PAIR_THREADS_MAX : work.threads;
-    omp_set_num_threads(work.threads);
+    work.threads = threads_set((int)options->threads, PAIR_THREADS_MAX, error);
+    if (work.threads == 0)
+        return false;
     *report = (struct pack_report){0};
     bool good = options->law == PACK_BIDISPERSE
                     ? make_box(&work, 0, options->ratio, error) && pack_bidisperse(&work, error)
