@@ -62,16 +62,23 @@ static inline void force_filter(const struct force_view view, struct force_threa
     thread->candidates = (size_t)(out - thread->candidate);
 }
 
-/* Fills the batch with the first `count` candidates; `offset` is the number of the block's first pair in the
- * thread. */
+/* True of two particles that are both prescribed and move alike: what they overlap by stays, and is no
+ * contact. */
+static inline bool force_fixed(const double record[8]) {
+    return record[7] == 0.0 && record[3] == 0.0 && record[4] == 0.0 && record[5] == 0.0;
+}
+
+/* Fills the batch with the first `count` candidates, but those fixed to each other; `offset` is the number of
+ * the block's first pair in the thread. */
 static inline void force_gather(const struct force_view view, struct force_thread *restrict thread, int count,
                                 uint32_t offset) {
     const force_four sign = {-1.0, -1.0, 1.0, 1.0};
     struct force_batch *restrict b = &thread->batch;
     for (int k = 0; view.omega && k < count; k++)
         __builtin_prefetch(view.omega[pair_partner(view.j[thread->candidate[k]])]);
-    for (int k = 0; k < count; k++) {
-        uint32_t pair = thread->candidate[k], i = view.i[pair], code = view.j[pair], j = pair_partner(code);
+    int k = 0;
+    for (int c = 0; c < count; c++) {
+        uint32_t pair = thread->candidate[c], i = view.i[pair], code = view.j[pair], j = pair_partner(code);
         const struct particle_state *si = &view.state[i], *sj = &view.state[j];
         __builtin_prefetch(view.force + i * view.stride, 1);
         __builtin_prefetch(view.force + j * view.stride, 1);
@@ -87,9 +94,10 @@ static inline void force_gather(const struct force_view view, struct force_threa
             *(force_four *)b->omega[k] = *(const force_four *)view.omega[i];
             *(force_four *)(b->omega[k] + 4) = *(const force_four *)view.omega[j];
         }
+        k += !force_fixed(b->record[k]);
     }
-    b->count = count;
-    b->padded = (count + FORCE_LANES - 1) / FORCE_LANES * FORCE_LANES;
+    b->count = k;
+    b->padded = (k + FORCE_LANES - 1) / FORCE_LANES * FORCE_LANES;
 }
 
 /* The springs of the batch where each of its contacts has one: records lie side by side. */
@@ -276,11 +284,10 @@ struct force_phases {
     force_physics *measure, *respond;
 };
 
-/* Takes the first `count` candidates through gather, physics and scatter. */
-static inline void force_flush(const struct force_task *task, const struct force_view view,
-                               const struct force_phases *phases, int count, int components) {
+/* Takes the batch through physics and scatter. */
+static inline void force_evaluate(const struct force_task *task, const struct force_phases *phases,
+                                  int components) {
     struct force_thread *thread = task->thread;
-    force_gather(view, thread, count, (uint32_t)(task->block->first_pair - task->pair_base));
     if (components)
         force_recall(*task->old, thread, components);
     if (!task->context->law->uniform)
@@ -293,6 +300,15 @@ static inline void force_flush(const struct force_task *task, const struct force
         force_remember(task->new, &thread->batch, components);
     force_watch(task);
     force_sum(task);
+}
+
+/* Takes the first `count` candidates out, through a batch. */
+static inline void force_flush(const struct force_task *task, const struct force_view view,
+                               const struct force_phases *phases, int count, int components) {
+    struct force_thread *thread = task->thread;
+    force_gather(view, thread, count, (uint32_t)(task->block->first_pair - task->pair_base));
+    if (thread->batch.count > 0)
+        force_evaluate(task, phases, components);
     thread->candidates -= (size_t)count;
     memmove(thread->candidate, thread->candidate + count, thread->candidates * sizeof thread->candidate[0]);
 }

@@ -40,6 +40,8 @@ static bool force_pair_contact(const struct force_context *context, size_t k, co
     if (!(square < reach * reach))
         return false;
     double distance = sqrt(square), inertia = si->inverse_mass + sj->inverse_mass;
+    if (inertia == 0.0 && memcmp(si->v, sj->v, sizeof si->v) == 0)
+        return false; /* as force_fixed */
     struct law_case law = law_case_of(&context->law->options, false);
     *in = (struct law_contact){.overlap = reach - distance,
                                .mass = inertia > 0.0 ? 1.0 / inertia : 0.0,

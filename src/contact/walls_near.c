@@ -73,6 +73,12 @@ size_t walls_near(const struct walls *walls, int w, struct law_vector x, double 
     return count;
 }
 
+/* True of a particle that nothing moves: at a wall that does not move either it has no contact, whatever they
+ * overlap by. */
+static bool at_rest(const struct particle_state *state) {
+    return state->inverse_mass == 0 && state->v[0] == 0 && state->v[1] == 0 && state->v[2] == 0;
+}
+
 /* All pieces near particle i; counts only without `out`. */
 static size_t near_particle(const struct walls *walls, const struct particles *particles,
                             const struct size_classes *classes, size_t i, struct wall_piece *out,
@@ -80,8 +86,10 @@ static size_t near_particle(const struct walls *walls, const struct particles *p
     const struct particle_state *state = &particles->state[i];
     double reach = state->radius + classes->margin[particles->size_class[i]][classes->count];
     size_t count = 0;
+    bool fixed = at_rest(state);
     for (int w = 0; w < walls->count; w++)
-        count += walls_near(walls, w, wall_vector(state->x), reach, out ? out + count : NULL, number);
+        if (!fixed || walls->wall[w].options.motions > 0)
+            count += walls_near(walls, w, wall_vector(state->x), reach, out ? out + count : NULL, number);
     return count;
 }
 

@@ -50,4 +50,29 @@ check 'particles moved by order are refused' bash -c '! '"$scree"' check scene.y
 check 'check foresees a leap' says 'would stop the run' --set 'particles.sources[0].velocity=[0, 2000, 0]'
 check 'check foresees an overlap' says 'overlap by .*would stop the run' --set step.force=true --set material_pairs[0].k_n=0.1
 check 'and nothing where there is nothing' bash -c "$scree"' check scene.yaml >said 2>&1 && ! grep -q would said'
+
+# A rough floor: frozen spheres overlap each other and are sunk into a plane; one lies still on it
+cat >rough.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [20, 20, 20], periodic: false}
+step: {dt: 1e-3, count: 100}
+gravity: [0, 0, -10]
+contact: {law: hooke}
+materials: [{name: stone, density: 1}]
+material_pairs: [{restitution: 0.5, friction: 0.5, k_n: 10000}]
+groups: [{name: rough, motion: frozen}]
+walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}]
+particles:
+  sources:
+    - {from: single, position: [5, 5, 0], radius: 1, group: rough}
+    - {from: single, position: [6.2, 5, 0], radius: 1, group: rough}
+    - {from: single, position: [12, 5, 0.995811], radius: 1}
+observables: {every: 100, list: [{name: contacts}, {name: energy_elastic_normal}, {name: wall_force, target: floor, components: z}]}
+EOF
+rough_floor() {
+    run_scene 1 rough.yaml rough || return 1
+    set -- $(awk -F, 'END { print $2, $3, $4 }' rough/observables.csv)
+    [ "$1" = 1 ] && within "$2" 0.0878 0.005 && within "$3" -41.9 4
+}
+check 'spheres that are fixed to each other and to a wall have no contacts' rough_floor
 finish
