@@ -6,13 +6,18 @@
  * The weight of a particle is what it costs: 1 for itself and half for each pair in its row (both about right
  * for the force loop), or the same scaled by the seconds that its rank took for the weight it has, or 1. The
  * bisection is made anew where the largest load exceeds the mean by the threshold, but not where the last
- * division could do no better: a plane cannot cut through a particle. */
+ * division could do no better: a plane cannot cut through a particle. That is forgotten by and by, as
+ * particles come and move. */
 #include "app/load.h"
 #include "comm/balance.h"
 #include "comm/domain_grid.h"
 #include "core/memory.h"
 #include <math.h>
 #include <string.h>
+
+/* What is left after a rebuild of the imbalance above 1 that the last division reached: it is tried again
+ * after some twenty. */
+static const double remembered = 0.995;
 
 double load_seconds(const struct simulation *s) {
     static const enum timer_stage work[] = {TIMER_ADVANCE, TIMER_SWEEP, TIMER_CONTACT, TIMER_WALL,
@@ -55,7 +60,9 @@ static bool divide(struct simulation *s, const double *weight) {
     for (size_t k = 0; k < owned; k++)
         for (int d = 0; d < 3; d++) {
             x[k][d] = s->particles->state[k].x[d];
-            if (box->periodic[d])
+            if (!isfinite(x[k][d]))
+                x[k][d] = 0; /* a guard will stop the run */
+            else if (box->periodic[d])
                 x[k][d] -= floor(x[k][d] / box->edge[d]) * box->edge[d];
         }
     struct balance_load load = {owned, (const double(*)[3])x, weight};
@@ -159,6 +166,8 @@ void load_balance(struct simulation *s) {
     double imbalance = imbalance_of(s, load);
     if (s->load.fresh)
         s->load.reached = imbalance;
+    else
+        s->load.reached = 1 + remembered * (s->load.reached - 1);
     s->load.fresh = false;
     if (imbalance > options->threshold && imbalance > 1.05 * s->load.reached) {
         s->load.fresh = divide(s, weight);

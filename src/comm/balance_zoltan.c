@@ -3,6 +3,7 @@
 #include "comm/domain_tree.h"
 #include "core/memory.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <zoltan.h>
 
@@ -88,9 +89,28 @@ static void partition(struct Zoltan_Struct *zoltan) {
     Zoltan_LB_Free_Part(&export_global, &export_local, &export_rank, &export_part);
 }
 
+/* What a division is of: the box, and beyond its open sides the particles that left it. */
+struct extent {
+    double lower[3], upper[3];
+};
+
+static struct extent extent_of(const struct comm *comm, const struct box *box,
+                               const struct balance_load *load) {
+    struct extent extent = {.upper = {box->edge[0], box->edge[1], box->edge[2]}};
+    for (size_t k = 0; k < load->count; k++)
+        for (int d = 0; d < 3; d++) {
+            extent.lower[d] = fmin(extent.lower[d], load->x[k][d]);
+            extent.upper[d] = fmax(extent.upper[d], load->x[k][d]);
+        }
+    comm_min(comm, extent.lower, 3);
+    comm_max(comm, extent.upper, 3);
+    return extent;
+}
+
 /* The cuts, as a tree: from the corners of all parts. NULL if they are none: Zoltan gives parts without
- * particles any corners. */
-static struct domain_tree *tree_of(struct Zoltan_Struct *zoltan, int ranks, int dimension) {
+ * particles any corners, also ones far outside. */
+static struct domain_tree *tree_of(struct Zoltan_Struct *zoltan, const struct extent *extent, int ranks,
+                                   int dimension) {
     double(*lower)[3] = memory_allocate_zero((size_t)ranks, sizeof *lower, "subdomains");
     double(*upper)[3] = memory_allocate_zero((size_t)ranks, sizeof *upper, "subdomains");
     for (int k = 0; k < ranks; k++) {
@@ -98,6 +118,10 @@ static struct domain_tree *tree_of(struct Zoltan_Struct *zoltan, int ranks, int 
         expect(Zoltan_RCB_Box(zoltan, k, &given, &lower[k][0], &lower[k][1], &lower[k][2], &upper[k][0],
                               &upper[k][1], &upper[k][2]),
                "Zoltan_RCB_Box");
+        for (int d = 0; d < dimension; d++) {
+            lower[k][d] = fmin(fmax(lower[k][d], extent->lower[d]), extent->upper[d]);
+            upper[k][d] = fmin(fmax(upper[k][d], extent->lower[d]), extent->upper[d]);
+        }
     }
     struct domain_tree *tree =
         domain_tree_from_bounds(ranks, dimension, (const double(*)[3])lower, (const double(*)[3])upper);
@@ -111,11 +135,12 @@ bool balance_divide(struct domain *domain, const struct comm *comm, const struct
     struct answers answers = {load, box->dimension};
     int64_t particles = (int64_t)load->count;
     comm_sum_int(comm, &particles, 1);
-    if (particles == 0)
+    if (particles < comm->size)
         return false;
+    struct extent extent = extent_of(comm, box, load);
     struct Zoltan_Struct *zoltan = partitioner(comm, &answers);
     partition(zoltan);
-    struct domain_tree *tree = tree_of(zoltan, comm->size, box->dimension);
+    struct domain_tree *tree = tree_of(zoltan, &extent, comm->size, box->dimension);
     Zoltan_Destroy(&zoltan);
     if (tree)
         domain_divide(domain, tree);

@@ -116,6 +116,29 @@ done
 for setting in '2 brick neighbours on reduced' '4 brick neighbours off full' '8 brick neighbours on full'; do
     check "continuous: ranks, domain, sync, newton, ghosts: $setting" layout continuous $setting
 done
+
+# Poured into an empty periodic box: the first division has one particle to go by; then two meet across the seam
+cat >seam.yaml <<'END'
+units: none
+box: {lower: [0, 0, 0], upper: [10, 10, 10], periodic: true}
+contact: {law: hooke, tangential: none}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 1, k_n: 1000}]
+step: {dt: 0.0005, count: 6000}
+insertions:
+  - {rate: 1e9, count: 1, sizes: 1, velocity: [0, 0, 0], region: {shape: box, lower: [6.9, 3.9, 3.9], upper: [9.1, 6.1, 6.1]}}
+particles:
+  sources: [{from: single, position: [0.9, 5, 5], radius: 1, velocity: [-1, 0, 0]}]
+observables: {every: 500, list: [{name: velocity, id: 1, label: one}, {name: velocity, id: 2, label: two}]}
+output: {checkpoint: {at_end: false}}
+END
+poured() {
+    run_scene 1 seam.yaml seam-1 --overwrite && run_scene "$1" seam.yaml "seam-$1" --set domain.name=$bisection || return 1
+    within "$(awk -F, 'END { print $2 }' seam-1/observables.csv)" "$(awk -F, 'END { print $2 }' "seam-$1/observables.csv")" 1e-9 &&
+        within "$(awk -F, 'END { print ($2 > -0.99) }' seam-1/observables.csv)" 1 0
+}
+check 'a division by one particle keeps contacts across the box: 2 ranks' poured 2
+check 'the same on 3 ranks' poured 3
 check 'boulder: next neighbours do not do' refused boulder 8 --set domain.x=8
 for case in ten forty; do
     check "$case: the reference of reproducible runs" reproducibly 1 "$case-bits" "$case" --set index=brute

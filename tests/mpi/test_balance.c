@@ -87,6 +87,11 @@ static void expect_whole(struct crowd *crowd) {
     team_expect(crowd->team, total == (int64_t)crowd->count, "%lld particles of %zu have an owner",
                 (long long)total, crowd->count);
     domain_bounds(crowd->domain, crowd->team->comm.rank, lower, upper);
+    for (int d = 0; d < 3; d++)
+        team_expect(crowd->team,
+                    (lower[d] == -INFINITY || lower[d] >= 0) && lower[d] <= crowd->box.edge[d] &&
+                        (upper[d] == INFINITY || upper[d] <= crowd->box.edge[d]) && upper[d] >= 0,
+                    "%g ... %g is not in the box", lower[d], upper[d]);
     for (size_t k = 0; k < count; k++)
         for (int d = 0; d < 3; d++)
             team_expect(crowd->team, crowd->mine[k][d] >= lower[d] && crowd->mine[k][d] <= upper[d],
