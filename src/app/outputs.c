@@ -166,15 +166,24 @@ const struct observables *outputs_observables(const struct outputs *o) {
     return o->observables;
 }
 
+bool outputs_flush(struct outputs *o, struct error *error) {
+    return o->h5md == NULL || h5md_flush(o->h5md, error);
+}
+
 bool outputs_close(struct outputs **outputs, const struct comm *comm, struct error *error) {
     struct outputs *o = *outputs;
+    struct error own = {0};
     if (o == NULL)
         return true;
+    /* where the machine failed nothing more is tried; another error does not keep the rest from the files */
+    struct error *here = error->kind == ERROR_SYSTEM ? error : &own;
     bool good = true;
     if (o->h5md)
-        good = h5md_close(&o->h5md, error) && good;
+        good = h5md_close(&o->h5md, here) && good;
     if (o->dump)
-        good = dump_close(&o->dump, error) && good;
+        good = dump_close(&o->dump, here) && good;
+    if (error->kind == ERROR_NONE)
+        *error = own;
     if (o->observables)
         observables_destroy(&o->observables);
     memory_free(o->name);

@@ -29,7 +29,11 @@ bool outputs_write(struct outputs *outputs, const struct simulation *simulation,
 /* The observables, NULL if none. */
 const struct observables *outputs_observables(const struct outputs *outputs);
 
-/* Closes all files and frees. Collective. */
+/* Writes what waits for the next frame. Collective. */
+bool outputs_flush(struct outputs *outputs, struct error *error);
+
+/* Closes all files, with what waits for the next frame unless `error` is of kind ERROR_SYSTEM, and frees.
+ * Collective. */
 bool outputs_close(struct outputs **outputs, const struct comm *comm, struct error *error);
 
 #endif

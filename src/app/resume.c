@@ -8,20 +8,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What the counters of a checkpoint mean; insertions follow, three numbers each. */
+/* What the counters of a checkpoint mean: the first ones, three of each insertion from COUNTER_INSERTION on,
+ * and the last ones. */
+enum { COUNTER_STEP_BASE, COUNTER_TIME_BASE, COUNTER_INSERTED, COUNTER_DELETED, COUNTER_INSERTION };
 enum {
-    COUNTER_STEP_BASE,
-    COUNTER_TIME_BASE,
-    COUNTER_INSERTED,
-    COUNTER_DELETED,
+    COUNTER_FRACTION = CHECKPOINT_COUNTERS - 3, /* of the stable step that was taken; 0: the step was given */
     COUNTER_DIVIDED, /* the bisection was divided since the imbalance was measured */
-    COUNTER_REACHED, /* the imbalance after its last division */
-    COUNTER_INSERTION
+    COUNTER_REACHED  /* the imbalance after its last division */
 };
 enum { SUM_TAKEN, SUM_WALL_WORK };
 enum { INSERTION_COUNTERS = 3 };
 
-_Static_assert((int)COUNTER_INSERTION + INSERTION_COUNTERS * (int)INSERTIONS_MAX <= (int)CHECKPOINT_COUNTERS,
+_Static_assert((int)COUNTER_INSERTION + INSERTION_COUNTERS * (int)INSERTIONS_MAX <= (int)COUNTER_FRACTION,
                "a checkpoint has room for all insertion regions");
 
 static uint64_t bits_of(double value) {
@@ -43,6 +41,7 @@ static void numbers_put(const struct simulation *s, struct checkpoint_numbers *n
     n->counter[COUNTER_TIME_BASE] = bits_of(s->time_base);
     n->counter[COUNTER_INSERTED] = s->inserted;
     n->counter[COUNTER_DELETED] = s->deleted;
+    n->counter[COUNTER_FRACTION] = bits_of(s->dt_fraction);
     n->counter[COUNTER_DIVIDED] = s->load.fresh;
     n->counter[COUNTER_REACHED] = bits_of(s->load.reached);
     domain_grid(s->domain, n->grid);
@@ -73,6 +72,7 @@ static void numbers_take(struct simulation *s, const struct checkpoint_numbers *
     if (s->walls)
         walls_set_work(s->walls, n->sum[SUM_WALL_WORK]);
     s->resumed_dt = n->dt;
+    s->resumed_fraction = double_of(n->counter[COUNTER_FRACTION]);
 }
 
 static int row_compare(const void *a, const void *b) {
@@ -151,6 +151,37 @@ static void walls_restore(struct simulation *s, const struct checkpoint_loaded *
     }
 }
 
+/* Walls are known by their names: the scene may have others, or the same in another order. */
+static void wall_rows_rename(const struct simulation *s, const struct checkpoint_loaded *loaded) {
+    const struct wall_rows *rows = &loaded->wall_history;
+    for (size_t k = 0; k < rows->count; k++) {
+        int wall = rows->row[k].wall;
+        bool known = wall >= 0 && wall < loaded->walls;
+        rows->row[k].wall = known ? scene_wall(s->scene, loaded->wall[wall].name) : -1;
+    }
+}
+
+/* Particles of groups whose motion is prescribed now and was not then, or the other way round, get the mass
+ * that goes with it. */
+static void masses_follow(struct simulation *s, const char *path, struct error *error) {
+    struct particles *p = s->particles;
+    for (size_t k = 0; p->group && k < p->owned; k++) {
+        if (p->group[k] >= s->motion.groups) {
+            error_set(error, ERROR_USER,
+                      "%s: particle %lld is in group %d; the scene has %d: a resume may change the "
+                      "motion of groups, not drop one",
+                      path, (long long)p->id[k], p->group[k], s->motion.groups - 1);
+            return;
+        }
+        bool held = s->motion.motion[p->group[k]].prescribed;
+        struct particle_state *state = &p->state[k];
+        if (held)
+            state->inverse_mass = 0;
+        else if (state->inverse_mass == 0)
+            state->inverse_mass = 1 / particles_sphere_mass(state->radius, p->density[k]);
+    }
+}
+
 bool resume_read(struct simulation *s, const char *path, struct rebuild_rows *rows, struct error *error) {
     struct checkpoint_loaded loaded = {0};
     bool good = checkpoint_read(s->comm, path, s->particles, &loaded, error);
@@ -163,6 +194,8 @@ bool resume_read(struct simulation *s, const char *path, struct rebuild_rows *ro
     s->total = loaded.total;
     numbers_take(s, &loaded.numbers);
     walls_restore(s, &loaded);
+    wall_rows_rename(s, &loaded);
+    masses_follow(s, path, error);
     if (loaded.tree && domain_bisects(s->domain)) {
         load_restore(s, loaded.tree, loaded.numbers.counter[COUNTER_DIVIDED] != 0,
                      double_of(loaded.numbers.counter[COUNTER_REACHED]));
@@ -177,7 +210,7 @@ bool resume_read(struct simulation *s, const char *path, struct rebuild_rows *ro
         loaded.wall_history = (struct wall_rows){0};
     }
     checkpoint_loaded_free(&loaded);
-    return true;
+    return comm_agree(s->comm, error);
 }
 
 void resume_begin(struct simulation *s, struct rebuild_rows *rows) {

@@ -91,6 +91,16 @@ static void signals_ask(struct run *run) {
     };
 }
 
+/* What a guard has condemned in this very step is none to go on from, nor a reason to delete an older one. */
+static bool checkpoint_regular(struct run *run, struct error *error) {
+    struct error condemned = run->s->error;
+    if (!comm_agree(run->s->comm, &condemned))
+        return true;
+    run->checkpoint_last = timer_now();
+    return (run->outputs == NULL || outputs_flush(run->outputs, error)) &&
+           resume_write(run->s, &run->output, "", error);
+}
+
 static bool step_once(struct run *run, struct error *error) {
     struct simulation *s = run->s;
     int64_t every = s->scene->step.rebuild_every;
@@ -111,10 +121,8 @@ static bool step_once(struct run *run, struct error *error) {
     bool good = run->outputs == NULL || outputs_write(run->outputs, s, error);
     if (good && watched)
         good = watch->look(watch->context, s, error);
-    if (good && checkpoint) {
-        good = resume_write(s, &run->output, "", error);
-        run->checkpoint_last = timer_now();
-    }
+    if (good && checkpoint)
+        good = checkpoint_regular(run, error);
     run->checkpoint_due = s->signals.stop || (s->signals.checkpoint && !checkpoint);
     progress_update(&run->progress, s->step, s->total, s->time);
     timer_stop(&s->timers, TIMER_OUTPUT);

@@ -2,10 +2,10 @@
 #include "app/load.h"
 #include "comm/balance.h"
 #include "core/memory.h"
+#include "core/threads.h"
 #include "integrate/integrator.h"
 #include <assert.h>
 #include <math.h>
-#include <omp.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -183,11 +183,9 @@ bool simulation_prepare(struct simulation *s, struct error *error) {
     if (!law_prepare(&s->law, &options, scene->materials, scene->material, pair, error))
         return false;
     scene_integrator(scene, &s->motion);
-    s->threads = scene->threads > 0 ? scene->threads : omp_get_max_threads();
-    if (s->threads > PAIR_THREADS_MAX)
-        return error_set(error, ERROR_USER, "threads: %d asked for; allowed: up to %d a rank", s->threads,
-                         PAIR_THREADS_MAX);
-    omp_set_num_threads(s->threads);
+    s->threads = threads_set(scene->threads, PAIR_THREADS_MAX, error);
+    if (s->threads == 0)
+        return false;
     if (scene->walls > 0 && !walls_create(&s->walls, scene->wall, scene->walls, &s->law, &scene->box,
                                           s->threads, error, s->comm->rank == 0 ? stderr : NULL))
         return false;
@@ -248,24 +246,36 @@ static bool particles_make(struct simulation *s, struct error *error) {
     return true;
 }
 
-/* Range of a search: no cut-off may reach around a periodic box to the particle itself. */
-static bool box_suffices(const struct simulation *s, struct error *error) {
-    const struct size_classes *classes = &s->classes;
+/* No cut-off may reach around a periodic box to the particle itself. */
+static bool box_holds(const struct simulation *s, double radius, double margin, struct error *error) {
     char place[SCENE_PATH_MAX];
-    for (int d = 0; d < s->scene->box.dimension; d++) {
-        for (int c = 0; c < classes->count && s->scene->box.periodic[d]; c++) {
-            double reach = 2 * classes->radius_max[c] + classes->margin[c][c];
-            if (reach < s->scene->box.edge[d])
-                continue;
+    double reach = 2 * radius + margin;
+    for (int d = 0; d < s->scene->box.dimension; d++)
+        if (s->scene->box.periodic[d] && reach >= s->scene->box.edge[d])
             return error_set(error, ERROR_USER,
                              "%s: the periodic %c edge %.6g is too short for a particle of radius %.6g: "
                              "needed is more than its diameter + "
                              "range + skin, %.6g",
                              scene_place(s->scene, "box", place, sizeof place), 'x' + d,
-                             s->scene->box.edge[d], classes->radius_max[c], reach);
-        }
-    }
+                             s->scene->box.edge[d], radius, reach);
     return true;
+}
+
+/* For the particles there are, and for those that insertions may bring. */
+static bool box_suffices(const struct simulation *s, struct error *error) {
+    const struct size_classes *classes = &s->classes;
+    bool good = true;
+    double margin = 0;
+    for (int c = 0; c < classes->count && good; c++) {
+        margin = classes->margin[c][c];
+        good = box_holds(s, classes->radius_max[c], margin, error);
+    }
+    for (int k = 0; k < s->scene->insertions && good; k++) {
+        double smallest, largest;
+        sizes_bounds(&s->scene->insertion[k].sizes, &smallest, &largest);
+        good = box_holds(s, largest, margin, error);
+    }
+    return good;
 }
 
 static bool index_suits(struct simulation *s, struct error *error) {
@@ -291,17 +301,8 @@ static void run_begin(struct simulation *s) {
                            s->list->blocks[b].last_row);
 }
 
-static bool simulation_fill(struct simulation *s, const char *resume, struct error *error) {
-    unsigned features = scene_features(s->scene, &s->law);
-    s->particles = particles_create(features, 0);
-    parts_create(s);
-    simd_choose(s, error);
-    if (!comm_agree(s->comm, error)) /* ranks may have different CPUs */
-        return false;
-    struct rebuild_rows rows = {0};
-    bool good = resume ? resume_read(s, resume, &rows, error) : particles_make(s, error);
-    if (!good)
-        return false;
+/* What must hold of the particles, now that they are there. */
+static bool particles_suit(struct simulation *s, struct error *error) {
     if (s->total >= (uint64_t)s->comm->size << PARTICLE_INDEX_BITS)
         return error_set(error, ERROR_USER,
                          "%llu particles on %d ranks: allowed are up to %llu a rank, copies included",
@@ -311,8 +312,22 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
     particles_classify(s->particles, &s->classes);
     load_lay(s, s->resumed_grid);
     index_suits(s, error);
-    if (!comm_agree(s->comm, error)) /* each rank looks at its own particles */
+    return comm_agree(s->comm, error); /* each rank looks at its own particles */
+}
+
+static bool simulation_fill(struct simulation *s, const char *resume, struct error *error) {
+    unsigned features = scene_features(s->scene, &s->law);
+    s->particles = particles_create(features, 0);
+    parts_create(s);
+    simd_choose(s, error);
+    if (!comm_agree(s->comm, error)) /* ranks may have different CPUs */
         return false;
+    struct rebuild_rows rows = {0};
+    bool good = resume ? resume_read(s, resume, &rows, error) : particles_make(s, error);
+    if (!good || !particles_suit(s, error)) {
+        rebuild_rows_free(&rows);
+        return false;
+    }
     if (resume)
         resume_begin(s, &rows);
     else

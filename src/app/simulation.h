@@ -128,7 +128,9 @@ struct simulation {
     uint64_t step;      /* steps done */
     uint64_t step_base; /* time = time_base + (step - step_base) dt */
     double time, time_base, dt;
-    double resumed_dt;          /* step of the run that wrote the checkpoint */
+    double dt_fraction;         /* of the stable step that dt is; 0: dt was given */
+    double resumed_dt;          /* step of the run that wrote the checkpoint; 0: not resumed */
+    double resumed_fraction;    /* and its fraction */
     int resumed_grid[3];        /* its ranks per direction */
     double (*speed)[CLASS_MAX]; /* [thread][class]: largest squared speed of the last drift */
     double servo_force[WALLS_MAX][3];

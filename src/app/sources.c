@@ -217,6 +217,9 @@ void sources_run(struct simulation *s, struct rebuild_rows *rows) {
     for (int k = 0; inserts && k < s->scene->insertions; k++)
         if (insertion_missing(s, k) > 0)
             insertion_run(s, k);
+    if (s->particles->owned > (size_t)1 << PARTICLE_INDEX_BITS)
+        error_fatal("%zu particles on one rank, at most %zu are possible: use more ranks",
+                    s->particles->owned, (size_t)1 << PARTICLE_INDEX_BITS);
     rows->pairs.start = starts_extend(rows->pairs.start, before, s->particles->owned);
     rows->walls.start = starts_extend(rows->walls.start, before, s->particles->owned);
     if (!s->alone)

@@ -1,24 +1,34 @@
-/* The time step of a run: given, or a fraction of the stable one; refused where it lies above. */
+/* The time step of a run: given, or a fraction of the stable one; refused where it lies above. The stable one
+ * depends on the speeds of the particles at the start, so a resume by the same rule keeps the step that it
+ * finds. */
 #include "app/simulation.h"
 #include <math.h>
 #include <string.h>
 
-/* One kind a material that is present, from this rank's free particles and from what insertions may bring. */
+/* One kind a material that is present, from this rank's free particles and from what insertions may bring.
+ * Particles of one material may differ in density: each size is taken to have the least where that is the
+ * worst, and the largest where that is. */
 struct kinds {
-    double radius_min[LAW_MATERIALS_MAX], radius_max[LAW_MATERIALS_MAX], mass_min[LAW_MATERIALS_MAX];
+    double radius_min[LAW_MATERIALS_MAX], radius_max[LAW_MATERIALS_MAX];
+    double lightest[LAW_MATERIALS_MAX], heaviest[LAW_MATERIALS_MAX]; /* mass / radius^3 */
     double fixed[LAW_MATERIALS_MAX]; /* 1: particles with prescribed motion, or walls, of the material */
 };
+
+static double cube(double x) {
+    return x * x * x;
+}
 
 static void kinds_put(struct kinds *kinds, int material, double radius, double mass) {
     kinds->radius_min[material] = fmin(kinds->radius_min[material], radius);
     kinds->radius_max[material] = fmax(kinds->radius_max[material], radius);
-    kinds->mass_min[material] = fmin(kinds->mass_min[material], mass);
+    kinds->lightest[material] = fmin(kinds->lightest[material], mass / cube(radius));
+    kinds->heaviest[material] = fmax(kinds->heaviest[material], mass / cube(radius));
 }
 
 static void kinds_collect(const struct simulation *s, struct kinds *kinds) {
     for (int m = 0; m < LAW_MATERIALS_MAX; m++) {
-        kinds->radius_min[m] = kinds->mass_min[m] = INFINITY;
-        kinds->radius_max[m] = kinds->fixed[m] = 0;
+        kinds->radius_min[m] = kinds->lightest[m] = INFINITY;
+        kinds->radius_max[m] = kinds->heaviest[m] = kinds->fixed[m] = 0;
     }
     for (size_t k = 0; k < s->particles->owned; k++) {
         const struct particle_state *p = &s->particles->state[k];
@@ -39,8 +49,9 @@ static void kinds_collect(const struct simulation *s, struct kinds *kinds) {
     for (int w = 0; w < s->scene->walls; w++)
         kinds->fixed[s->scene->wall[w].material] = 1;
     comm_min(s->comm, kinds->radius_min, LAW_MATERIALS_MAX);
-    comm_min(s->comm, kinds->mass_min, LAW_MATERIALS_MAX);
+    comm_min(s->comm, kinds->lightest, LAW_MATERIALS_MAX);
     comm_max(s->comm, kinds->radius_max, LAW_MATERIALS_MAX);
+    comm_max(s->comm, kinds->heaviest, LAW_MATERIALS_MAX);
     comm_max(s->comm, kinds->fixed, LAW_MATERIALS_MAX);
 }
 
@@ -63,14 +74,14 @@ static double speed_expected(const struct simulation *s) {
 
 /* Overlap over the smaller radius when the largest particles of two kinds meet at a speed, without damping:
  * v sqrt(m* / k), or (5 m* v^2 / (4 K))^(2/5). */
-static double overlap_of(const struct law *law, const struct timestep_kind *a, const struct timestep_kind *b,
-                         double speed) {
+static double overlap_of(const struct law *law, const double *heaviest, const struct timestep_kind *a,
+                         const struct timestep_kind *b, double speed) {
     double mass[2] = {INFINITY, INFINITY}, radius[2] = {INFINITY, INFINITY};
     const struct timestep_kind *kind[2] = {a, b};
     for (int k = 0; k < 2; k++)
         if (!kind[k]->wall) {
             radius[k] = kind[k]->radius_max;
-            mass[k] = kind[k]->mass_min * pow(kind[k]->radius_max / kind[k]->radius_min, 3);
+            mass[k] = heaviest[kind[k]->material] * cube(radius[k]);
         }
     double m = 1 / (1 / mass[0] + 1 / mass[1]), r = 1 / (1 / radius[0] + 1 / radius[1]);
     double stiffness = law->pair[a->material][b->material].k_n;
@@ -80,12 +91,14 @@ static double overlap_of(const struct law *law, const struct timestep_kind *a, c
     return overlap / fmin(radius[0], radius[1]);
 }
 
-static double overlap_expected(const struct simulation *s, const struct timestep_input *input) {
+static double overlap_expected(const struct simulation *s, const double *heaviest,
+                               const struct timestep_input *input) {
     double most = 0;
     for (int a = 0; a < input->kinds; a++)
         for (int b = a; b < input->kinds; b++)
             if (!input->kind[a].wall || !input->kind[b].wall)
-                most = fmax(most, overlap_of(&s->law, &input->kind[a], &input->kind[b], input->speed_max));
+                most = fmax(
+                    most, overlap_of(&s->law, heaviest, &input->kind[a], &input->kind[b], input->speed_max));
     return most;
 }
 
@@ -99,7 +112,7 @@ static void limits_find(struct simulation *s) {
             kind[n++] = (struct timestep_kind){.material = m,
                                                .radius_min = kinds.radius_min[m],
                                                .radius_max = kinds.radius_max[m],
-                                               .mass_min = kinds.mass_min[m]};
+                                               .mass_min = kinds.lightest[m] * cube(kinds.radius_min[m])};
         if (kinds.fixed[m] > 0)
             kind[n++] = (struct timestep_kind){.material = m, .wall = true};
     }
@@ -111,7 +124,7 @@ static void limits_find(struct simulation *s) {
                                    .contacts = s->scene->step.contacts};
     timestep_limits(&s->limits, &input);
     s->speed_expected = input.speed_max;
-    s->overlap_expected = overlap_expected(s, &input);
+    s->overlap_expected = overlap_expected(s, kinds.heaviest, &input);
 }
 
 bool timing_choose(struct simulation *s, struct error *error) {
@@ -127,7 +140,9 @@ bool timing_choose(struct simulation *s, struct error *error) {
                              "%s: step.dt is needed: without free particles there is no stable time step to "
                              "take a fraction of",
                              scene_place(s->scene, "step", place, sizeof place));
-        s->dt = fraction * s->limits.stable;
+        bool goes_on = s->resumed_fraction == fraction && s->resumed_dt <= s->limits.stable;
+        s->dt_fraction = fraction;
+        s->dt = goes_on ? s->resumed_dt : fraction * s->limits.stable;
     }
     if (s->dt > s->limits.stable && !step->force)
         return error_set(error, ERROR_USER,

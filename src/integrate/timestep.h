@@ -23,7 +23,8 @@ struct timestep_kind {
     int material;
     bool wall;                     /* then the rest is not looked at */
     double radius_min, radius_max; /* of free particles of this material, length */
-    double mass_min;               /* of the smallest; others scale with radius^3 */
+    double mass_min;               /* of the smallest; others scale with radius^3: where densities differ, the
+                                      least density x its volume */
 };
 
 struct timestep_input {

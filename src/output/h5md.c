@@ -151,7 +151,7 @@ bool h5md_write_observables(struct h5md *h5md, const struct h5 *h5, struct error
 }
 
 /* Observables that still wait, if there is a file to put them into. */
-static bool write_rest(struct h5md *h5md, struct error *error) {
+bool h5md_flush(struct h5md *h5md, struct error *error) {
     if (h5md->kept == 0 || !h5md->made)
         return true;
     struct h5 h5;
@@ -165,7 +165,7 @@ bool h5md_close(struct h5md **h5md, struct error *error) {
     struct h5md *h = *h5md;
     if (!h)
         return true;
-    bool good = write_rest(h, error) && h5md_update_xdmf(h, true, error);
+    bool good = h5md_flush(h, error) && h5md_update_xdmf(h, true, error);
     memory_free(h->scene);
     memory_free(h->frame);
     memory_free(h->kept_step);

@@ -47,6 +47,9 @@ struct h5md_observables {
 };
 void h5md_add_observables(struct h5md *h5md, const struct h5md_observables *row);
 
+/* Writes the rows that are kept, if the file is there. Collective. */
+bool h5md_flush(struct h5md *h5md, struct error *error);
+
 /* Writes what is kept, the final XDMF, and frees. Collective. */
 bool h5md_close(struct h5md **h5md, struct error *error);
 

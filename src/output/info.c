@@ -2,7 +2,9 @@
 
 #include "output/checkpoint.h"
 #include "output/checkpoint_table.h"
+#include "core/memory.h"
 #include "output/dump.h"
+#include "output/h5.h"
 #include "output/h5md_read.h"
 #include "output/lammps_data.h"
 
@@ -96,6 +98,25 @@ static void print_rows(const struct rows *rows, FILE *file) {
     print_radii(rows, file);
 }
 
+/* Names of the observables in a trajectory, each with its number of rows. */
+static bool print_observables(const char *path, FILE *file, struct error *error) {
+    static const char group[] = "/observables";
+    struct h5 h5;
+    struct h5_names names = {0};
+    if (!h5_open(&h5, path, NULL, false, error))
+        return false;
+    bool good = !h5_exists(&h5, group) || h5_list(&h5, group, &names, error);
+    for (size_t k = 0; good && k < names.count; k++) {
+        char value[2 * OUTPUT_NAME_MAX];
+        struct h5_shape shape;
+        snprintf(value, sizeof value, "%s/%s/value", group, names.name[k]);
+        if (h5_exists(&h5, value) && h5_get_shape(&h5, value, &shape, error))
+            fprintf(file, "  observable %-24s %" PRIu64 " rows\n", names.name[k], (uint64_t)shape.size[0]);
+    }
+    memory_free(names.name);
+    return h5_close(&h5, error) && good && error->kind == ERROR_NONE;
+}
+
 static bool print_h5md(const char *path, FILE *file, struct error *error) {
     uint64_t frames;
     struct rows first, last;
@@ -115,7 +136,7 @@ static bool print_h5md(const char *path, FILE *file, struct error *error) {
         print_rows(&last, file);
     rows_free(&first);
     rows_free(&last);
-    return good;
+    return good && print_observables(path, file, error);
 }
 
 static bool print_dump(const char *path, FILE *file, struct error *error) {

@@ -1,0 +1,122 @@
+#!/usr/bin/env bash
+# Resuming into a scene that has changed, and what is on disk when a run breaks off: the step by rule, walls by name,
+# groups set free, rows that wait for a frame, states that a guard has condemned.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+cd "$out" || exit 1
+
+# The step follows from the fastest particle at the start, which loses speed
+cat >gas.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [6, 6, 6], periodic: true}
+materials: [{name: glass, density: 1, young: 1e6, poisson: 0.2}]
+material_pairs: [{restitution: 0.3, friction: 0.4}]
+particles: {sources: [{from: random, count: 200, sizes: 0.3, velocity_sigma: 3}]}
+step: {count: 400}
+output: {checkpoint: {every: 200, keep: 9}}
+EOF
+keeps_step() {
+    run_scene 1 gas.yaml gas && run_scene 1 gas.yaml gas-again --resume gas/checkpoint-200.h5 || return 1
+    contents gas/checkpoint-400.h5 >whole.txt && contents gas-again/checkpoint-400.h5 >again.txt || return 1
+    diff whole.txt again.txt
+}
+check 'a resume by the same rule keeps the time step, and the bits' keeps_step
+step_of() {
+    "$scree" info "$1" | sed -n 's/.*time step //p'
+}
+takes_new_step() {
+    run_scene 1 gas.yaml gas-slower --resume gas/checkpoint-200.h5 --set step.fraction=0.03 --set step.count=210 || return 1
+    [ "$(step_of gas-slower/checkpoint-210.h5)" != "$(step_of gas/checkpoint-400.h5)" ]
+}
+check 'another fraction of the stable step is taken up' takes_new_step
+
+# A sphere leans on a rough wall and a rough floor; a gate that nobody touches comes first in the list
+cat >walls.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [10, 10, 10], periodic: false}
+gravity: [-3, 0, -10]
+contact: {law: hooke}
+materials: [{name: glass, density: 1}]
+material_pairs: [{restitution: 0.3, friction: 0.5, k_n: 20000}]
+walls:
+  - {name: gate, shape: plane, material: glass, point: [9, 0, 0], normal: [-1, 0, 0]}
+  - {name: side, shape: plane, material: glass, point: [1, 0, 0], normal: [1, 0, 0]}
+  - {name: floor, shape: plane, material: glass, point: [0, 0, 1], normal: [0, 0, 1]}
+particles: {sources: [{from: single, position: [1.995, 5, 1.99], radius: 1, velocity: [0, 0.05, 0]}]}
+step: {dt: 0.0005, count: 2000}
+observables: {every: 10, list: [{name: wall_force, target: floor}, {name: wall_force, target: side}]}
+output: {checkpoint: {every: 1000, keep: 9}}
+EOF
+sed -e '/name: gate/d' walls.yaml >open.yaml
+sed -e '/name: side/{h;d}' -e '/name: floor/{G}' walls.yaml >turned.yaml
+# forces DIR: of the floor and the side on the last line, some digits
+forces() {
+    awk -F, 'NR == 1 { next } { line = ""; for (k = 2; k <= NF; k++) line = line sprintf(" %.9g", $k) } END { print line }' "$1/observables.csv"
+}
+# same_forces SCENE: resumed with other walls, the forces are those of the run that went on
+same_forces() {
+    run_scene 1 "$1.yaml" "$1-again" --resume walls/checkpoint-1000.h5 || return 1
+    [ "$(forces walls)" = "$(forces "$1-again")" ] || { echo "  $(forces walls) and $(forces "$1-again")"; return 1; }
+}
+check 'a run with walls to go on from' run_scene 1 walls.yaml walls
+check 'a wall less: springs stay with the walls of their names' same_forces open
+check 'walls in another order: springs stay with the walls of their names' same_forces turned
+
+# A sphere is held until the checkpoint, then set free above a floor
+cat >held.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [10, 10, 10], periodic: false}
+gravity: [0, 0, -10]
+contact: {law: hooke}
+materials: [{name: glass, density: 1}]
+material_pairs: [{restitution: 0.1, k_n: 20000}]
+walls: [{name: floor, shape: plane, material: glass, point: [0, 0, 4], normal: [0, 0, 1]}]
+groups: [{name: stone, motion: frozen, select: {ids: [1]}}]
+particles: {sources: [{from: single, position: [5, 5, 5.5], radius: 1}]}
+step: {dt: 0.0005, count: 100}
+observables: {every: 100, list: [{name: position, id: 1}]}
+output: {checkpoint: {every: 100, keep: 9}}
+EOF
+set_free() {
+    run_scene 1 held.yaml held || return 1
+    sed -e 's/motion: frozen/motion: free/' -e 's/count: 100}/count: 8000}/' held.yaml >free.yaml
+    run_scene 1 free.yaml free --resume held/checkpoint-100.h5 || return 1
+    within "$(awk -F, 'END { print $4 }' free/observables.csv)" 4.998 0.002
+}
+check 'a sphere that was frozen and is set free rests on the floor' set_free
+
+# Rows of observables are in the trajectory by every checkpoint, and after a stop
+rows_of() {
+    "$scree" info "$1/trajectory.h5" | awk '$1 == "observable" && $2 == "energy_kinetic" { print $3 }'
+}
+flushed() {
+    run_scene 1 gas.yaml rows --set step.count=200 --set output.trajectory.every=1000 --set observables.every=10 \
+        --set 'observables.list=[{name: energy_kinetic}]' --set output.checkpoint.every=100 || return 1
+    [ "$(rows_of rows)" = 21 ] || { echo "  $(rows_of rows) rows"; return 1; }
+}
+check 'observables are in the trajectory to the end' flushed
+
+# condemned RANKS: a particle that flies out of the box stops the run; no checkpoint of that step, one marked as stopped
+cat >leaves.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [10, 10, 10], periodic: false, leave: error}
+contact: {law: hooke}
+materials: [{name: glass, density: 1}]
+material_pairs: [{restitution: 0.3, k_n: 100}]
+particles: {sources: [{from: single, position: [9.5, 5, 5.5], radius: 0.2, velocity: [10, 0, 0]}, {from: single, position: [2, 5, 5.5], radius: 0.2}]}
+step: {dt: 0.001, count: 200}
+observables: {every: 10, list: [{name: energy_kinetic}]}
+output: {checkpoint: {every: 1, keep: 2}, trajectory: {every: 1000}}
+EOF
+condemned() {
+    local last stopped
+    on "$1" "$scree" run leaves.yaml -o "leaves-$1" --quiet >said 2>&1
+    [ $? = 3 ] || { echo '  no stop by a guard'; cat said; return 1; }
+    last=$(ls "leaves-$1" | sed -n 's/^checkpoint-\([0-9]*\)\.h5$/\1/p' | sort -n | tail -n 1)
+    stopped=$(ls "leaves-$1" | sed -n 's/^checkpoint-\([0-9]*\)-stopped\.h5$/\1/p')
+    [ "$last" -lt "$stopped" ] || { echo "  the last checkpoint is of step $last, the stop of $stopped"; return 1; }
+    [ "$(rows_of "leaves-$1")" = $((stopped / 10 + 1)) ] || { echo "  $(rows_of "leaves-$1") rows at step $stopped"; return 1; }
+}
+check 'what a guard has condemned is no checkpoint; observables are whole' condemned 1
+check 'the same on two ranks' condemned 2
+finish
