@@ -166,6 +166,36 @@ warned() {
 }
 check 'a guard that warns does so once' warned
 
+echo '== the stable step'
+# light FILE SOURCES: spheres of radius 10 and density 1 that nearly touch, and others of the same material
+light() {
+    cat >"$1" <<EOF
+units: none
+box: {lower: [0, 0, 0], upper: [100, 100, 100]}
+step: {count: 1}
+contact: {law: hertz}
+materials: [{name: stone, density: 1000, young: 1e7, poisson: 0.3}]
+material_pairs: [{restitution: 0.9, friction: 0.0}]
+particles:
+  sources:
+    - {from: single, position: [50, 50, 50], radius: 10, density: 1, velocity: [0, 0, 1]}
+    - {from: single, position: [50, 50, 70], radius: 10, density: 1}
+$2
+EOF
+}
+light light.yaml ''
+light heavy.yaml '    - {from: single, position: [30, 30, 30], radius: 1}'
+stable() {
+    "$scree" check "$1" | sed -n 's/^ *stable  *\([-0-9.e+]*\) .*/\1/p'
+}
+no_longer() { # small dense spheres beside them give no leave for a longer step
+    awk -v alone="$(stable light.yaml)" -v beside="$(stable heavy.yaml)" 'BEGIN {
+        good = alone > 0 && beside > 0 && beside <= alone
+        if (!good) print "  stable step " alone " alone, " beside " beside dense spheres"
+        exit !good }'
+}
+check 'the lightest spheres of a material decide' no_longer
+
 echo '== moving walls'
 cat >oscillate.yaml <<'EOF'
 units: none
