@@ -206,6 +206,11 @@ static void too_dense(void **state) {
     error = (struct error){0};
     assert_false(make("bidisperse", "ratio=5 box=25 large=4 small=4000", &rows, &report, &error));
     assert_non_null(strstr(error.text, "do not fit"));
+    error = (struct error){0};
+    assert_false(make("bidisperse", "ratio=10 box=1200 numbers=recipe", &rows, &report, &error));
+    assert_int_equal(error.kind, ERROR_USER);
+    assert_non_null(strstr(error.text, "49504 large"));
+    assert_non_null(strstr(error.text, "fewer than 134217728"));
 }
 
 int main(void) {

@@ -27,7 +27,16 @@ static size_t count_start(const struct pack_work *work, struct error *error) {
     if (o->numbers == PACK_TABLE)
         count = ceil(o->small / free * (1 + surplus) + surplus_least);
     double fraction = count * sphere(1) / volume;
+    double most = (double)((size_t)1 << PARTICLE_INDEX_BITS);
     work->report->started_fraction = fraction;
+    if (o->large + count >= most) {
+        error_set(
+            error, ERROR_USER,
+            "command line: %.0f large spheres and %.0f small ones to begin with in a cube of edge %g are too "
+            "many; allowed: fewer than %.0f",
+            o->large, count, o->box, most);
+        return 0;
+    }
     if (free > 0 && fraction <= most_fraction && count >= 1)
         return (size_t)count;
     error_set(error, ERROR_USER,

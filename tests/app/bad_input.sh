@@ -319,6 +319,8 @@ line '--set of a bad value' "step.count|many" run good.yaml -o new --set step.co
 line '--set of an empty key' "--set" run good.yaml -o new --set =3
 line 'ablate of an unknown index' "octree" ablate good.yaml -o new --index brute,octree
 line 'convert to an unknown format' "vtk|lammps-data" convert there/trajectory.h5 new --to vtk
+line 'a packing of more than can be numbered' "too many|fewer than 134217728" \
+    pack bidisperse new.data ratio=10 box=1200 numbers=recipe
 line '-o without a name' "-o|empty" run good.yaml -o ''
 line '--set of a number that is not in the list' "materials[-1]|list has 1" run good.yaml -o new --set 'materials[-1].young=1'
 bad 'command line' 'convert into itself' "there/trajectory.h5|itself" \
