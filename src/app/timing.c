@@ -18,10 +18,6 @@ static double cube(double x) {
     return x * x * x;
 }
 
-static double cube(double x) {
-    return x * x * x;
-}
-
 static void kinds_put(struct kinds *kinds, int material, double radius, double mass) {
     kinds->radius_min[material] = fmin(kinds->radius_min[material], radius);
     kinds->radius_max[material] = fmax(kinds->radius_max[material], radius);
