@@ -58,7 +58,8 @@ static void add_columns(struct observables *o, const struct observable_item *ite
             o->column = memory_resize(o->column, (size_t)o->column_room, sizeof *o->column, "observables");
         }
         struct observable_column *column = &o->column[o->columns++];
-        column->unit = o->dimensionless ? "1" : kind->info.unit;
+        const char *unit = o->flat && kind->info.unit_flat ? kind->info.unit_flat : kind->info.unit;
+        column->unit = o->dimensionless ? "1" : unit;
         const char *end = kind->info.components == 1   ? ""
                           : kind->info.components == 3 ? vector[c]
                                                        : tensor[c];
@@ -229,6 +230,7 @@ bool observables_create(struct observables **observables, const struct observabl
     struct observables *o = memory_allocate_zero(1, sizeof *o, "observables");
     *observables = o;
     o->dimensionless = run->dimensionless;
+    o->flat = view->box->dimension == 2;
     o->regions = options->regions;
     o->last_time = -INFINITY;
     memcpy(o->region, options->region, sizeof o->region);

@@ -23,7 +23,8 @@ struct observable_info {
     const char *unit;   /* as in a column's head: "J", "kg m/s", "1" */
     const char *help;
     enum observable_target target;
-    int components; /* columns without a selection: 1, 3 or 6 */
+    int components;        /* columns without a selection: 1, 3 or 6 */
+    const char *unit_flat; /* where the box has two dimensions; NULL: the same */
 };
 
 int observables_count(void);

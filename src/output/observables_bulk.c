@@ -111,8 +111,10 @@ static void virial_of_rank(const struct observable_context *context, struct obse
             part[c] += context->view->sums->virial[c];
 }
 
+/* Over the volume, in two dimensions the area: the thickness of a flat box means nothing. */
 static void finish_stress(const struct output_view *view, double *part) {
-    double volume = view->box->edge[0] * view->box->edge[1] * view->box->edge[2];
+    const struct box *box = view->box;
+    double volume = box->edge[0] * box->edge[1] * (box->dimension == 2 ? 1 : box->edge[2]);
     for (int c = 0; c < 6; c++)
         part[c] /= volume;
 }
@@ -240,7 +242,7 @@ static bool has_walls(const struct output_view *view) {
 }
 
 #define ALL(name, family, unit, components, help)                                                            \
-    { name, family, unit, help, OBSERVABLE_OF_ALL, components }
+    { name, family, unit, help, OBSERVABLE_OF_ALL, components, NULL }
 
 static const struct observable_kind kinds[] = {
     {.info = ALL("energy_kinetic", "energy", "J", 1, "translational energy of the free particles"),
@@ -293,8 +295,11 @@ static const struct observable_kind kinds[] = {
      .parts = 4,
      .of_particle = add_centre,
      .finish = finish_centre},
-    {.info = ALL("stress", "", "Pa", 6,
-                 "mean stress in the box, positive in compression: kinetic part and contacts"),
+    {.info =
+         {"stress", "", "Pa",
+          "mean stress in the box, positive in compression: kinetic part and contacts; in two dimensions a "
+          "force over a length",
+          OBSERVABLE_OF_ALL, 6, "N/m"},
      .parts = 6,
      .needs_sums = true,
      .of_particle = add_flux,

@@ -67,7 +67,7 @@ struct observable_column {
 };
 
 struct observables {
-    bool dimensionless;
+    bool dimensionless, flat; /* flat: the box has two dimensions */
     int regions;
     struct output_region region[OUTPUT_REGIONS_MAX];
     int items, item_room, columns, column_room, parts;

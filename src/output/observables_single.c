@@ -133,7 +133,7 @@ static void volume_in_region(const struct output_view *view, const struct observ
 }
 
 #define OF(target, name, family, unit, components, help)                                                     \
-    { name, family, unit, help, OBSERVABLE_OF_##target, components }
+    { name, family, unit, help, OBSERVABLE_OF_##target, components, NULL }
 
 static const struct observable_kind kinds[] = {
     {.info = OF(WALL, "wall_force", "wall", "N", 3, "force of the particles on a wall"),

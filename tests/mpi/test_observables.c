@@ -182,6 +182,40 @@ static void sums_over_particles(void **state) {
     team_finish(team);
 }
 
+/* In two dimensions a stress is a force over a length, however thick the box is said to be. */
+static void flat_stress(void **state) {
+    struct team *team = *state;
+    struct fixture f;
+    fixture_make(&f, team);
+    f.cloud.box.dimension = f.motion.dimension = 2;
+    ask(&f, (struct observable_request){.name = "stress"});
+    ask(&f, (struct observable_request){.name = "solid_volume"});
+    f.options.regions = 1;
+    f.options.region[0] = (struct output_region){.name = "middle"};
+    double first = 0;
+    for (int turn = 0; turn < 2; turn++) {
+        f.cloud.box.edge[2] = turn ? 0.01 : 12;
+        struct observables *o = create(&f);
+        write_row(&f, o);
+        double flux = 0;
+        for (int64_t id = 1; id <= PARTICLES; id++) {
+            double v[3], w[3];
+            full_step(&f, id, v, w);
+            flux += id == 7 ? 0 : v[0] * v[1] / inverse_mass(id);
+        }
+        expect_near(&f, o, "stress_xy", (flux + 4 * team->comm.size) / (10.0 * 11));
+        first = turn ? first : column(&f, o, "stress_xx");
+        expect_near(&f, o, "stress_xx", first);
+        team_expect(team, strcmp(observables_column_unit(o, 0), "N/m") == 0, "unit %s",
+                    observables_column_unit(o, 0));
+        team_expect(team, strcmp(observables_column_unit(o, 6), "m3") == 0, "unit %s of spheres in a plane",
+                    observables_column_unit(o, 6));
+        observables_destroy(&o);
+    }
+    fixture_free(&f);
+    team_finish(team);
+}
+
 static void contacts_and_default(void **state) {
     struct team *team = *state;
     struct fixture f;
@@ -388,6 +422,7 @@ int main(int argc, char **argv) {
     team_start(&team, &argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_prestate(sums_over_particles, &team),
+        cmocka_unit_test_prestate(flat_stress, &team),
         cmocka_unit_test_prestate(contacts_and_default, &team),
         cmocka_unit_test_prestate(one_particle, &team),
         cmocka_unit_test_prestate(counts_in_regions, &team),
