@@ -33,14 +33,6 @@ static void show_angular_velocity(const struct output_view *view, size_t i, doub
     integrator_full_step(view->particles, view->motion, i, velocity, value);
 }
 
-static void show_force(const struct output_view *view, size_t i, double value[3]) {
-    const struct particles *p = view->particles;
-    double weight = p->state[i].inverse_mass > 0 ? 1 / p->state[i].inverse_mass : 0;
-    for (int d = 0; d < 3; d++)
-        value[d] = p->force[i * (size_t)p->force_stride + (size_t)d] +
-                   (d < view->box->dimension ? weight * view->motion->gravity[d] : 0);
-}
-
 static void show_mass(const struct output_view *view, size_t i, double value[3]) {
     value[0] = particles_mass(view->particles, i);
 }
@@ -49,7 +41,7 @@ static const struct shown shown_table[] = {
     {"position", "position", NULL, false, true, false, show_position},
     {"velocity", "velocity", NULL, false, true, false, show_velocity},
     {"angular_velocity", "angular_velocity", NULL, false, false, false, show_angular_velocity},
-    {"force", "force", NULL, false, true, false, show_force},
+    {"force", "force", NULL, false, true, false, NULL},
     {"image", "image", NULL, false, true, false, NULL},
     {"inverse_mass", "mass", "kg", false, false, true, show_mass},
     {"radius", "radius", NULL, false, false, true, NULL},

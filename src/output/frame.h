@@ -1,5 +1,5 @@
 /* A frame: what a file shows of the particles at one moment. Columns in the user's terms (positions with the
- * box's origin, velocities of the full step, the total force with gravity as H5MD defines it, mass), rows
+ * box's origin, velocities of the full step, the force of contacts and walls without gravity, mass), rows
  * sorted by id over all ranks, each rank holding one slab. So row k is the same particle in every frame as
  * long as none is deleted (new ones have larger ids), and the file does not depend on the layout of ranks. */
 #ifndef SCREE_OUTPUT_FRAME_H

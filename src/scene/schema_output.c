@@ -23,7 +23,8 @@ static const struct schema_row trajectory_rows[] = {
     {.key = "every", EVERY(struct trajectory_options, every),
      .help = "how often; a bare number counts steps, {time: ...} is simulated time"},
     {.key = "fields", .type = SCHEMA_TEXTS, ARRAY_AT(struct trajectory_options, fields.name, fields.count),
-     .help = "particle fields; none named: all that the scene has",
+     .help = "particle fields; none named: all that the scene has; `force` is that of contacts and walls, "
+             "without gravity",
      .example = "[position, velocity, radius]"},
     {.key = "xdmf", .type = SCHEMA_BOOL, .fallback = "true", AT(struct trajectory_options, xdmf),
      .help = "trajectory.xdmf beside it, for ParaView"},
@@ -35,7 +36,9 @@ static const struct schema_table trajectory_table = TABLE(trajectory_rows);
 static const struct schema_row dump_rows[] = {
     {.key = "every", EVERY(struct dump_options, every), .help = "how often"},
     {.key = "fields", .type = SCHEMA_TEXTS, ARRAY_AT(struct dump_options, fields.name, fields.count),
-     .help = "particle fields; none named: all", .example = "[position, velocity, radius]"},
+     .help = "particle fields; none named: all that a dump can show; `force` is that of contacts and walls, "
+             "without gravity",
+     .example = "[position, velocity, radius]"},
 };
 static const struct schema_table dump_table = TABLE(dump_rows);
 
