@@ -17,8 +17,8 @@ static const struct flag flags[] = {
     {"output", "DIR",
      "directory for the files of the run (also -o); exists: refused without --overwrite or --resume"},
     {"set", "KEY=VALUE",
-     "overrides a key of the scene, e.g. --set index.name=hgrid or --set walls[0].radius=0.2; may be "
-     "repeated"},
+     "overrides a key of the scene, e.g. --set index.name=hgrid or --set walls[0].radius=0.2; KEY=~ takes it "
+     "out; may be repeated"},
     {"resume", "FILE",
      "goes on from a checkpoint, on any number of ranks and threads; 'last' is the newest in the directory; "
      "what a run wrote there after that step is replaced"},
@@ -67,8 +67,8 @@ static const struct command commands[] = {
      command_ablate},
     {"info", "FILE", "tells what is in a trajectory, checkpoint, LAMMPS data file or dump", 1, 1, "",
      run_info},
-    {"convert", "IN OUT", "converts LAMMPS data, dumps and H5MD into each other", 2, 2, "to frame overwrite",
-     run_convert},
+    {"convert", "IN OUT", "converts LAMMPS data, dumps and H5MD into each other; checkpoints, too", 2, 2,
+     "to frame overwrite", run_convert},
     {"pack", "LAW FILE... [KEY=VALUE...]",
      "makes a packing of spheres: NAME.data for LAMMPS, NAME.h5 for H5MD", 2, COMMAND_FILES_MAX,
      "overwrite quiet", command_pack},

@@ -1,6 +1,7 @@
 #include "output/convert.h"
 
 #include "core/memory.h"
+#include "output/checkpoint.h"
 #include "output/dump.h"
 #include "output/file.h"
 #include "output/h5md.h"
@@ -59,9 +60,10 @@ static bool count_frames(struct converting *c, struct error *error) {
         return h5md_read_frames(c->in, NULL, &c->frames, error);
     if (c->kind == INFO_LAMMPS_DUMP)
         return dump_frames(c->in, &c->frames, error);
-    return c->kind == INFO_LAMMPS_DATA ||
+    return c->kind == INFO_LAMMPS_DATA || c->kind == INFO_CHECKPOINT ||
            error_set(error, ERROR_USER,
-                     "%s: is no LAMMPS data file, LAMMPS dump or H5MD file, and so cannot be converted",
+                     "%s: is no LAMMPS data file, LAMMPS dump, H5MD file or checkpoint, and so cannot be "
+                     "converted",
                      c->in);
 }
 
@@ -107,6 +109,53 @@ static void sort_rows(struct rows *rows) {
     memory_free(order);
 }
 
+static void rows_of_particles(struct rows *rows, const struct particles *p, const struct box *box) {
+    unsigned columns = ROWS_POSITION | ROWS_VELOCITY | ROWS_RADIUS | ROWS_MASS | ROWS_ID;
+    columns |= p->omega ? ROWS_ANGULAR_VELOCITY : 0u;
+    columns |= p->material ? ROWS_MATERIAL : 0u;
+    columns |= p->image ? ROWS_IMAGE : 0u;
+    rows_create(rows, p->owned, columns);
+    for (size_t i = 0; i < p->owned; i++) {
+        rows->id[i] = p->id[i];
+        rows->radius[i] = p->state[i].radius;
+        rows->mass[i] = particles_mass(p, i);
+        for (int d = 0; d < 3; d++)
+            rows->position[i][d] = p->state[i].x[d] + box->origin[d];
+        memcpy(rows->velocity[i], p->state[i].v, sizeof rows->velocity[i]);
+        if (p->omega)
+            memcpy(rows->angular_velocity[i], p->omega[i], sizeof rows->angular_velocity[i]);
+        if (p->material)
+            rows->material[i] = p->material[i];
+        if (p->image)
+            memcpy(rows->image[i], p->image[i], sizeof rows->image[i]);
+    }
+    rows->dimension = box->dimension;
+    rows->box_given = rows->periodic_given = true;
+    for (int d = 0; d < 3; d++) {
+        rows->lower[d] = box->origin[d];
+        rows->upper[d] = box->origin[d] + box->edge[d];
+        rows->periodic[d] = box->periodic[d];
+    }
+}
+
+/* The particles of a checkpoint, as it holds them. */
+static bool read_checkpoint(const struct converting *c, struct rows *rows, struct error *error) {
+    struct checkpoint_loaded loaded;
+    if (!checkpoint_read_head(c->comm, c->in, &loaded, error))
+        return false;
+    struct particles *particles = particles_create(loaded.features & PARTICLE_FEATURES_ALL, 0);
+    checkpoint_loaded_free(&loaded);
+    bool good = checkpoint_read(c->comm, c->in, particles, &loaded, error);
+    if (good) {
+        rows_of_particles(rows, particles, &loaded.box);
+        rows->step = loaded.numbers.step;
+        rows->time = loaded.numbers.time;
+        checkpoint_loaded_free(&loaded);
+    }
+    particles_destroy(&particles);
+    return good;
+}
+
 static bool read_frame(const struct converting *c, int64_t frame, struct rows *rows, struct error *error) {
     struct h5md_read_options options = {.frame = frame};
     bool good = false;
@@ -114,6 +163,8 @@ static bool read_frame(const struct converting *c, int64_t frame, struct rows *r
         good = lammps_data_read(c->in, rows, error);
     else if (c->kind == INFO_LAMMPS_DUMP)
         good = dump_read(c->in, frame, rows, error);
+    else if (c->kind == INFO_CHECKPOINT)
+        good = read_checkpoint(c, rows, error);
     else
         good = h5md_read(c->in, &options, NULL, rows, error);
     if (good)

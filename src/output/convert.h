@@ -1,5 +1,6 @@
-/* Conversions between file formats: LAMMPS data, LAMMPS dump and H5MD in; LAMMPS data, dump, H5MD (with XDMF)
- * and the XDMF of an H5MD file out. */
+/* Conversions between file formats: LAMMPS data, LAMMPS dump, H5MD and checkpoints in; LAMMPS data, dump,
+ * H5MD (with XDMF) and the XDMF of an H5MD file out. Of a checkpoint the particles are taken, to be looked
+ * at: their velocities are those that it holds, of the half step before its positions. */
 #ifndef SCREE_OUTPUT_CONVERT_H
 #define SCREE_OUTPUT_CONVERT_H
 

@@ -30,6 +30,10 @@ static bool find_group(struct source *s, const char *name, struct error *error) 
     if (!h5_is_group(&s->h5, "/particles"))
         return error_set(error, ERROR_USER,
                          "%s: /particles: there is no such group; this is not an H5MD file", s->h5.path);
+    if (h5_exists(&s->h5, "/run/integers"))
+        return error_set(error, ERROR_USER,
+                         "%s: is a checkpoint; `scree convert CHECKPOINT.h5 OUT.h5` makes an H5MD file of it",
+                         s->h5.path);
     bool good = h5_list(&s->h5, "/particles", &names, error);
     const char *found = NULL;
     char known[512] = "";

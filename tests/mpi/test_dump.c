@@ -9,6 +9,7 @@
 #include "cloud.h"
 #include "core/memory.h"
 #include "folder.h"
+#include "output/checkpoint.h"
 #include "output/convert.h"
 #include "output/dump.h"
 #include "output/h5md_read.h"
@@ -206,6 +207,56 @@ static void conversions_close_the_circle(void **state) {
     team_finish(team);
 }
 
+/* A checkpoint as data, H5MD and dump: its particles, with the velocities that it holds. */
+static void checkpoint_is_converted(void **state) {
+    struct team *team = *state;
+    static const char *const names[] = {"a.data", "a.h5", "a.lammpstrj"};
+    for (unsigned features = 0; features <= PARTICLE_FEATURES_ALL; features += PARTICLE_FEATURES_ALL) {
+        struct fixture f;
+        struct comm self = folder_self();
+        struct error error = {0};
+        fixture_make(&f, team, features);
+        struct checkpoint checkpoint = {.numbers = {.step = 70, .time = 0.25},
+                                        .particles = f.particles,
+                                        .box = &f.cloud.box,
+                                        .scene = "title: a test\n"};
+        team_expect(team,
+                    checkpoint_write(&team->comm, f.folder.path, CHECKPOINT_STOPPED, &checkpoint, 0, &error),
+                    "%s", error.text);
+        char from[FOLDER_MAX + 64], to[FOLDER_MAX + 64];
+        folder_file(&f.folder, "checkpoint-70-stopped.h5", from);
+        for (int k = 0; team->comm.rank == 0 && k < 3; k++) {
+            struct convert_options options = {0};
+            struct h5md_read_options first = {0};
+            struct rows rows = {0};
+            folder_file(&f.folder, names[k], to);
+            bool good = convert_file(from, to, &options, &self, &error) &&
+                        (k == 0   ? lammps_data_read(to, &rows, &error)
+                         : k == 1 ? h5md_read(to, &first, NULL, &rows, &error)
+                                  : dump_read(to, 0, &rows, &error));
+            if (!team_expect(team, good, "%s: %s", names[k], error.text))
+                continue;
+            team_expect(team, k == 0 || rows.step == 70, "%s: step %d", names[k], (int)rows.step);
+            team_expect(team, k != 1 || rows.time == 0.25, "%s: time %g", names[k], rows.time);
+            for (size_t i = 0; features > 0 && i < rows.count; i++)
+                team_expect(team,
+                            rows.image &&
+                                rows.image[i][0] == cloud_value(rows.id[i], fields_find("image"), 0, STAMP),
+                            "%s: image of row %zu", names[k], i);
+            expect_rows(&f, &rows);
+            rows_free(&rows);
+        }
+        if (team->comm.rank == 0) {
+            struct h5md_read_options first = {0};
+            struct rows rows;
+            team_expect(team, !h5md_read(from, &first, NULL, &rows, &error), "read as H5MD");
+            team_expect(team, strstr(error.text, "scree convert") != NULL, "%s", error.text);
+        }
+        fixture_free(&f);
+        team_finish(team);
+    }
+}
+
 /* Data files: one that is right, then the same with one thing wrong. */
 
 static const char good_data[] =
@@ -374,6 +425,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(dump_comes_back, &team),
         cmocka_unit_test_prestate(dump_goes_on, &team),
         cmocka_unit_test_prestate(conversions_close_the_circle, &team),
+        cmocka_unit_test_prestate(checkpoint_is_converted, &team),
         cmocka_unit_test_prestate(data_file_is_read, &team),
         cmocka_unit_test_prestate(wrong_data_is_refused, &team),
         cmocka_unit_test_prestate(wrong_dumps_are_refused, &team),
