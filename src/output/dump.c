@@ -30,6 +30,13 @@ static const struct dump_column dump_columns[] = {
 };
 enum { DUMP_COLUMNS = sizeof dump_columns / sizeof dump_columns[0], LINE_BYTES = 26 * 26 };
 
+const char *dump_columns_of(const char *field) {
+    for (int c = 0; c < DUMP_COLUMNS; c++)
+        if (strcmp(dump_columns[c].field, field) == 0)
+            return dump_columns[c].head;
+    return strcmp(field, "id") == 0 ? "id" : "";
+}
+
 /* Cuts a present file behind the last whole frame up to a step. */
 static bool cut_file(const char *path, int64_t step, struct error *error) {
     struct lines lines;

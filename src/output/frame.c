@@ -14,7 +14,7 @@
 /* How a row of the field table is shown; fields without a row here are copied as they are. */
 struct shown {
     const char *field, *name;
-    const char *unit; /* NULL: the table's */
+    const char *unit, *help; /* NULL: the table's */
     bool asked_only, spatial, fixed;
     void (*value)(const struct output_view *view, size_t i, double value[3]); /* NULL: copied */
 };
@@ -38,18 +38,20 @@ static void show_mass(const struct output_view *view, size_t i, double value[3])
 }
 
 static const struct shown shown_table[] = {
-    {"position", "position", NULL, false, true, false, show_position},
-    {"velocity", "velocity", NULL, false, true, false, show_velocity},
-    {"angular_velocity", "angular_velocity", NULL, false, false, false, show_angular_velocity},
-    {"force", "force", NULL, false, true, false, NULL},
-    {"image", "image", NULL, false, true, false, NULL},
-    {"inverse_mass", "mass", "kg", false, false, true, show_mass},
-    {"radius", "radius", NULL, false, false, true, NULL},
-    {"id", "id", NULL, false, false, true, NULL},
-    {"material", "material", NULL, false, false, true, NULL},
-    {"group", "group", NULL, false, false, true, NULL},
-    {"density", "density", NULL, true, false, true, NULL},
-    {"size_class", "size_class", NULL, true, false, false, NULL},
+    {"position", "position", NULL, NULL, false, true, false, show_position},
+    {"velocity", "velocity", NULL, "velocity of the centre, at the same moment as the position", false, true,
+     false, show_velocity},
+    {"angular_velocity", "angular_velocity", NULL, "angular velocity, at the same moment as the position",
+     false, false, false, show_angular_velocity},
+    {"force", "force", NULL, NULL, false, true, false, NULL},
+    {"image", "image", NULL, NULL, false, true, false, NULL},
+    {"inverse_mass", "mass", "kg", "mass", false, false, true, show_mass},
+    {"radius", "radius", NULL, NULL, false, false, true, NULL},
+    {"id", "id", NULL, NULL, false, false, true, NULL},
+    {"material", "material", NULL, NULL, false, false, true, NULL},
+    {"group", "group", NULL, NULL, false, false, true, NULL},
+    {"density", "density", NULL, NULL, true, false, true, NULL},
+    {"size_class", "size_class", NULL, NULL, true, false, false, NULL},
 };
 
 static struct shown shown_of(int f) {
@@ -58,6 +60,25 @@ static struct shown shown_of(int f) {
         if (strcmp(shown_table[k].field, name) == 0)
             return shown_table[k];
     return (struct shown){.field = name, .name = name};
+}
+
+/* A field of one byte is shown as INT32. */
+static enum field_type shown_type(const struct field *field) {
+    return field->type == FIELD_UINT8 ? FIELD_INT32 : field->type;
+}
+
+struct frame_field frame_field_get(int f) {
+    struct shown shown = shown_of(f);
+    const struct field *field = fields_get(f);
+    return (struct frame_field){.name = shown.name,
+                                .unit = shown.unit ? shown.unit : field->unit,
+                                .help = shown.help ? shown.help : field->help,
+                                .type = shown_type(field),
+                                .components = field->components,
+                                .spatial = shown.spatial,
+                                .fixed = shown.fixed,
+                                .asked_only = shown.asked_only,
+                                .needs = field->needs};
 }
 
 static bool listed(const struct output_fields *fields, const char *name) {
@@ -145,7 +166,7 @@ static void add_column(struct frame *frame, const struct output_view *view, int 
     struct frame_column *column = &frame->column[frame->columns++];
     *column = (struct frame_column){.name = shown.name,
                                     .unit = shown.unit ? shown.unit : field->unit,
-                                    .type = field->type == FIELD_UINT8 ? FIELD_INT32 : field->type,
+                                    .type = shown_type(field),
                                     .components = field->components,
                                     .spatial = shown.spatial,
                                     .fixed = shown.fixed};

@@ -43,6 +43,17 @@ void frame_from_rows(struct frame *frame, const struct rows *rows);
 
 void frame_free(struct frame *frame);
 
+/* How row f of the field table is shown, for docs. */
+struct frame_field {
+    const char *name, *unit, *help; /* as in H5MD */
+    enum field_type type;           /* DOUBLE, INT64 or INT32 */
+    int components;                 /* 1 or 3 */
+    bool spatial, fixed;            /* as in a frame_column */
+    bool asked_only;                /* left out unless a list of fields names it */
+    unsigned needs;                 /* the features (particles.h) of scenes that have it */
+};
+struct frame_field frame_field_get(int f);
+
 /* The column of a name, or NULL. */
 const struct frame_column *frame_find(const struct frame *frame, const char *name);
 

@@ -10,6 +10,8 @@ liboutput_la_SOURCES = \
 	src/output/contact_list.h \
 	src/output/convert.c \
 	src/output/convert.h \
+	src/output/describe.c \
+	src/output/describe.h \
 	src/output/dump.c \
 	src/output/dump.h \
 	src/output/dump_read.c \
@@ -56,3 +58,12 @@ liboutput_la_SOURCES = \
 	src/output/xdmf.h
 liboutput_la_CPPFLAGS = $(AM_CPPFLAGS) $(HDF5_CFLAGS) $(MPI_CFLAGS) $(ZLIB_CFLAGS)
 liboutput_la_LIBADD = $(HDF5_LIBS) $(ZLIB_LIBS)
+
+EXTRA_DIST += docs/output.md
+
+# What writes the tables of docs/output.md, after a change of fields or observables
+EXTRA_PROGRAMS += src/output/document
+CLEANFILES += src/output/document
+src_output_document_SOURCES = src/output/document.c
+src_output_document_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+src_output_document_LDADD = $(OUTPUT_LIBS)
