@@ -240,6 +240,8 @@ static void test_servo(void **state) {
     assert_near(wall_mover_servo_speed(m, 1.5, (struct law_vector){0.0, 0.0, 0.0}), -0.5, 0.0);
     assert_near(wall_mover_servo_speed(m, 0.5, (struct law_vector){0.0, 0.0, 0.0}), 0.0, 0.0);
     assert_near(wall_mover_servo_speed(m, 2.0, (struct law_vector){0.0, 0.0, 0.0}), 0.0, 0.0);
+    assert_near(wall_mover_servo_follow(m, 1.5, (struct law_vector){0.0, 0.0, 0.0}, 0.3), 0.284, 1e-15);
+    assert_near(wall_mover_servo_follow(m, 2.0, (struct law_vector){0.0, 0.0, 0.0}, 0.3), 0.0, 0.0);
     struct wall_transform pose = wall_mover_place(m, 1.5, 0.25);
     assert_near(pose.translation[2], 0.25, 0.0);
     assert_near(wall_mover_twist(m, 1.5, 1e-3, 0.25, -0.2).velocity.z, -0.2, 0.0);

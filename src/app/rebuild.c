@@ -164,6 +164,21 @@ static void classify(struct simulation *s) {
         particles_classify(s->particles, &s->classes);
 }
 
+/* Walls that move are bounded by how far they move where particles are, those outside of an open box too. */
+static void walls_reach(struct simulation *s) {
+    double lower[3] = {INFINITY, INFINITY, INFINITY}, upper[3] = {-INFINITY, -INFINITY, -INFINITY};
+    if (!walls_move(s->walls))
+        return;
+    for (size_t k = 0; k < s->particles->owned; k++)
+        for (int d = 0; d < 3; d++) {
+            lower[d] = fmin(lower[d], s->particles->state[k].x[d]);
+            upper[d] = fmax(upper[d], s->particles->state[k].x[d]);
+        }
+    comm_min(s->comm, lower, 3);
+    comm_max(s->comm, upper, 3);
+    walls_set_extent(s->walls, lower, upper);
+}
+
 void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
     timer_start(&s->timers, TIMER_MIGRATE);
     ghosts_drop(s->ghosts, s->particles);
@@ -188,8 +203,10 @@ void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
     search(s);
     tune_end(s);
     timer_start(&s->timers, TIMER_WALL);
-    if (s->walls)
+    if (s->walls) {
+        walls_reach(s);
         walls_build(s->walls, s->particles, &s->classes);
+    }
     timer_stop(&s->timers, TIMER_WALL);
     timer_start(&s->timers, TIMER_HISTORY);
     attach(s, rows);

@@ -250,9 +250,14 @@ static struct law_vector servo_direction(const struct wall_mover *mover, int k, 
     return direction;
 }
 
+/* Outside of its span a motion is frozen. */
+static bool servo_stands(const struct wall_mover *mover, int k, double t) {
+    return k < 0 || t < mover->motion[k].start || t >= mover->motion[k].stop;
+}
+
 double wall_mover_servo_speed(const struct wall_mover *mover, double t, struct law_vector force) {
     int k = mover_servo(mover);
-    if (k < 0 || t < mover->motion[k].start || t >= mover->motion[k].stop)
+    if (servo_stands(mover, k, t))
         return 0.0;
     const struct wall_motion *servo = &mover->motion[k];
     double along = law_dot(force, servo_direction(mover, k, t));
@@ -261,6 +266,14 @@ double wall_mover_servo_speed(const struct wall_mover *mover, double t, struct l
     return speed > servo->speed_max    ? servo->speed_max
            : speed < -servo->speed_max ? -servo->speed_max
                                        : speed;
+}
+
+double wall_mover_servo_follow(const struct wall_mover *mover, double t, struct law_vector force,
+                               double before) {
+    static const double part = 0.02;
+    if (servo_stands(mover, mover_servo(mover), t))
+        return 0.0;
+    return before + part * (wall_mover_servo_speed(mover, t, force) - before);
 }
 
 bool wall_mover_pivot(const struct wall_mover *mover, struct law_vector *point) {

@@ -80,6 +80,12 @@ bool wall_mover_has_servo(const struct wall_mover *mover);
  * the force on the wall; 0 without a servo or outside of its span. */
 double wall_mover_servo_speed(const struct wall_mover *mover, double t, struct law_vector force);
 
+/* The speed that it takes up: a fiftieth of the way from that of the step before to the one above. Taken up
+ * at once, that speed would change sign with each step as soon as the contacts' dampers answer it with more
+ * than the force sought; so they may answer with a hundred times that. */
+double wall_mover_servo_follow(const struct wall_mover *mover, double t, struct law_vector force,
+                               double before);
+
 /* The point about which the wall turns first (box-relative); false if it never turns. */
 bool wall_mover_pivot(const struct wall_mover *mover, struct law_vector *point);
 

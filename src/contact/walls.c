@@ -206,8 +206,9 @@ void walls_advance(struct walls *walls, double t, double dt, const double (*serv
             continue;
         if (wall->resumed)
             wall_find_base(wall, t);
-        wall->servo_speed =
-            servo_force ? wall_mover_servo_speed(wall->mover, t, wall_vector(servo_force[w])) : 0.0;
+        wall->servo_speed = servo_force ? wall_mover_servo_follow(wall->mover, t, wall_vector(servo_force[w]),
+                                                                  wall->servo_speed)
+                                        : 0.0;
         double half = wall->servo_offset + 0.5 * dt * wall->servo_speed;
         wall->twist = wall_mover_twist(wall->mover, t, dt, half, wall->servo_speed);
         wall->servo_offset += dt * wall->servo_speed;

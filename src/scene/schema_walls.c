@@ -53,7 +53,7 @@ static const struct schema_row motion_rows[] = {
      .required = true, AT(struct wall_motion, speed_max), .help = "bound on the speed", .example = "1 cm/s"},
     {.key = "gain", .type = SCHEMA_REAL, .unit = "m/s", .range = "[0, inf)", .fallback = "0",
      .when = "kind=servo", AT(struct wall_motion, gain),
-     .help = "speed for a force that is wrong by as much as it should be; 0: speed_max"},
+     .help = "speed for a force that is wrong by as much as it should be, taken up over 50 steps; 0: speed_max"},
 };
 static const struct schema_table motion_table = TABLE(motion_rows);
 
