@@ -26,9 +26,11 @@ struct force_sums {
 /* One evaluated contact, for the contact list (force chains). */
 struct force_contact {
     int64_t id_i, id_j;
-    double normal[3]; /* unit vector from i to j */
-    double overlap;   /* length unit */
-    double force[3];  /* on j, normal and tangential together */
+    double normal[3];          /* unit vector from i to j */
+    double overlap;            /* length unit */
+    double force[3];           /* on j, normal and tangential together */
+    double branch[3];          /* from the centre of i to that of j, or to the point of a wall, length unit */
+    size_t number_i, number_j; /* of the particles on this rank, copies included; j of a wall: SIZE_MAX */
 };
 
 struct force_context {

@@ -74,12 +74,16 @@ static bool force_pair_home(int64_t id_i, int64_t id_j, struct law_vector separa
 }
 
 static struct force_contact force_contact_of(const struct force_context *context, size_t k,
-                                             const struct law_contact *in) {
+                                             const struct law_contact *in, struct law_vector separation) {
     const struct law_options *options = &context->law->options;
     struct law_response out = law_respond(law_case_of(options, false), law_step_of(options, 0.0), in);
     const int64_t *id = context->particles->id;
-    return (struct force_contact){.id_i = id[context->list->i[k]],
-                                  .id_j = id[pair_partner(context->list->j[k])],
+    size_t i = context->list->i[k], j = pair_partner(context->list->j[k]);
+    return (struct force_contact){.id_i = id[i],
+                                  .id_j = id[j],
+                                  .number_i = i,
+                                  .number_j = j,
+                                  .branch = {separation.x, separation.y, separation.z},
                                   .normal = {in->normal.x, in->normal.y, in->normal.z},
                                   .overlap = in->overlap,
                                   .force = {out.force.x, out.force.y, out.force.z}};
@@ -110,7 +114,7 @@ size_t force_loop_contacts(const struct force_context *context, struct force_con
                     continue;
                 if (count == capacity)
                     *contacts = memory_resize(*contacts, capacity *= 2, sizeof **contacts, "contact list");
-                (*contacts)[count++] = force_contact_of(context, k, &in);
+                (*contacts)[count++] = force_contact_of(context, k, &in, separation);
             }
         }
     }

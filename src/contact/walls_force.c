@@ -189,6 +189,9 @@ static struct force_contact contact_of(const struct wall_task *task, int k) {
     struct law_vector n = get(b->normal, k), f = get(b->force, k);
     return (struct force_contact){.id_i = task->context->particles->id[entry->particle],
                                   .id_j = -(int64_t)(entry->key.wall + 1),
+                                  .number_i = entry->particle,
+                                  .number_j = SIZE_MAX,
+                                  .branch = {entry->lever * n.x, entry->lever * n.y, entry->lever * n.z},
                                   .normal = {n.x, n.y, n.z},
                                   .overlap = b->overlap[k],
                                   .force = {f.x, f.y, f.z}};

@@ -49,9 +49,10 @@ static void print_columns(FILE *out, const struct observable_kind *kind) {
     static const char *const vector[] = {"x", "y", "z"};
     static const char *const tensor[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
     static const char *const stems[] = {
-        [OBSERVABLE_OF_WALL] = "WALL", [OBSERVABLE_OF_PARTICLE] = "particleID", [OBSERVABLE_OF_REGION] = ""};
+        [OBSERVABLE_OF_WALL] = "WALL", [OBSERVABLE_OF_PARTICLE] = "particleID"};
     const struct observable_info *info = &kind->info;
-    const char *stem = info->target == OBSERVABLE_OF_ALL ? info->name : stems[info->target];
+    bool of_one = info->target == OBSERVABLE_OF_WALL || info->target == OBSERVABLE_OF_PARTICLE;
+    const char *stem = of_one ? stems[info->target] : info->name;
     if (info->target == OBSERVABLE_OF_REGION)
         fprintf(out, "`%s_REGION`", info->name);
     else if (info->components == 1)
@@ -65,7 +66,8 @@ static void print_takes(FILE *out, const struct observable_info *info) {
     static const char *const takes[] = {[OBSERVABLE_OF_ALL] = "",
                                         [OBSERVABLE_OF_WALL] = "`target`: a wall",
                                         [OBSERVABLE_OF_PARTICLE] = "`id`",
-                                        [OBSERVABLE_OF_REGION] = "`target`: a region"};
+                                        [OBSERVABLE_OF_REGION] = "`target`: a region",
+                                        [OBSERVABLE_OF_ALL_OR_REGION] = "`target`: a region, or none"};
     const char *target = takes[info->target];
     fprintf(out, "%s%s%s", target, info->components == 3 && target[0] ? "; " : "",
             info->components == 3 ? "`components`" : "");

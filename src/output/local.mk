@@ -44,6 +44,7 @@ liboutput_la_SOURCES = \
 	src/output/observables_kinds.h \
 	src/output/observables_row.c \
 	src/output/observables_single.c \
+	src/output/observables_stress.c \
 	src/output/output.h \
 	src/output/output_options.c \
 	src/output/output_options.h \

@@ -78,7 +78,9 @@ static void add_item(struct observables *o, struct observable_item item, const c
     item.first_part = o->parts;
     item.first_column = o->columns;
     o->parts += kind->parts;
-    o->needs_sums = o->needs_sums || kind->needs_sums;
+    bool listed = kind->needs_contacts && item.region;
+    o->needs_contacts = o->needs_contacts || listed;
+    o->needs_sums = o->needs_sums || (kind->needs_sums && !listed);
     o->needs_work = o->needs_work || kind->needs_work;
     add_columns(o, &item, stem);
     if (o->items == o->item_room) {
@@ -148,6 +150,9 @@ static bool add_regions(struct resolving *r, const struct observable_request *re
         if (region[0] && strcmp(region, name) != 0)
             continue;
         item.region = &r->o->region[k];
+        const struct observable_kind *kind = observables_kind(item.kind);
+        if (kind->check && !kind->check(r->view, item.region, error))
+            return false;
         snprintf(stem, sizeof stem, "%s_%s%s%s", observables_get(item.kind)->name, name, slash ? "_" : "",
                  slash ? slash + 1 : "");
         add_item(r->o, item, request->label[0] ? request->label : stem);
@@ -187,6 +192,10 @@ static bool add_kind(struct resolving *r, const struct observable_request *reque
         return add_regions(r, request, item, error);
     case OBSERVABLE_OF_PARTICLE:
         return add_particle(r, request, item, error);
+    case OBSERVABLE_OF_ALL_OR_REGION:
+        if (request->target[0])
+            return add_regions(r, request, item, error);
+        break;
     default:
         break;
     }

@@ -12,8 +12,9 @@ enum observable_target {
     OBSERVABLE_OF_ALL,      /* nothing: the whole run */
     OBSERVABLE_OF_WALL,     /* a wall; "": every wall */
     OBSERVABLE_OF_PARTICLE, /* the particle `id`, called `label` in the columns ("ball" gives ball_z[m]) */
-    OBSERVABLE_OF_REGION    /* a region, or "": every region; a material after a slash counts that alone
+    OBSERVABLE_OF_REGION,   /* a region, or "": every region; a material after a slash counts that alone
                                ("zone/glass") */
+    OBSERVABLE_OF_ALL_OR_REGION /* a region in the same way, or "": the whole run */
 };
 
 /* A row of the registry, for help texts and docs. */

@@ -83,40 +83,10 @@ static void add_centre(const struct output_view *view, const struct observable_i
     part[3] += mass;
 }
 
-static void finish_centre(const struct output_view *view, double *part) {
-    (void)view;
+static void finish_centre(const struct output_view *view, const struct observable_item *item, double *part) {
+    (void)view, (void)item;
     for (int d = 0; d < 3; d++)
         part[d] /= part[3];
-}
-
-/* The kinetic part of the stress; the contacts' part is the virial. */
-static void add_flux(const struct output_view *view, const struct observable_item *item, size_t i,
-                     double *part) {
-    (void)item;
-    double v[3];
-    if (!is_free(view->particles, i))
-        return;
-    integrator_full_step(view->particles, view->motion, i, v, NULL);
-    double mass = 1 / view->particles->state[i].inverse_mass;
-    const double flux[6] = {v[0] * v[0], v[1] * v[1], v[2] * v[2], v[0] * v[1], v[0] * v[2], v[1] * v[2]};
-    for (int c = 0; c < 6; c++)
-        part[c] += mass * flux[c];
-}
-
-static void virial_of_rank(const struct observable_context *context, struct observable_item *item,
-                           double *part) {
-    (void)item;
-    if (context->view->sums)
-        for (int c = 0; c < 6; c++)
-            part[c] += context->view->sums->virial[c];
-}
-
-/* Over the volume, in two dimensions the area: the thickness of a flat box means nothing. */
-static void finish_stress(const struct output_view *view, double *part) {
-    const struct box *box = view->box;
-    double volume = box->edge[0] * box->edge[1] * (box->dimension == 2 ? 1 : box->edge[2]);
-    for (int c = 0; c < 6; c++)
-        part[c] /= volume;
 }
 
 static void add_one(const struct output_view *view, const struct observable_item *item, size_t i,
@@ -220,8 +190,8 @@ static void sync_of_rank(const struct observable_context *context, struct observ
     part[1] = context->view->load.waiting + context->view->load.work;
 }
 
-static void finish_sync(const struct output_view *view, double *part) {
-    (void)view;
+static void finish_sync(const struct output_view *view, const struct observable_item *item, double *part) {
+    (void)view, (void)item;
     part[0] = part[1] > 0 ? part[0] / part[1] : 0;
 }
 
@@ -297,14 +267,16 @@ static const struct observable_kind kinds[] = {
      .finish = finish_centre},
     {.info =
          {"stress", "", "Pa",
-          "mean stress in the box, positive in compression: kinetic part and contacts; in two dimensions a "
-          "force over a length",
-          OBSERVABLE_OF_ALL, 6, "N/m"},
+          "mean stress of the box, or of the particles in a region, positive in compression: kinetic part "
+          "and contacts; in two dimensions a force over a length",
+          OBSERVABLE_OF_ALL_OR_REGION, 6, "N/m"},
      .parts = 6,
      .needs_sums = true,
-     .of_particle = add_flux,
-     .of_rank = virial_of_rank,
-     .finish = finish_stress},
+     .needs_contacts = true,
+     .of_particle = observables_stress_flux,
+     .of_rank = observables_stress_contacts,
+     .finish = observables_stress_finish,
+     .check = observables_stress_check},
     {.info = ALL("particles", "", "1", 1, "number of particles"), .parts = 1, .of_particle = add_one},
     {.info = ALL("contacts", "", "1", 1, "number of contacts, walls included"),
      .parts = 1,

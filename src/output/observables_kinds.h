@@ -2,6 +2,7 @@
 #ifndef SCREE_OUTPUT_OBSERVABLES_KINDS_H
 #define SCREE_OUTPUT_OBSERVABLES_KINDS_H
 
+#include "output/contact_list.h"
 #include "output/observables.h"
 #include <stdio.h>
 
@@ -10,9 +11,9 @@ enum { OBSERVABLE_PARTS_MAX = 8 };
 /* A resolved request: what one kind observes of one target. */
 struct observable_item {
     int kind;
-    unsigned components; /* bits of the components that have a column */
-    int wall, material;  /* material -1: all */
-    const struct output_region *region;
+    unsigned components;                /* bits of the components that have a column */
+    int wall, material;                 /* material -1: all */
+    const struct output_region *region; /* NULL: the whole run */
     int64_t id;
     int first_part, first_column;
     uint64_t revision; /* of the particles when `number` was found */
@@ -22,7 +23,8 @@ struct observable_item {
 /* What the functions of a row see. */
 struct observable_context {
     const struct output_view *view;
-    const double (*wall_force)[6]; /* this rank's part, by wall */
+    const double (*wall_force)[6];       /* this rank's part, by wall */
+    const struct contact_list *contacts; /* this rank's; empty unless an item needs them */
 };
 
 /* How the parts of ranks combine. */
@@ -35,15 +37,18 @@ struct observable_kind {
     const char *symbol; /* before the component in a column of a wall or particle: "v" gives ball_vz */
     int parts;
     enum observable_combine combine;
-    bool needs_sums; /* force_sums beyond contacts and overlap */
-    bool needs_work; /* force_sums.taken of every step */
+    bool needs_sums;     /* force_sums beyond contacts and overlap */
+    bool needs_work;     /* force_sums.taken of every step */
+    bool needs_contacts; /* the contact list, of a region (then no sums) */
     /* This rank's parts, already zero. One of the two is there: of the whole rank, or added up over free
      * particles. */
     void (*of_rank)(const struct observable_context *context, struct observable_item *item, double *part);
     void (*of_particle)(const struct output_view *view, const struct observable_item *item, size_t i,
                         double *part);
     /* Turns the combined parts into components in place; NULL: they are the components. */
-    void (*finish)(const struct output_view *view, double *part);
+    void (*finish)(const struct output_view *view, const struct observable_item *item, double *part);
+    /* Whether a region will do; NULL: any. */
+    bool (*check)(const struct output_view *view, const struct output_region *region, struct error *error);
     /* Whether a family includes it in this scene; NULL: always. */
     bool (*relevant)(const struct output_view *view);
 };
@@ -58,6 +63,16 @@ const struct observable_kind *observables_kind(int k);
 
 /* True if a point (user's coordinates) lies in a region. */
 bool observables_region_contains(const struct output_region *region, const double x[3]);
+
+/* The parts of the row "stress" (observables_stress.c has the formula). */
+void observables_stress_flux(const struct output_view *view, const struct observable_item *item, size_t i,
+                             double *part);
+void observables_stress_contacts(const struct observable_context *context, struct observable_item *item,
+                                 double *part);
+void observables_stress_finish(const struct output_view *view, const struct observable_item *item,
+                               double *part);
+bool observables_stress_check(const struct output_view *view, const struct output_region *region,
+                              struct error *error);
 
 enum { OBSERVABLE_COLUMN_MAX = 3 * OUTPUT_NAME_MAX };
 
@@ -79,7 +94,7 @@ struct observables {
     FILE *file;       /* rank 0, once opened */
     double last_time; /* of the file's last row; -INFINITY: none */
     double (*wall_force)[6];
-    bool needs_sums, needs_work;
+    bool needs_sums, needs_work, needs_contacts;
 };
 
 #endif

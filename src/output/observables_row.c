@@ -70,7 +70,11 @@ static void item_exactly(const struct observable_context *context, struct observ
 /* The parts of this rank, of all items one after another. Those that are summed over ranks go to `exact`
  * instead, if there is such a thing. */
 static double *find_parts(struct observables *o, const struct output_view *view, struct exact *exact) {
-    struct observable_context context = {.view = view, .wall_force = (const double(*)[6])o->wall_force};
+    struct contact_list contacts = {0};
+    if (o->needs_contacts)
+        contact_list_create(&contacts, view);
+    struct observable_context context = {
+        .view = view, .wall_force = (const double(*)[6])o->wall_force, .contacts = &contacts};
     double *part = memory_allocate_zero((size_t)o->parts, sizeof *part, "parts of observables");
     if (view->walls)
         walls_forces(view->walls, o->wall_force);
@@ -88,6 +92,7 @@ static double *find_parts(struct observables *o, const struct output_view *view,
             kind->of_rank(&context, item, own);
         memcpy(part + item->first_part, own, (size_t)kind->parts * sizeof *part);
     }
+    contact_list_free(&contacts);
     return part;
 }
 
@@ -133,7 +138,7 @@ static void find_values(struct observables *o, const struct output_view *view) {
         const struct observable_kind *kind = observables_kind(item->kind);
         double *component = part + item->first_part;
         if (kind->finish)
-            kind->finish(view, component);
+            kind->finish(view, item, component);
         int column = item->first_column;
         for (int c = 0; c < kind->info.components; c++)
             if (item->components & 1u << c)

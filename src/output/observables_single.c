@@ -86,8 +86,8 @@ static void force_on_one(const struct observable_context *context, struct observ
 }
 
 /* A particle that is not there (deleted) has no values. */
-static void finish_one(const struct output_view *view, double *part) {
-    (void)view;
+static void finish_one(const struct output_view *view, const struct observable_item *item, double *part) {
+    (void)view, (void)item;
     for (int d = 0; d < 3; d++)
         part[d] = part[3] > 0 ? part[d] : NAN;
 }

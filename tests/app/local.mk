@@ -3,7 +3,7 @@
 EXTRA_DIST += tests/app/common.sh tests/app/scenes.sh
 dist_check_SCRIPTS += tests/app/ablate.sh tests/app/bad_input.sh tests/app/folder.sh tests/app/guards.sh tests/app/hard.sh tests/app/layouts.sh tests/app/needs.sh tests/app/pack.sh tests/app/physics.sh tests/app/restart.sh tests/app/resume.sh tests/app/threads.sh
 
-dist_check_SCRIPTS += tests/app/ranks.sh
+dist_check_SCRIPTS += tests/app/ranks.sh tests/app/stress.sh
 
 dist_check_SCRIPTS += tests/app/verify.sh
 
