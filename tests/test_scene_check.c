@@ -12,7 +12,7 @@ static const struct bad_text texts[] = {
     {"index:\n  nam: hgrid\n", "case/scene.yaml:9: ", {"unknown key 'index.nam'", "'index.name'"}},
     {"dt: 1e-6\n", "case/scene.yaml:8: ", {"unknown key 'dt'", "'step.dt'"}},
     {"gravity: [0, 0, 0]\n", "case/scene.yaml:8: ", {"'gravity' is given twice", "case/scene.yaml:2"}},
-    {"threads: many\n", "case/scene.yaml:8: threads: ", {"'many' is not a whole number", "from 0 to 1024"}},
+    {"threads: many\n", "case/scene.yaml:8: threads: ", {"'many' is not a whole number", "from 0 to 255"}},
     {"threads: 2.5\n", "case/scene.yaml:8: threads: ", {"not a whole number"}},
     {"threads: -1\n", "case/scene.yaml:8: threads: ", {"out of range"}},
     {"threads:\n", "case/scene.yaml:8: threads: ", {"no value is given", "a whole number"}},
