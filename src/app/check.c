@@ -1,5 +1,6 @@
 /* `scree check`: what a scene needs, and why. */
 #include "app/command.h"
+#include "app/outputs.h"
 #include "app/simulation.h"
 #include "core/memory.h"
 #include "particles/fields.h"
@@ -182,12 +183,17 @@ static const char *guard_word(enum scene_guard guard, bool trips) {
     return !trips ? "" : guard == SCENE_GUARD_STOP ? ": would stop the run" : ": would warn";
 }
 
+/* The way of a step at the expected speed, over the smallest radius. */
+static double moved_expected(const struct simulation *s) {
+    return s->classes.count && s->classes.radius_min[0] > 0
+               ? s->speed_expected * s->dt / s->classes.radius_min[0]
+               : 0;
+}
+
 /* What can be told of the guards before anything runs. */
 static void print_guards(const struct simulation *s) {
     const struct scene_guards *guards = &s->scene->guards;
-    double moved = s->classes.count && s->classes.radius_min[0] > 0
-                       ? s->speed_expected * s->dt / s->classes.radius_min[0]
-                       : 0;
+    double moved = moved_expected(s);
     printf("\nguards, at the expected speed of %.4g\n", s->speed_expected);
     printf("  speed    moves by %.3g of the smallest radius in a step (bound 1)%s\n", moved,
            guard_word(guards->speed, moved > 1));
@@ -198,6 +204,18 @@ static void print_guards(const struct simulation *s) {
                                                                 : "growth without cause is looked for");
     if (s->dt > s->limits.stable)
         printf("  step     %.3g of the stable one: energy will grow\n", s->dt / s->limits.stable);
+}
+
+/* The last line, where a guard would end the run. */
+static void print_verdict(const struct simulation *s) {
+    const struct scene_guards *guards = &s->scene->guards;
+    char names[64] = "";
+    if (guards->speed == SCENE_GUARD_STOP && moved_expected(s) > 1)
+        add(names, sizeof names, "guards.speed");
+    if (guards->overlap == SCENE_GUARD_STOP && s->overlap_expected > guards->overlap_bound)
+        add(names, sizeof names, "guards.overlap");
+    if (names[0])
+        printf("\na guard would stop this run at the expected speed: %s\n", names);
 }
 
 static void print_memory(const struct simulation *s) {
@@ -231,6 +249,14 @@ static void print_all(const struct simulation *s) {
     print_step(s);
     print_guards(s);
     print_memory(s);
+    print_verdict(s);
+}
+
+/* Refuses what a run would refuse before its first step although all its parts could be made. */
+static bool outputs_suit(const struct simulation *s, struct error *error) {
+    struct outputs *outputs;
+    struct output_run run = outputs_run(s, NULL, NULL);
+    return outputs_create(&outputs, s, &run, error) && outputs_close(&outputs, s->comm, error);
 }
 
 int command_check(const struct comm *comm, const struct command_line *line, struct error *error) {
@@ -238,7 +264,7 @@ int command_check(const struct comm *comm, const struct command_line *line, stru
     if (scene == NULL)
         return error->kind;
     struct simulation *s = simulation_create(comm, scene, NULL, error);
-    if (s && comm->rank == 0)
+    if (s && outputs_suit(s, error) && comm->rank == 0)
         print_all(s);
     simulation_destroy(&s);
     scene_free(&scene);

@@ -83,6 +83,18 @@ static bool files_open(struct outputs *o, const struct simulation *s, bool resum
     return true;
 }
 
+struct output_run outputs_run(const struct simulation *s, const char *directory, const char *scene_text) {
+    const struct scene *scene = s->scene;
+    return (struct output_run){.directory = directory,
+                               .scene = scene_text,
+                               .dimensionless = scene->units == SCENE_UNITS_NONE,
+                               .varying =
+                                   scene->insertions > 0 || scene->deletions > 0 || simulation_may_lose(s),
+                               .seed = scene->seed,
+                               .materials = scene->materials,
+                               .material = scene->material};
+}
+
 bool outputs_create(struct outputs **outputs, const struct simulation *s, const struct output_run *run,
                     struct error *error) {
     struct outputs *o = memory_allocate_zero(1, sizeof *o, "outputs");

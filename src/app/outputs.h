@@ -8,6 +8,11 @@
 
 struct outputs;
 
+/* What stays the same for the writers of a run. Borrows its arguments' strings and the scene; `directory` and
+ * `scene_text` (of scene_echo) may be NULL where nothing is written. */
+struct output_run outputs_run(const struct simulation *simulation, const char *directory,
+                              const char *scene_text);
+
 /* Checks what the scene asks for; writes nothing. `run` and its strings are borrowed until the end. Errors
  * (user) name the place in the scene. Collective. */
 bool outputs_create(struct outputs **outputs, const struct simulation *simulation,

@@ -227,14 +227,7 @@ int run_scene(const struct comm *comm, const struct scene *scene, const struct r
     if (run.s == NULL)
         return error->kind;
     char *echo = scene_echo(scene);
-    run.output = (struct output_run){.directory = options->directory,
-                                     .scene = echo,
-                                     .dimensionless = scene->units == SCENE_UNITS_NONE,
-                                     .varying = scene->insertions > 0 || scene->deletions > 0 ||
-                                                simulation_may_lose(run.s),
-                                     .seed = scene->seed,
-                                     .materials = scene->materials,
-                                     .material = scene->material};
+    run.output = outputs_run(run.s, options->directory, echo);
     signals_catch();
     if (run_open(&run, error) && watch_begin(&run, error)) {
         run.record.setup = timer_now() - start;

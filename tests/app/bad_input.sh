@@ -67,12 +67,16 @@ write_scene() {
     done
 }
 
-# scene WHAT WORDS LINE...: runs the good scene with these lines
+# scene WHAT WORDS LINE...: runs the good scene with these lines; `check` must say the same
+alike() { cmp "$out/stderr" "$out/of_run"; }
 scene() {
     local what=$1 words=$2
     shift 2
     write_scene case.yaml "$@"
     bad scene "$what" "$words" "$scree" run case.yaml -o new --quiet
+    cp "$out/stderr" "$out/of_run"
+    bad scene "$what: checked" "$words" "$scree" check case.yaml
+    check "scene: $what: both say the same" alike
 }
 
 # data WHAT WORDS FORMAT TEXT: particles from a file of this text
@@ -171,6 +175,12 @@ scene 'a periodic box too thin for the search' "case.yaml:1|periodic x edge|skin
 scene 'an observable of an unknown wall' "case.yaml:8|observables|lid" \
     'observables: {every: 1, list: [{name: wall_force, target: lid}]}'
 scene 'an observable of an absent particle' "case.yaml:8|observables.list[0].id|17" 'observables: {every: 1, list: [{name: position, id: 17}]}'
+scene 'an observable without its particle' "case.yaml:8|observables: position|id of a particle" 'observables: {every: 1, list: [{name: position}]}'
+scene 'a count of an unknown region' "case.yaml:8|observables: count|no region|lid" \
+    'observables: {every: 1, list: [{name: count, target: lid}]}'
+scene 'a count without a region' "case.yaml:8|observables: count|no region" 'observables: {every: 1, list: [{name: count}]}'
+scene 'a field of the dump that the scene does not have' "case.yaml:8|spinn|no such field" \
+    'output: {dump: {every: 2, fields: [position, spinn]}}'
 scene 'a field that the scene does not have' "case.yaml:8|torque" 'contact: {law: hertz, tangential: none}' \
     'material_pairs: [{restitution: 0.5}]' 'output: {trajectory: {every: 2, fields: [position, torque]}}'
 

@@ -49,6 +49,9 @@ check 'particles that come are no growth' came
 check 'particles moved by order are refused' bash -c '! '"$scree"' check scene.yaml --set guards.energy=stop --set "groups=[{name: pushed, motion: moving, select: {ids: [71]}}]" >said 2>&1 && grep -q "guards.energy: group" said'
 check 'check foresees a leap' says 'would stop the run' --set 'particles.sources[0].velocity=[0, 2000, 0]'
 check 'check foresees an overlap' says 'overlap by .*would stop the run' --set step.force=true --set material_pairs[0].k_n=0.1
+ends() { says . "${@:2}" && tail -n 1 said | grep -q "$1"; }
+check 'and says so at its end' ends 'would stop this run.*guards.speed, guards.overlap$' --set 'particles.sources[0].velocity=[0, 2000, 0]' \
+    --set step.force=true --set material_pairs[0].k_n=0.1
 check 'and nothing where there is nothing' bash -c "$scree"' check scene.yaml >said 2>&1 && ! grep -q would said'
 
 # A rough floor: frozen spheres overlap each other and are sunk into a plane; one lies still on it
