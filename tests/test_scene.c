@@ -102,6 +102,33 @@ static void settings_override(void **state) {
     scene_free(&scene);
 }
 
+/* What is taken out makes room for its alternative; what is not there may be taken out, too. */
+static void settings_take_out(void **state) {
+    (void)state;
+    static const char *const set[] = {
+        "step={fraction: 0.1, count: 3}",
+        "step.fraction=~",
+        "step.dt=1 us",
+        "contact.law=hooke",
+        "materials[0].young=~",
+        "materials[0].poisson=null",
+        "material_pairs[0].k_n=1e5",
+        "walls=[{name: a, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}, {name: "
+        "b, shape: plane, point: [0, 0, 1], normal: [0, 0, -1]}]",
+        "walls[0]=~",
+        "output.dump.every=~",
+        "particles.velocity=~",
+        "title='~'",
+        NULL};
+    struct scene *scene = good_scene(GOOD_SCENE, set);
+    assert_true(scene->step.dt == 1e-6 && scene->step.fraction == 0 && scene->step.count == 3);
+    assert_true(scene->law_pair[0][0].k_n == 1e5);
+    assert_int_equal(scene->walls, 1);
+    assert_string_equal(scene->wall[0].name, "b");
+    assert_string_equal(scene->title, "~");
+    scene_free(&scene);
+}
+
 #define RICH_SCENE                                                                                           \
     "title: 'quotes \" and : # and\ttabs'\n"                                                                 \
     "seed: 18446744073709551615\n"                                                                           \
@@ -315,11 +342,16 @@ static void reads_texts(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(fills_options),      cmocka_unit_test(agrees_with_modules),
-        cmocka_unit_test(settings_override),  cmocka_unit_test(echo_reads_back),
-        cmocka_unit_test(rich_values),        cmocka_unit_test(features_are_what_is_needed),
-        cmocka_unit_test(pairs_of_walls),     cmocka_unit_test(two_dimensions),
-        cmocka_unit_test(box_from_data_file), cmocka_unit_test(reads_texts)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(fills_options),
+                                       cmocka_unit_test(agrees_with_modules),
+                                       cmocka_unit_test(settings_override),
+                                       cmocka_unit_test(settings_take_out),
+                                       cmocka_unit_test(echo_reads_back),
+                                       cmocka_unit_test(rich_values),
+                                       cmocka_unit_test(features_are_what_is_needed),
+                                       cmocka_unit_test(pairs_of_walls),
+                                       cmocka_unit_test(two_dimensions),
+                                       cmocka_unit_test(box_from_data_file),
+                                       cmocka_unit_test(reads_texts)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -86,6 +86,7 @@ static const struct bad_text texts[] = {
      {"not above the lower corner"}},
     {"classes: {method: cuts, cuts: [2 mm, 1 mm]}\n", "case/scene.yaml:8: classes.cuts: ", {"must increase"}},
     {"classes: {method: quantiles}\n", "case/scene.yaml:8: classes.count: ", {"is missing", "from 1 to 32"}},
+    {"seed:\n", "case/scene.yaml:8: seed: ", {"no value is given"}},
     {"guards: {overlap: explode}\n", "case/scene.yaml:8: guards.overlap: ", {"stop, warn, off"}},
     {"output: {trajectory: {every: {steps: 3, time: 1}}}\n",
      "case/scene.yaml:8: output.trajectory.every: ",
@@ -301,7 +302,12 @@ static const struct bad_setting settings[] = {
     {{"contact.tangential=none", "material_pairs=[{restitution: 1}]", "particles.omega=[1, 0, 0]"},
      "command line: particles.sources[0].omega: ",
      {"spin without friction"}},
-    {{"duration=~"}, "command line: duration: ", {"no value is given"}},
+    {{"duration=~"}, "case/scene.yaml:1: duration: ", {"is missing"}},
+    {{"materials=~"}, "case/scene.yaml:1: materials: ", {"is missing"}},
+    {{"duratoin=~"}, "command line: ", {"unknown key 'duratoin'", "'duration'"}},
+    {{"output.dump.evry=~"}, "command line: output.dump.evry: ", {"not a key"}},
+    {{"materials[1]=~"}, "command line: materials[1]: ", {"no such number"}},
+    {{"materials[1].young=~"}, "command line: materials[1].young: ", {"no such number", "list has 1"}},
     {{"box={}"}, "command line: box.lower: ", {"is missing"}},
 };
 

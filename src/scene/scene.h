@@ -144,7 +144,7 @@ struct scene {
 
 /* One --set KEY=VALUE of the command line. */
 struct scene_setting {
-    const char *text; /* "walls[0].radius=0.2" */
+    const char *text; /* "walls[0].radius=0.2"; "step.fraction=~" takes the key out */
 };
 
 /* Reads a whole text file into memory (memory_free), ended by a zero byte; `length` may be NULL. Fails (user)

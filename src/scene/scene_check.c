@@ -4,6 +4,9 @@
 #include <math.h>
 #include <string.h>
 
+/* Where two keys exclude each other. */
+static const char one_of_two[] = "give one of the two, or take the other out with --set KEY=~";
+
 /* In two dimensions: what moves has no z component. */
 static bool check_moves(const struct scene *scene, const double v[3], const char *key, struct error *error) {
     return v[2] == 0 ||
@@ -203,7 +206,7 @@ static bool check_random(const struct scene *scene, const struct source_options 
     char key[96];
     snprintf(key, sizeof(key), "%s.volume_fraction", section);
     if (source->count > 0 && source->volume_fraction > 0)
-        return finish_fail(scene, error, key, "beside count; give one of the two");
+        return finish_fail(scene, error, key, "beside count; %s", one_of_two);
     double limit = scene->box.dimension == 2 ? 0.547 : 0.382;
     if (source->sizes.law == SIZES_FIXED && source->volume_fraction > limit)
         return finish_fail(
@@ -237,7 +240,7 @@ static bool check_file(const struct scene *scene, const struct source_options *s
                            source->radius_above);
     snprintf(key, sizeof(key), "%s.material", section);
     return source->material < 0 || source->type_count == 0 ||
-           finish_fail(scene, error, key, "beside types; give one of the two");
+           finish_fail(scene, error, key, "beside types; %s", one_of_two);
 }
 
 static bool check_sources(const struct scene *scene, struct error *error) {
@@ -267,7 +270,9 @@ static bool check_insertions(const struct scene *scene, struct error *error) {
         char section[64], key[80];
         snprintf(section, sizeof(section), "insertions[%d]", k);
         snprintf(key, sizeof(key), "insertions[%d].rate", k);
-        if ((insertion->rate > 0) == (insertion->mass_rate > 0))
+        if (insertion->rate > 0 && insertion->mass_rate > 0)
+            return finish_fail(scene, error, key, "beside mass_rate; %s", one_of_two);
+        if (!(insertion->rate > 0) && !(insertion->mass_rate > 0))
             return finish_fail(scene, error, key, "give one of rate and mass_rate");
         snprintf(key, sizeof(key), "insertions[%d].stop", k);
         if (!(insertion->stop > insertion->start))
@@ -320,7 +325,7 @@ static bool check_groups(const struct scene *scene, struct error *error) {
 
 static bool check_step(const struct scene *scene, struct error *error) {
     if (scene->step.dt > 0 && scene->step.fraction > 0)
-        return finish_fail(scene, error, "step.fraction", "beside step.dt; give one of the two");
+        return finish_fail(scene, error, "step.fraction", "beside step.dt; %s", one_of_two);
     return scene->duration >= 0 || scene->step.count >= 0 ||
            finish_fail(scene, error, "duration", "is missing; give duration or step.count");
 }
@@ -328,7 +333,7 @@ static bool check_step(const struct scene *scene, struct error *error) {
 static bool check_law(const struct scene *scene, struct error *error) {
     if (scene->law.tangential_damping_equal && scene->law.tangential_damping_ratio != 1)
         return finish_fail(scene, error, "contact.tangential_damping_equal",
-                           "beside tangential_damping_ratio; give one of the two");
+                           "beside tangential_damping_ratio; %s", one_of_two);
     if (scene->law.lammps_hooke && scene->law.damping != LAW_DAMPING_COEFFICIENT)
         return finish_fail(scene, error, "contact.lammps_hooke", "needs contact.damping: coefficient");
     if (scene->law.lammps_hooke && scene->law.rolling != LAW_ROLLING_NONE)
@@ -358,7 +363,7 @@ static bool check_search(const struct scene *scene, struct error *error) {
 static bool check_interval(const struct scene *scene, const struct output_interval *every, const char *key,
                            struct error *error) {
     return every->steps == 0 || every->time == 0 ||
-           finish_fail(scene, error, key, "steps and time both; give one of the two");
+           finish_fail(scene, error, key, "steps and time both; %s", one_of_two);
 }
 
 static bool check_output(const struct scene *scene, struct error *error) {

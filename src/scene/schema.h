@@ -92,7 +92,7 @@ enum { SCHEMA_KEY_MAX = 256 };
  * particles.sources[0].file. */
 bool schema_normalise(struct schema_reader *reader, struct tree_node *root);
 
-/* Applies one --set text to a normalised tree. */
+/* Applies one --set text to a normalised tree; the value ~ (or null) takes the key out. */
 bool schema_set(struct schema_reader *reader, struct tree_node *root, const char *text);
 
 /* Checks every node against the schema and stores all values, defaults included, in reader->root. */

@@ -77,8 +77,8 @@ static void print_row(FILE *out, const struct schema_row *row, const char *key) 
 
 bool scene_help(FILE *out, const char *key) {
     if (!key) {
-        fprintf(out,
-                "Keys of a scene (`scree help KEY` tells more; any key may be set by --set KEY=VALUE):\n");
+        fprintf(out, "Keys of a scene (`scree help KEY` tells more; any key may be set by --set KEY=VALUE, "
+                     "or taken out by --set 'KEY=~'):\n");
         schema_walk(print_line, out);
         return true;
     }
@@ -176,7 +176,10 @@ void scene_document(FILE *out) {
                  "  a unit is an error.\n"
                  "- `--set KEY=VALUE` on the command line overrides any key: `--set step.dt=1e-6`, `--set "
                  "walls[0].radius=\"5 cm\"`, `--set index=multi`.\n"
-                 "  Lists count from 0; the number after the last appends an entry.\n"
+                 "  Lists count from 0; the number after the last appends an entry. `~` (or `null`) takes "
+                 "a key out, so that another may take its place:\n"
+                 "  `--set 'step.fraction=~' --set step.dt=1e-6`, in quotes, as shells read `~` in their own "
+                 "way.\n"
                  "- Paths are relative to the folder of the scene file.\n"
                  "- In two dimensions vectors may have two components.\n"
                  "- The effective scene, defaults included, is written into every output file; it can be run "

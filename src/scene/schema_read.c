@@ -121,6 +121,7 @@ struct descent {
     struct tree_node *node;           /* the section */
     const struct tree_node *value;    /* what is set: names the place */
     const char *whole;
+    bool out; /* the value is null: what is there is taken out */
 };
 
 /* The number in "[3]" at *key, which is moved behind it. */
@@ -144,7 +145,7 @@ static struct tree_node *child_or_new(struct tree_node *node, const char *name, 
 
 /* Element `number` of a list, or a new one at its end. */
 static struct tree_node *element_of(struct descent *descent, struct tree_node *list, size_t number) {
-    if (list->kind == TREE_LIST && number == list->children)
+    if (!descent->out && list->kind == TREE_LIST && number == list->children)
         tree_append(list, tree_new(TREE_MAP, 0));
     if (list->kind == TREE_LIST && number < list->children)
         return list->child[number];
@@ -153,19 +154,42 @@ static struct tree_node *element_of(struct descent *descent, struct tree_node *l
     return NULL;
 }
 
-/* Replaces entry `number` of a list; of a list of sections one more may be appended. */
+/* Frees entry `k` of a mapping or list. */
+static void drop(struct tree_node *node, size_t k) {
+    struct tree_node *child = tree_take(node, k);
+    tree_free(&child);
+}
+
+static void drop_key(struct tree_node *map, const char *name) {
+    for (size_t k = map->children; k-- > 0;)
+        if (strcmp(map->key[k], name) == 0)
+            drop(map, k);
+}
+
+/* Replaces entry `number` of a list, or takes it out; of a list of sections one more may be appended. */
 static bool replace_item(struct descent *descent, const struct schema_row *row, struct tree_node *list,
                          size_t number, struct tree_node *value) {
-    if (row->sub && list->kind == TREE_LIST && number == list->children) {
+    if (!descent->out && row->sub && list->kind == TREE_LIST && number == list->children) {
         tree_append(list, value);
         return true;
     }
     if (list->kind != TREE_LIST || number >= list->children)
         return schema_fail(descent->reader, value, descent->whole,
                            "there is no such number in the scene's list, counted from 0");
+    if (descent->out) {
+        drop(list, number);
+        return true;
+    }
     tree_free(&list->child[number]);
     list->child[number] = value;
     return true;
+}
+
+/* A key that is to be taken out and is not there: nothing to do, if it could be. */
+static bool absent(struct descent *descent) {
+    char full[SCHEMA_KEY_MAX];
+    return schema_find(descent->whole, full) ||
+           schema_fail(descent->reader, descent->value, descent->whole, "not a key; `scree help` lists all");
 }
 
 /* Steps into the section's short-form list, where `name` is a key of its elements. */
@@ -186,7 +210,8 @@ static bool step_into_short_form(struct descent *descent, const char *name, size
     return descent->node != NULL;
 }
 
-/* Puts `value` (taken over on success) where `key` says. */
+/* Puts `value` (taken over on success) where `key` says, or takes out what is there (`value` stays the
+ * caller's). */
 static bool put_setting(struct descent *descent, const char *key, struct tree_node *value) {
     for (;;) {
         size_t length = strcspn(key, ".["), number;
@@ -200,9 +225,14 @@ static bool put_setting(struct descent *descent, const char *key, struct tree_no
             snprintf(section, sizeof(section), "%.*s", (int)(key - descent->whole), descent->whole);
             return unknown_key(descent->reader, value, section, name);
         }
+        if (descent->out && !tree_get(descent->node, name))
+            return absent(descent);
         key += length;
         if (*key == '\0') {
-            tree_put(descent->node, name, value);
+            if (descent->out)
+                drop_key(descent->node, name);
+            else
+                tree_put(descent->node, name, value);
             return true;
         }
         enum tree_kind kind = row->type == SCHEMA_SECTION ? TREE_MAP : TREE_LIST;
@@ -234,11 +264,11 @@ bool schema_set(struct schema_reader *reader, struct tree_node *root, const char
         return false;
     struct descent descent = {
         .reader = reader, .table = &schema_root, .node = root, .value = value, .whole = key};
-    if (!put_setting(&descent, key, value)) {
+    descent.out = is_empty(value);
+    bool good = put_setting(&descent, key, value);
+    if (!good || descent.out)
         tree_free(&value);
-        return false;
-    }
-    return schema_normalise(reader, root);
+    return good && schema_normalise(reader, root);
 }
 
 /* Reading. */
@@ -339,7 +369,8 @@ static bool read_table(struct schema_reader *reader, const struct schema_table *
             if (!read_row(reader, row, node, child, key, base))
                 return false;
         } else if (child) {
-            return schema_fail(reader, child, key, "exists only with %s", row->when + (row->when[0] == '/'));
+            return schema_fail(reader, child, key, "exists only with %s (--set %s=~ takes it out)",
+                               row->when + (row->when[0] == '/'), key);
         }
     }
     return true;
