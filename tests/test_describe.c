@@ -135,7 +135,7 @@ static void write_report(char path[]) {
     struct report report;
     report_create(&report, 2);
     snprintf(report.choice, sizeof report.choice, "hgrid");
-    report.levels = report.classes = 2;
+    report.levels = report.classes = report.insertions = 2;
     int file = mkstemp(path);
     assert_true(file >= 0);
     close(file);

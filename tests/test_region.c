@@ -92,8 +92,34 @@ static void draws(void **state) {
     assert_true(x[2] == 0.25);
 }
 
+/* A sphere as large as the inscribed one has a place, a larger one has none. */
+static void holds(void **state) {
+    (void)state;
+    const struct region box = {.shape = REGION_BOX, .lower = {-1, 0, 0}, .upper = {7, 4, 2}};
+    const struct region coin = {
+        .shape = REGION_CYLINDER, .centre = {1, 1, 1}, .axis = {0, 0, 1}, .radius = 3, .length = 4};
+    const struct region sphere = {.shape = REGION_SPHERE, .centre = {1, 1, 1}, .radius = 1.5};
+    const struct region all = {.shape = REGION_ALL};
+    const struct region_space flat = {.dimension = 2}, tube = {.dimension = 3, .wrap = {false, true, true}};
+    const struct region_space torus = {.dimension = 3, .wrap = {true, true, true}};
+    const struct {
+        const struct region *region;
+        const struct region_space *space;
+        double radius;
+    } cases[] = {{&box, &solid, 1}, {&box, &flat, 2},       {&box, &tube, 4},     {&coin, &solid, 2},
+                 {&coin, &flat, 3}, {&sphere, &solid, 1.5}, {&sphere, &flat, 1.5}};
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        struct random_sequence random = random_sequence(3, RANDOM_TEST, k);
+        double x[3], radius = region_inradius(cases[k].region, cases[k].space);
+        assert_true(radius == cases[k].radius);
+        assert_true(region_draw(cases[k].region, cases[k].space, 0.9 * radius, &random, x));
+        assert_false(region_draw(cases[k].region, cases[k].space, 1.0001 * radius, &random, x));
+    }
+    assert_true(isinf(region_inradius(&all, &solid)) && isinf(region_inradius(&box, &torus)));
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(contains), cmocka_unit_test(volumes),
-                                       cmocka_unit_test(draws)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(holds), cmocka_unit_test(contains),
+                                       cmocka_unit_test(volumes), cmocka_unit_test(draws)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -93,6 +93,23 @@ static void report_classes(const struct simulation *s, const struct ghosts_count
                                                       .bytes = (uint64_t)sums[CLASS_MAX + c]};
 }
 
+_Static_assert((int)REPORT_INSERTIONS_MAX >= (int)INSERTIONS_MAX,
+               "a report has room for all insertion regions");
+
+static void report_insertions(const struct simulation *s, struct report *report) {
+    report->insertions = s->scene->insertions;
+    for (int k = 0; k < report->insertions; k++) {
+        const char *name = s->scene->insertion[k].name;
+        struct report_insertion *row = &report->insertion[k];
+        if (name[0])
+            snprintf(row->name, sizeof row->name, "%s", name);
+        else
+            snprintf(row->name, sizeof row->name, "insertions[%d]", k);
+        row->asked = sources_asked(s, k);
+        row->placed = s->insertion_state[k].placed;
+    }
+}
+
 void run_report_fill(const struct simulation *s, const struct run_record *run, struct report *report) {
     struct ghosts_counts ghosts;
     ghosts_count(s->ghosts, &ghosts);
@@ -121,6 +138,7 @@ void run_report_fill(const struct simulation *s, const struct run_record *run, s
     report_levels(s, report);
     report_sync(s, &ghosts, report);
     report_classes(s, &ghosts, report);
+    report_insertions(s, report);
     snprintf(report->domain, sizeof report->domain, "%s", domain_bisects(s->domain) ? "bisection" : "brick");
     report->divisions = s->load.divisions;
     report->pairs = (uint64_t)sums[0] / 2;

@@ -219,8 +219,12 @@ bool sources_due(const struct simulation *simulation);
 /* True if particles may leave through an open side and be deleted. */
 bool simulation_may_lose(const struct simulation *simulation);
 
-/* Prepares the insertion regions. */
+/* Prepares the insertion regions; refuses one that cannot hold the largest of its particles. */
 bool sources_prepare(struct simulation *simulation, struct error *error);
+
+/* Particles that insertion region `k` should have placed since the start of the run, when it was looked at
+ * last. */
+uint64_t sources_asked(const struct simulation *simulation, int k);
 
 /* Makes the list of passes from the scene; prints it. */
 void step_plan(struct simulation *simulation);

@@ -5,16 +5,33 @@
 #include "core/memory.h"
 #include <assert.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 enum { SOURCES_EVERY = 100 };
+
+/* A sphere that its region cannot hold would keep all behind it waiting for ever. */
+static bool insertion_fits(const struct simulation *s, int k, struct error *error) {
+    const struct insertion *insertion = &s->insertion[k];
+    char key[64], place[SCENE_PATH_MAX];
+    double smallest, largest, room = region_inradius(&insertion->options.region, &insertion->space);
+    sizes_bounds(&insertion->options.sizes, &smallest, &largest);
+    if (largest <= room)
+        return true;
+    snprintf(key, sizeof key, "insertions[%d].sizes", k);
+    return error_set(
+        error, ERROR_USER,
+        "%s: %s: the largest diameter, %.6g, does not fit into the region, which holds up to %.6g",
+        scene_place(s->scene, key, place, sizeof place), key, 2 * largest, 2 * room);
+}
 
 bool sources_prepare(struct simulation *s, struct error *error) {
     const struct scene *scene = s->scene;
     for (int k = 0; k < scene->insertions; k++) {
         const struct insertion_options *options = &scene->insertion[k];
         double density = options->density > 0 ? options->density : scene->material[options->material].density;
-        if (!insertion_prepare(&s->insertion[k], options, k, density, scene->seed, &scene->box, error))
+        if (!insertion_prepare(&s->insertion[k], options, k, density, scene->seed, &scene->box, error) ||
+            !insertion_fits(s, k, error))
             return false;
     }
     return true;
@@ -23,6 +40,12 @@ bool sources_prepare(struct simulation *s, struct error *error) {
 static uint64_t insertion_missing(const struct simulation *s, int k) {
     uint64_t due = insertion_due(&s->insertion[k], s->time), placed = s->insertion_state[k].placed;
     return due > placed ? due - placed : 0;
+}
+
+uint64_t sources_asked(const struct simulation *s, int k) {
+    uint64_t looked = s->step - s->step % SOURCES_EVERY;
+    double since = (double)looked - (double)s->step_base;
+    return insertion_due(&s->insertion[k], s->time_base + since * s->dt);
 }
 
 static bool insertions_due(const struct simulation *s) {

@@ -131,6 +131,19 @@ static void print_ranks(const struct report *report, FILE *file) {
                 grouped(report->size_class[c].ghosts, a), (double)report->size_class[c].bytes / 1e6);
 }
 
+/* With a note where more than a tenth of what was due found no place. */
+static void print_insertions(const struct report *report, FILE *file) {
+    char asked[32], placed[32];
+    for (int k = 0; k < report->insertions; k++) {
+        const struct report_insertion *row = &report->insertion[k];
+        fprintf(file, "%s  insertion %s: %s of the %s particles due are placed%s\n", k ? "" : "\n", row->name,
+                grouped(row->placed, placed), grouped(row->asked, asked),
+                (double)row->placed < 0.9 * (double)row->asked
+                    ? ": NOTE: its region is too full for the rest, or walls stand in it"
+                    : "");
+    }
+}
+
 void report_print(const struct report *report, FILE *file) {
     char a[32], b[32], duration[32];
     progress_duration(report->seconds, duration, sizeof duration);
@@ -158,4 +171,5 @@ void report_print(const struct report *report, FILE *file) {
     version_cpu(cpu, sizeof cpu);
     fprintf(file, "\n  scree %s (%s), %s\n  %s\n  %s, %s\n", version_number(), version_revision(),
             version_compiler(), version_flags(), host, cpu);
+    print_insertions(report, file);
 }

@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { REPORT_LEVELS_MAX = CLASS_MAX, REPORT_NAME_MAX = 64 };
+enum { REPORT_LEVELS_MAX = CLASS_MAX, REPORT_NAME_MAX = 64, REPORT_INSERTIONS_MAX = 32 };
 
 struct report_level {
     double cell;    /* cell size, length unit; 0: no cells */
@@ -22,6 +22,12 @@ struct report_class {
     double radius_min, radius_max;
     uint64_t particles, ghosts; /* over all ranks */
     uint64_t bytes;             /* received from other ranks for copies, and sent back, since the start */
+};
+
+/* A region in which particles are inserted; counts since the start of the run, over resumes. */
+struct report_insertion {
+    char name[REPORT_NAME_MAX];
+    uint64_t asked, placed;
 };
 
 struct report_stage {
@@ -67,6 +73,8 @@ struct report {
     uint64_t memory_held;      /* counted memory of all ranks at the end, bytes */
     uint64_t memory_peak;      /* largest peak resident set of a rank, bytes */
     uint64_t inserted, deleted;
+    int insertions;
+    struct report_insertion insertion[REPORT_INSERTIONS_MAX];
     uint64_t seed;
     bool dimensionless;
     bool reproducible;

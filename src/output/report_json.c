@@ -97,6 +97,17 @@ static void put_classes(FILE *file, const struct report *report) {
     fprintf(file, "\n  ],\n");
 }
 
+static void put_insertions(FILE *file, const struct report *report) {
+    fprintf(file, "  \"insertions\": [");
+    for (int k = 0; k < report->insertions; k++) {
+        const struct report_insertion *row = &report->insertion[k];
+        fprintf(file, "%s\n    {\"name\": ", k ? "," : "");
+        put_text(file, row->name);
+        fprintf(file, ", \"asked\": %" PRIu64 ", \"placed\": %" PRIu64 "}", row->asked, row->placed);
+    }
+    fprintf(file, "%s],\n", report->insertions ? "\n  " : "");
+}
+
 static void put_stages(FILE *file, const struct report *report) {
     fprintf(file, "  \"stages\": {");
     for (int s = 0; s < TIMER_STAGES; s++) {
@@ -176,6 +187,7 @@ bool report_write_json(const struct report *report, const char *path, struct err
     put_origin(file.stream);
     put_levels(file.stream, report);
     put_classes(file.stream, report);
+    put_insertions(file.stream, report);
     put_stages(file.stream, report);
     fprintf(file.stream, "}\n");
     return file_new_close(&file, error);

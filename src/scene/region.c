@@ -63,6 +63,23 @@ double region_volume(const struct region *region, const struct region_space *spa
     }
 }
 
+double region_inradius(const struct region *region, const struct region_space *space) {
+    double radius = INFINITY;
+    switch (region->shape) {
+    case REGION_ALL:
+        return INFINITY;
+    case REGION_BOX:
+        for (int k = 0; k < space->dimension; k++)
+            if (!space->wrap[k])
+                radius = fmin(radius, (region->upper[k] - region->lower[k]) / 2);
+        return radius;
+    case REGION_SPHERE:
+        return region->radius;
+    default:
+        return space->dimension == 2 ? region->radius : fmin(region->radius, region->length / 2);
+    }
+}
+
 bool region_draw(const struct region *region, const struct region_space *space, double margin,
                  struct random_sequence *random, double x[3]) {
     double lower[3], upper[3];

@@ -37,6 +37,10 @@ void region_bounds(const struct region *region, double lower[3], double upper[3]
  * directions are refused by the scene). */
 double region_volume(const struct region *region, const struct region_space *space);
 
+/* Radius of the largest sphere (in two dimensions: disc) that lies wholly inside; INFINITY where nothing
+ * bounds it. */
+double region_inradius(const struct region *region, const struct region_space *space);
+
 /* A uniform point of the region such that a sphere of radius `margin` lies inside: draws from the bounding
  * box until one fits, up to 1000 times; false if none did. */
 bool region_draw(const struct region *region, const struct region_space *space, double margin,

@@ -184,6 +184,8 @@ scene 'a field of the dump that the scene does not have' "case.yaml:8|spinn|no s
 scene 'a field that the scene does not have' "case.yaml:8|torque" 'contact: {law: hertz, tangential: none}' \
     'material_pairs: [{restitution: 0.5}]' 'output: {trajectory: {every: 2, fields: [position, torque]}}'
 
+scene 'an insertion larger than its region' "case.yaml:8|insertions[0].sizes|0.004|up to 0.003" \
+    'insertions: [{rate: 1e5, sizes: 2 mm, region: {shape: box, lower: [0, 0, 0], upper: [10 mm, 10 mm, 3 mm]}}]'
 s_single() { echo "particles: {from: single, position: [5 mm, 5 mm, 5 mm], radius: $1}"; }
 scene 'a radius without a mass' "case.yaml:7|mass|out of range" "$(s_single 1e300)"
 scene 'a radius too small for numbers' "case.yaml:7|mass|out of range" "$(s_single 1e-300)"

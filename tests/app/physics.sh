@@ -263,6 +263,17 @@ shape() { # without title and image counts
     tail -n +2 "$1" | cut -d ' ' -f 1-7
 }
 round_trip() { # H5MD -> LAMMPS data -> H5MD -> LAMMPS data
+check 'the report tells that all are placed' holds clear2/report.json '{"name": "insertions[0]", "asked": 40, "placed": 40}'
+crowded() {
+    on 1 "$scree" run clear.yaml -o crowded --set 'insertions=[{name: rain, rate: 1e9, count: 400, sizes: 1 mm, attempts: 2}]' \
+        >said 2>&1 || { cat said; return 1; }
+    local placed
+    placed=$(number crowded/report.json inserted)
+    [ "$placed" -gt 0 ] && [ "$placed" -lt 360 ] &&
+        holds crowded/report.json "{\"name\": \"rain\", \"asked\": 400, \"placed\": $placed}" &&
+        holds said "insertion rain: $placed of the 400 particles due are placed: NOTE"
+}
+check 'and that many are not' crowded
     "$scree" convert smooth/trajectory.h5 a.data >said 2>&1 && "$scree" convert a.data b.h5 >>said 2>&1 && "$scree" convert b.h5 b.data >>said 2>&1 || { cat said; return 1; }
     [ "$(grep -c . a.data)" -gt 60 ] && diff <(shape a.data) <(shape b.data)
 }

@@ -51,6 +51,9 @@ static struct report example(const struct comm *comm) {
     report.rebuild_messages = 77;
     report.rebuild_bytes = 7700;
     report.memory_held = 770000;
+    report.insertions = 2;
+    report.insertion[0] = (struct report_insertion){.name = "rain", .asked = 2000, .placed = 1800};
+    report.insertion[1] = (struct report_insertion){.name = "hail", .asked = 2000, .placed = 1799};
     gather(&report, comm);
     return report;
 }
@@ -177,6 +180,7 @@ static void json_holds_all_keys(void **state) {
                                            "\"memory_held\": 770000,",
                                            "\"pupcs\": ",
                                            "\"imbalance\": ",
+                                           "{\"name\": \"rain\", \"asked\": 2000, \"placed\": 1800},",
                                            "\"stages\": {",
                                            "\"particle_steps_per_second\": 50000000,",
                                            "\"pairs\": 123456789,",
@@ -216,8 +220,14 @@ static void the_table_is_readable(void **state) {
         FILE *memory = open_memstream(&text, &size);
         report_print(&report, memory);
         fclose(memory);
-        static const char *const parts[] = {"200 steps of 1,000,000 particles", "123,456,789 pairs", "hgrid",
-                                            "contact", "level"};
+        static const char *const parts[] = {
+            "200 steps of 1,000,000 particles",
+            "123,456,789 pairs",
+            "hgrid",
+            "contact",
+            "level",
+            "insertion rain: 1,800 of the 2,000 particles due are placed\n",
+            "insertion hail: 1,799 of the 2,000 particles due are placed: NOTE"};
         for (size_t k = 0; k < sizeof parts / sizeof parts[0]; k++)
             team_expect(team, strstr(text, parts[k]) != NULL, "%s is not in\n%s", parts[k], text);
         free(text);
