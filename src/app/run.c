@@ -218,14 +218,28 @@ static void run_loop(struct run *run, struct error *error) {
         stopped_checkpoint(run, error);
 }
 
+/* A resume of what is over: says so, and there is nothing to write. */
+static bool over_already(const struct simulation *s, const char *resume) {
+    if (resume == NULL || last_step(s) > s->step)
+        return false;
+    if (s->comm->rank == 0)
+        fprintf(stderr,
+                "scree: %s is already at step %llu, time %.9g; nothing to do: give a longer duration%s\n",
+                resume, (unsigned long long)s->step, s->time,
+                s->scene->duration > 0 ? "" : " or a larger step.count");
+    return true;
+}
+
 int run_scene(const struct comm *comm, const struct scene *scene, const struct run_options *options,
               struct report *report, struct error *error) {
     struct run run = {.options = options, .lock = -1};
     struct report own;
     double start = timer_now();
     run.s = simulation_create(comm, scene, options->resume, error);
-    if (run.s == NULL)
+    if (run.s == NULL || over_already(run.s, options->resume)) {
+        simulation_destroy(&run.s);
         return error->kind;
+    }
     char *echo = scene_echo(scene);
     run.output = outputs_run(run.s, options->directory, echo);
     signals_catch();

@@ -39,8 +39,23 @@ echo '== writing over'
 check 'another run' run_scene 1 good.yaml dir --overwrite --set step.count=5 --set output.trajectory.every=0 \
     --set output.dump.every=0
 check 'leaves nothing of the first, and what is not of a run' holds_files dir checkpoint-5.h5 notes.txt report.json
-last() { run_scene 1 good.yaml dir --resume last --set step.count=8 && [ "$(number dir/report.json last_step)" = 8 ]; }
-check 'the last checkpoint is its own' last
+last() { run_scene 1 good.yaml "$1" --resume last --set step.count="$2" && [ "$(number "$1/report.json" last_step)" = "$2" ]; }
+check 'the last checkpoint is its own' last dir 8
+
+echo '== a run that is over'
+over() { # DIR FLAG...: nothing to do, nothing written
+    local dir=$1
+    shift
+    cat $dir/* 2>/dev/null | cksum >before
+    run_scene 1 good.yaml $dir "$@" || return 1
+    holds said "checkpoint-8.h5 is already at step 8, time" && holds said 'nothing to do: give a longer duration' &&
+        cat $dir/* 2>/dev/null | cksum | cmp - before
+}
+check 'is not gone on with' over dir --resume last --set step.count=8
+check 'nor one that is beyond its end' over dir --resume dir/checkpoint-8.h5 --set step.count=5
+check 'nor one whose time is over' over dir --resume last --set 'step=~' --set duration="$(number dir/report.json time)"
+check 'no folder is made for it' over none --resume dir/checkpoint-8.h5 --set step.count=8
+check 'so that there is none' [ ! -e none ]
 
 echo '== two runs at once'
 "$scree" run good.yaml -o busy --quiet --set step.count=1000000000 --set output.trajectory.every=0 --set output.dump.every=0 \
