@@ -90,6 +90,10 @@ static bool read_head(struct reading *r, struct error *error) {
     r->rows->lower[2] = NAN;
     if (!lines_next(lines)) /* a title */
         return lines_refuse(lines, error, "the file is empty");
+    if (strncmp(lines->text, "ITEM: ", 6) == 0)
+        return lines_refuse(lines, error,
+                            "this is a LAMMPS dump, not a data file; `scree convert %s OUT.data` makes one",
+                            lines->path);
     while (!r->pending && lines_next(lines)) {
         if (is_blank(lines->text) || lines->text[0] == '#')
             continue;
@@ -176,10 +180,13 @@ static bool order_ids(struct reading *r, struct error *error) {
     return true;
 }
 
-/* id vx vy vz [wx wy wz] */
+/* id vx vy vz wx wy wz */
 static bool take_velocity(struct reading *r, size_t line, const double *value, int n, struct error *error) {
     (void)line;
     struct rows *rows = r->rows;
+    if (n != 7)
+        return lines_refuse(&r->lines, error,
+                            "has %d columns; in atom style sphere a velocity has 7: id vx vy vz wx wy wz", n);
     size_t low = 0, high = rows->count;
     while (low + 1 < high) {
         size_t middle = (low + high) / 2;
@@ -195,10 +202,7 @@ static bool take_velocity(struct reading *r, size_t line, const double *value, i
     r->sorted[low].moves = true;
     size_t row = r->sorted[low].row;
     memcpy(rows->velocity[row], value + 1, sizeof rows->velocity[row]);
-    if (n == 7)
-        memcpy(rows->angular_velocity[row], value + 4, sizeof rows->angular_velocity[row]);
-    else if (n != 4)
-        return lines_refuse(&r->lines, error, "has %d columns instead of 4 or 7", n);
+    memcpy(rows->angular_velocity[row], value + 4, sizeof rows->angular_velocity[row]);
     return true;
 }
 
@@ -230,7 +234,7 @@ static bool read_sections(struct reading *r, struct error *error) {
             if (!atoms || velocities)
                 return lines_refuse(&r->lines, error, "Velocities must come once, after Atoms");
             velocities = true;
-            if (!read_section(r, r->atoms, 4, 7, take_velocity, error))
+            if (!read_section(r, r->atoms, 1, 15, take_velocity, error))
                 return false;
         } else if (section > 1) {
             skip_section(r);

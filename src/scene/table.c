@@ -193,6 +193,11 @@ static bool find_columns(struct table *table) {
     const struct source_options *source = table->source;
     if (!next_line(table, line, sizeof(line), comment))
         return fail(table, "%s", "the file holds no particles");
+    if (strncmp(line, "ITEM: ", 6) == 0)
+        return fail(
+            table,
+            "this is a LAMMPS dump, not a table; `scree convert %s OUT.data` makes a lammps-data file of it",
+            source->file);
     bool header = !is_number(line);
     if (!header) {
         table->at = start;

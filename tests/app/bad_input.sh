@@ -221,6 +221,13 @@ data 'nan for a position' "case.data:12|not a number" lammps-data "$head$first"'
 data 'a negative diameter' "case.data:12|positive" lammps-data "$head$first"'2 1 -0.002 2500 0.006 0.005 0.005\n'
 data 'a velocity twice' "case.data:17|second velocity|id 1" lammps-data \
     "$head$first$second"'\nVelocities\n\n1 0 0 0 0 0 0\n1 0 0 0 0 0 0\n'
+data 'a velocity without spin' "case.data:16|4 columns|7: id vx vy vz wx wy wz" lammps-data \
+    "$head$first$second"'\nVelocities\n\n1 0 0 0\n2 0 0 0\n'
+data 'a velocity of too many numbers' "case.data:16|8 columns|wx wy wz" lammps-data \
+    "$head$first$second"'\nVelocities\n\n1 0 0 0 0 0 0 0\n2 0 0 0\n'
+dump='ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: ATOMS id x y z radius\n1 0 0 0 1\n'
+data 'a dump' "case.data:1|LAMMPS dump|scree convert" lammps-data "$dump"
+data 'a dump' "case.data:1|LAMMPS dump|scree convert" table "$dump"
 data 'a speed out of range' "case.data|speed" lammps-data \
     "$head$first$second"'\nVelocities\n\n1 0 0 0 0 0 0\n2 1e300 0 0 0 0 0\n'
 data 'more atoms than a file can hold' "case.data|too short" lammps-data "${head/2 atoms/1000000000000 atoms}$first"
