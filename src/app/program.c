@@ -2,6 +2,7 @@
 #include "core/version.h"
 #include "output/output.h"
 #include "scree.h"
+#include <errno.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
@@ -67,17 +68,29 @@ static int run_command(const struct comm *comm, int argc, char **argv, struct er
     return command->run(comm, &line, error);
 }
 
+/* What could not be shown must not pass for success: the last look at standard output. */
+static int answer_end(int status) {
+    bool lost = ferror(stdout) != 0;
+    errno = 0;
+    if (fflush(stdout) == 0 && !lost)
+        return status;
+    fprintf(stderr, "scree: standard output cannot be written%s%s\n", errno ? ": " : "",
+            errno ? strerror(errno) : "");
+    return status != 0 ? status : ERROR_SYSTEM;
+}
+
 int scree_main(int argc, char **argv) {
     struct comm comm;
     struct error error = {0};
     int status = answer_plainly(argc, argv);
     if (status >= 0)
-        return status;
+        return answer_end(status);
     comm_start(&comm, &argc, &argv);
     signal(SIGXFSZ, SIG_IGN); /* a limit on the size of files is an error of the write that meets it */
     status = run_command(&comm, argc, argv, &error);
     if (error.kind != ERROR_NONE && comm.rank == 0)
         fprintf(stderr, "scree: %s\n", error.text);
+    status = answer_end(status);
     if (output_left_open())
         comm_abort(status);
     comm_stop(&comm);

@@ -57,6 +57,21 @@ check 'nor one whose time is over' over dir --resume last --set 'step=~' --set d
 check 'no folder is made for it' over none --resume dir/checkpoint-8.h5 --set step.count=8
 check 'so that there is none' [ ! -e none ]
 
+echo '== standard output that cannot be written'
+mute() { # COMMAND...: status 1 and one line that says so
+    "$scree" "$@" >/dev/full 2>said
+    [ $? = 1 ] && [ "$(wc -l <said)" = 1 ] && holds said 'scree: standard output cannot be written'
+}
+check 'help' mute help
+check 'help of a key' mute help index.name
+check 'version' mute --version
+check 'check' mute check good.yaml
+check 'info' mute info dir/checkpoint-8.h5
+check 'run' mute run good.yaml -o unsaid --set output.progress=off
+check 'whose files are whole' last unsaid 60
+said_wrong() { "$scree" check nowhere.yaml >/dev/full 2>said; [ $? = 2 ]; }
+check 'another error keeps its status' said_wrong
+
 echo '== two runs at once'
 "$scree" run good.yaml -o busy --quiet --set step.count=1000000000 --set output.trajectory.every=0 --set output.dump.every=0 \
     --set output.checkpoint.keep=1 &
