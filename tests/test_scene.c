@@ -102,6 +102,25 @@ static void settings_override(void **state) {
     scene_free(&scene);
 }
 
+/* Whatever else is asked for, a trajectory can be read back. */
+static void trajectories_read_back(void **state) {
+    (void)state;
+    static const char *const sets[][2] = {{"output.trajectory.fields=[force]"},
+                                          {"output.trajectory.fields=[radius, force, position]"},
+                                          {"output.dump.fields=[force]"}};
+    static const char *const names[][4] = {
+        {"force", "position", "radius", ""}, {"radius", "force", "position", ""}, {""}};
+    for (int k = 0; k < 3; k++) {
+        struct scene *scene = good_scene(GOOD_SCENE, sets[k]);
+        const struct output_fields *fields = &scene->output.trajectory.fields;
+        assert_int_equal(fields->count, k < 2 ? 3 : 0);
+        for (int f = 0; f < fields->count; f++)
+            assert_string_equal(fields->name[f], names[k][f]);
+        assert_int_equal(scene->output.dump.fields.count, k < 2 ? 0 : 1);
+        scene_free(&scene);
+    }
+}
+
 /* What is taken out makes room for its alternative; what is not there may be taken out, too. */
 static void settings_take_out(void **state) {
     (void)state;
@@ -346,6 +365,7 @@ int main(void) {
                                        cmocka_unit_test(agrees_with_modules),
                                        cmocka_unit_test(settings_override),
                                        cmocka_unit_test(settings_take_out),
+                                       cmocka_unit_test(trajectories_read_back),
                                        cmocka_unit_test(echo_reads_back),
                                        cmocka_unit_test(rich_values),
                                        cmocka_unit_test(features_are_what_is_needed),

@@ -286,13 +286,32 @@ void scene_make_reproducible(struct scene *scene) {
     scene->ghosts_name = SCENE_GHOSTS_FULL;
 }
 
+/* A trajectory without place or radius could not be read back; its ids are always there. */
+static bool finish_fields(struct scene *scene, struct error *error) {
+    static const char *const needed[] = {"position", "radius"};
+    struct output_fields *fields = &scene->output.trajectory.fields;
+    int named = fields->count; /* 0: all */
+    for (size_t k = 0; named > 0 && k < sizeof(needed) / sizeof(needed[0]); k++) {
+        bool there = false;
+        for (int f = 0; f < named; f++)
+            there = there || strcmp(fields->name[f], needed[k]) == 0;
+        if (there)
+            continue;
+        if (fields->count == OUTPUT_FIELDS_MAX)
+            return finish_fail(scene, error, "output.trajectory.fields", "no room for %s among %d names",
+                               needed[k], named);
+        snprintf(fields->name[fields->count++], OUTPUT_NAME_MAX, "%s", needed[k]);
+    }
+    return true;
+}
+
 bool finish_scene(struct scene *scene, struct error *error) {
     if (!finish_box(scene, error) ||
         !names_differ(scene, "materials", scene->material[0].name, sizeof(scene->material[0]),
                       scene->materials, error) ||
         !finish_pairs(scene, error) || !finish_walls(scene, error) ||
         !names_differ(scene, "walls", scene->wall[0].name, sizeof(scene->wall[0]), scene->walls, error) ||
-        !finish_groups(scene, error) || !finish_sources(scene, error))
+        !finish_groups(scene, error) || !finish_sources(scene, error) || !finish_fields(scene, error))
         return false;
     finish_step(scene);
     scene->ghosts.reduced = scene->ghosts_name == SCENE_GHOSTS_REDUCED ||

@@ -23,8 +23,8 @@ static const struct schema_row trajectory_rows[] = {
     {.key = "every", EVERY(struct trajectory_options, every),
      .help = "how often; a bare number counts steps, {time: ...} is simulated time"},
     {.key = "fields", .type = SCHEMA_TEXTS, ARRAY_AT(struct trajectory_options, fields.name, fields.count),
-     .help = "particle fields; none named: all that the scene has; `force` is that of contacts and walls, "
-             "without gravity",
+     .help = "particle fields; id, position and radius are always written; none named: all that the scene has; "
+             "`force` is that of contacts and walls, without gravity",
      .example = "[position, velocity, radius]"},
     {.key = "xdmf", .type = SCHEMA_BOOL, .fallback = "true", AT(struct trajectory_options, xdmf),
      .help = "trajectory.xdmf beside it, for ParaView"},
