@@ -257,12 +257,6 @@ still() { # without gravity nothing moves, and nothing is squeezed
 }
 check 'particles appear clear of walls and of each other' still 1
 check 'so on two ranks' still 2
-
-echo '== conversions'
-shape() { # without title and image counts
-    tail -n +2 "$1" | cut -d ' ' -f 1-7
-}
-round_trip() { # H5MD -> LAMMPS data -> H5MD -> LAMMPS data
 check 'the report tells that all are placed' holds clear2/report.json '{"name": "insertions[0]", "asked": 40, "placed": 40}'
 crowded() {
     on 1 "$scree" run clear.yaml -o crowded --set 'insertions=[{name: rain, rate: 1e9, count: 400, sizes: 1 mm, attempts: 2}]' \
@@ -274,6 +268,12 @@ crowded() {
         holds said "insertion rain: $placed of the 400 particles due are placed: NOTE"
 }
 check 'and that many are not' crowded
+
+echo '== conversions'
+shape() { # without title and image counts
+    tail -n +2 "$1" | cut -d ' ' -f 1-7
+}
+round_trip() { # H5MD -> LAMMPS data -> H5MD -> LAMMPS data
     "$scree" convert smooth/trajectory.h5 a.data >said 2>&1 && "$scree" convert a.data b.h5 >>said 2>&1 && "$scree" convert b.h5 b.data >>said 2>&1 || { cat said; return 1; }
     [ "$(grep -c . a.data)" -gt 60 ] && diff <(shape a.data) <(shape b.data)
 }
