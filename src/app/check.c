@@ -4,6 +4,7 @@
 #include "app/simulation.h"
 #include "core/memory.h"
 #include "particles/fields.h"
+#include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
@@ -228,7 +229,101 @@ static void print_memory(const struct simulation *s) {
            s->history ? (double)history_memory(s->history) / 1048576 : 0);
 }
 
-static void print_all(const struct simulation *s) {
+/* The smallest box around something, in the user's coordinates; lower above upper: nothing. */
+struct extent {
+    double lower[3], upper[3];
+};
+
+static const struct extent nothing = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+static void extent_add(struct extent *extent, const double x[3], double reach) {
+    for (int d = 0; d < 3; d++) {
+        extent->lower[d] = fmin(extent->lower[d], x[d] - reach);
+        extent->upper[d] = fmax(extent->upper[d], x[d] + reach);
+    }
+}
+
+/* Of the particles on all ranks, and how many centres lie beyond an open side of the box. Collective. */
+static struct extent particles_extent(const struct simulation *s, int64_t *outside) {
+    const struct box *box = &s->scene->box;
+    struct extent extent = nothing;
+    *outside = 0;
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        const struct particle_state *p = &s->particles->state[k];
+        double x[3];
+        bool out = false;
+        for (int d = 0; d < 3; d++) {
+            x[d] = p->x[d] + box->origin[d];
+            out = out || (d < box->dimension && !box->periodic[d] && (p->x[d] < 0 || p->x[d] > box->edge[d]));
+        }
+        extent_add(&extent, x, p->radius);
+        *outside += out;
+    }
+    comm_min(s->comm, extent.lower, 3);
+    comm_max(s->comm, extent.upper, 3);
+    comm_sum_int(s->comm, outside, 1);
+    return extent;
+}
+
+/* A mesh at its place at the start; a cylinder and a plane as the scene gives them, a plane that is not
+ * square to an axis without bounds. */
+static struct extent wall_extent(const struct simulation *s, int w) {
+    const struct wall_options *wall = &s->scene->wall[w];
+    struct extent extent = nothing;
+    double(*triangle)[9] = NULL;
+    size_t count = walls_triangles(s->walls, w, &triangle);
+    for (size_t k = 0; k < count; k++)
+        for (int corner = 0; corner < 3; corner++)
+            extent_add(&extent, triangle[k] + 3 * corner, 0);
+    memory_free(triangle);
+    for (int d = 0; wall->shape != WALL_MESH && d < 3; d++) {
+        double along = fabs(wall->axis[d]), half = wall->length > 0 ? wall->length / 2 : INFINITY;
+        double reach = (along > 0 ? along * half : 0) + wall->radius * sqrt(fmax(0, 1 - along * along));
+        if (wall->shape == WALL_PLANE)
+            reach = fabs(wall->normal[d]) == 1 ? 0 : INFINITY;
+        extent.lower[d] = wall->point[d] - reach;
+        extent.upper[d] = wall->point[d] + reach;
+    }
+    return extent;
+}
+
+static void print_extent(const char *what, const char *name, const struct extent *extent, const char *note) {
+    char title[WALL_NAME_MAX + 16];
+    snprintf(title, sizeof title, "%s%s%s%s", what, name[0] ? " '" : "", name, name[0] ? "'" : "");
+    printf("  %-24s", title);
+    for (int d = 0; d < 3; d++)
+        printf("  %11.5g ... %-11.5g", extent->lower[d], extent->upper[d]);
+    printf("%s\n", note);
+}
+
+/* Where everything is: what lies apart was seldom meant to. */
+static void print_extents(const struct simulation *s, const struct extent *particles, int64_t outside) {
+    static const char *const shapes[] = {
+        [WALL_PLANE] = "plane", [WALL_CYLINDER] = "cylinder", [WALL_MESH] = "mesh"};
+    const struct scene *scene = s->scene;
+    struct extent box;
+    char note[64] = "";
+    memcpy(box.lower, scene->box_lower, sizeof box.lower);
+    memcpy(box.upper, scene->box_upper, sizeof box.upper);
+    printf("\nwhere it is\n  %-24s  %-27s  %-27s  %s\n", "", "x from ... to", "y from ... to",
+           "z from ... to");
+    print_extent("box", "", &box, "");
+    if (outside > 0)
+        snprintf(note, sizeof note, "  NOTE: %lld of them outside of the box", (long long)outside);
+    if (s->total > 0)
+        print_extent("particles", "", particles, note);
+    for (int w = 0; w < s->scene->walls; w++) {
+        const struct wall_options *wall = &s->scene->wall[w];
+        struct extent extent = wall_extent(s, w);
+        bool apart = false;
+        for (int d = 0; wall->shape == WALL_MESH && d < scene->box.dimension; d++)
+            apart = apart || extent.upper[d] < box.lower[d] || extent.lower[d] > box.upper[d];
+        print_extent(shapes[wall->shape], wall->name, &extent,
+                     apart ? "  NOTE: wholly outside of the box" : "");
+    }
+}
+
+static void print_all(const struct simulation *s, const struct extent *particles, int64_t outside) {
     const struct scene *scene = s->scene;
     printf("%s: valid\n", scene->file);
     printf("  %llu particles, %d materials, %d walls, %d groups, %s, %s, %s\n", (unsigned long long)s->total,
@@ -239,6 +334,7 @@ static void print_all(const struct simulation *s) {
            s->view.newton ? "on" : "off", s->list->primary_count, s->sums.contacts);
     if (scene->reproducible)
         printf("  reproducible: pairs across ranks are computed on both sides (newton off, full copies)\n");
+    print_extents(s, particles, outside);
     print_terms(s);
     printf("\npasses of a step\n");
     step_plan_print(s, stdout);
@@ -264,8 +360,12 @@ int command_check(const struct comm *comm, const struct command_line *line, stru
     if (scene == NULL)
         return error->kind;
     struct simulation *s = simulation_create(comm, scene, NULL, error);
-    if (s && outputs_suit(s, error) && comm->rank == 0)
-        print_all(s);
+    if (s && outputs_suit(s, error)) {
+        int64_t outside;
+        struct extent particles = particles_extent(s, &outside);
+        if (comm->rank == 0)
+            print_all(s, &particles, outside);
+    }
     simulation_destroy(&s);
     scene_free(&scene);
     return error->kind;

@@ -54,6 +54,21 @@ check 'and says so at its end' ends 'would stop this run.*guards.speed, guards.o
     --set step.force=true --set material_pairs[0].k_n=0.1
 check 'and nothing where there is nothing' bash -c "$scree"' check scene.yaml >said 2>&1 && ! grep -q would said'
 
+# Where things are
+printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 0\nendloop\nendfacet\nendsolid\n' >far.stl
+meshes='walls=[{name: floor, shape: plane, point: [0, 0, 0.5], normal: [0, 0, 1]}, {name: far, shape: mesh, file: far.stl, offset: [20, 0, 0]},
+    {name: near, shape: mesh, file: far.stl}, {name: pipe, shape: cylinder, point: [5, 5, 5], axis: [0, 1, 0], radius: 4}]'
+check 'check shows where the particles are' says 'particles  *2 \.\.\. 6\.5  *4 \.\.\. 6  *4 \.\.\. 6 *$'
+check 'and which are outside' says '4 \.\.\. 6 .*NOTE: 1 of them outside of the box' --set 'particles.sources[0].position=[12, 5, 5]'
+check 'where a mesh is, outside' says "mesh 'far'  *20 \.\.\. 21  *0 \.\.\. 2  *0 \.\.\. 0 .*NOTE: wholly outside of the box" --set "$meshes"
+check 'or inside' says "mesh 'near'  *0 \.\.\. 1  *0 \.\.\. 2  *0 \.\.\. 0 *$" --set "$meshes"
+check 'and the other walls' says "cylinder 'pipe'  *1 \.\.\. 9  *-inf \.\.\. inf  *1 \.\.\. 9 *$" --set "$meshes"
+spread() {
+    on 2 "$scree" check scene.yaml --set 'particles.sources[0].position=[12, 5, 5]' >said 2>&1
+    grep -q 'particles  *4\.5 \.\.\. 13  *4 \.\.\. 6 .*NOTE: 1 of them' said || { cat said; return 1; }
+}
+check 'on two ranks, too' spread
+
 # A rough floor: frozen spheres overlap each other and are sunk into a plane; one lies still on it
 cat >rough.yaml <<'EOF'
 units: none
