@@ -277,7 +277,7 @@ static void check_kept(int threads, uint32_t nth) {
     history_keep(history, c.list, &numbers, &kept);
     cloud_free(&c);
     cloud_search(&c, threads, true);
-    history_restore(history, &kept, &rows, c.list, c.particles);
+    history_restore(history, &kept, &rows, &(struct history_twins){0}, c.list, c.particles);
     history_compare(&c, history);
     history_kept_free(&kept);
     history_rows_free(&rows);

@@ -113,9 +113,16 @@ static void keep(struct simulation *s, struct rebuild_rows *rows, const uint32_t
         history_keep(s->history, s->list, &numbers, &rows->kept);
 }
 
+static void springs_restore(struct simulation *s, struct rebuild_rows *rows) {
+    struct history_twins twins = {0};
+    if (!s->alone)
+        twins.original = ghosts_own(s->ghosts, &twins.first, &twins.count);
+    history_restore(s->history, &rows->kept, &rows->pairs, &twins, s->list, s->particles);
+}
+
 static void attach(struct simulation *s, struct rebuild_rows *rows) {
     if (rows->kept.start)
-        history_restore(s->history, &rows->kept, &rows->pairs, s->list, s->particles);
+        springs_restore(s, rows);
     else if (rows->pairs.start)
         history_attach(s->history, &rows->pairs, s->list, s->particles, images_apart(s));
     if (rows->walls.start)

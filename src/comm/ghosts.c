@@ -344,6 +344,26 @@ const uint32_t *ghosts_originals(const struct ghosts *ghosts, size_t *count) {
     return ghosts->border;
 }
 
+/* The peer that is this rank itself, or NULL. */
+static const struct peer *peer_self(const struct ghosts *ghosts, const struct peer *peer, size_t count) {
+    for (size_t k = 0; k < count; k++)
+        if (peer[k].rank == ghosts->comm->rank)
+            return &peer[k];
+    return NULL;
+}
+
+const uint32_t *ghosts_own(const struct ghosts *ghosts, size_t *first, size_t *count) {
+    const struct peer *to = peer_self(ghosts, ghosts->to, ghosts->to_count);
+    const struct peer *from = peer_self(ghosts, ghosts->from, ghosts->from_count);
+    *first = *count = 0;
+    if (to == NULL || from == NULL)
+        return NULL;
+    assert(to->count == from->count);
+    *first = ghosts->number[from->first];
+    *count = from->count;
+    return ghosts->original + to->first;
+}
+
 const uint8_t *ghosts_unshift(struct ghosts *ghosts, struct particles *particles) {
     assert(ghosts->options.in_place && particles->ghosts == ghosts->held);
     for (size_t k = 0; k < ghosts->held; k++)

@@ -69,6 +69,11 @@ void ghosts_reverse(struct ghosts *ghosts, struct particles *particles);
  * first. Borrowed until the next ghosts_make or ghosts_drop. */
 const uint32_t *ghosts_originals(const struct ghosts *ghosts, size_t *count);
 
+/* The copies that this rank holds of its own particles, where it is its own neighbour across the box: they
+ * lie together; `first` is the number of the first one (particles.owned + ...). Returns whose copies they
+ * are, one after another, NULL if there are none. Borrowed until the next ghosts_make or ghosts_drop. */
+const uint32_t *ghosts_own(const struct ghosts *ghosts, size_t *first, size_t *count);
+
 /* With options.in_place, after the search for pairs: puts all copies where their originals stand, to the last
  * bit (x + image * edge has lost some), where ghosts_forward then keeps them. Returns the image code of each
  * copy, which their pairs must take over (pairlist_add_images); borrowed until the next ghosts_make or

@@ -156,26 +156,29 @@ struct find {
     uint32_t record; /* turned as it is seen from the pair's row */
 };
 
+/* The record of a pair as it is seen from i, or HISTORY_LEFT. The lower number is never that of a copy. No
+ * branch depends on whether there is a record: nobody could foresee it. */
+static inline uint32_t record_of(const struct history_kept *kept, uint32_t i, uint32_t j) {
+    uint32_t low = i < j ? i : j, high = i < j ? j : i, record = 0, hits = 0, end = kept->start[low + 1];
+    for (uint32_t e = kept->start[low]; e < end; e++) {
+        uint32_t hit = kept->entry[e].partner == high;
+        record |= kept->entry[e].record & (0 - hit);
+        hits |= hit;
+    }
+    record ^= (uint32_t)(i > j) << 31;
+    return record | (hits - 1);
+}
+
 /* The records of the pairs [first, last); returns how many there are. With `all` the pairs without a record
- * come, too, with HISTORY_LEFT. The lower number is never that of a copy. No branch depends on whether there
- * is a record: nobody could foresee it. */
+ * come, too, with HISTORY_LEFT. */
 static inline size_t records_find(const struct history_kept *kept, const struct pairlist *list, size_t first,
                                   size_t last, bool all, struct find *restrict find) {
-    const uint32_t *restrict start = kept->start;
-    const struct history_kept_entry *restrict entry = kept->entry;
     size_t found = 0;
     for (size_t k = first; k < last; k++) {
-        uint32_t i = list->i[k], j = pair_partner(list->j[k]);
-        uint32_t low = i < j ? i : j, high = i < j ? j : i, record = 0, hits = 0, end = start[low + 1];
-        for (uint32_t e = start[low]; e < end; e++) {
-            uint32_t hit = entry[e].partner == high;
-            record |= entry[e].record & (0 - hit);
-            hits |= hit;
-        }
-        record ^= (uint32_t)(i > j) << 31;
+        uint32_t record = record_of(kept, list->i[k], pair_partner(list->j[k]));
         find[found].pair = (uint32_t)(k - first);
-        find[found].record = record | (hits - 1);
-        found += all ? 1 : hits;
+        find[found].record = record;
+        found += all || record != HISTORY_LEFT;
     }
     return found;
 }
@@ -184,9 +187,15 @@ static inline size_t records_find(const struct history_kept *kept, const struct 
 struct restoring {
     const struct history_kept *kept;
     const struct history_rows *rows;
+    const struct history_twins *twins;
     const struct pairlist *list;
     const struct particles *particles;
 };
+
+/* The owned particle that k is, or is a copy of; others are their own. */
+static uint32_t original_of(const struct history_twins *twins, uint32_t k) {
+    return k >= twins->first && k - twins->first < twins->count ? twins->original[k - twins->first] : k;
+}
 
 /* The row of particle `carrier` whose partner has id `partner`, or NULL. */
 static const struct history_row *row_of(const struct restoring *r, uint32_t carrier, int64_t partner) {
@@ -201,7 +210,13 @@ static const struct history_row *row_of(const struct restoring *r, uint32_t carr
 /* The value of a find from pair `first` on, and its sign; NULL: there is none. */
 static const double *find_value(const struct history *history, const struct restoring *r, size_t first,
                                 const struct find *find, double *sign) {
-    if (find->record == HISTORY_LEFT) {
+    uint32_t record = find->record;
+    if (record == HISTORY_LEFT && r->twins->count > 0) {
+        uint32_t i = original_of(r->twins, r->list->i[first + find->pair]);
+        uint32_t j = original_of(r->twins, pair_partner(r->list->j[first + find->pair]));
+        record = i < r->kept->owned || j < r->kept->owned ? record_of(r->kept, i, j) : HISTORY_LEFT;
+    }
+    if (record == HISTORY_LEFT) {
         uint32_t i = r->list->i[first + find->pair], j = pair_partner(r->list->j[first + find->pair]);
         int64_t id_i = r->particles->id[i], id_j = r->particles->id[j];
         const struct history_row *row = row_of(r, i, id_j);
@@ -209,11 +224,11 @@ static const double *find_value(const struct history *history, const struct rest
         *sign = id_i < id_j ? 1 : -1;
         return row ? row->value : NULL;
     }
-    uint32_t record = find->record & ~HISTORY_KEPT_TURNED;
+    *sign = record & HISTORY_KEPT_TURNED ? -1 : 1;
+    record &= ~HISTORY_KEPT_TURNED;
     int t = 0;
     while (record >= r->kept->first[t + 1])
         t++;
-    *sign = find->record & HISTORY_KEPT_TURNED ? -1 : 1;
     return history->part[history->now][t].value + (record - r->kept->first[t]) * (size_t)history->components;
 }
 
@@ -246,9 +261,9 @@ static void restore_thread(struct history *history, const struct restoring *r, i
 }
 
 void history_restore(struct history *history, const struct history_kept *kept,
-                     const struct history_rows *rows, const struct pairlist *list,
-                     const struct particles *particles) {
-    struct restoring restoring = {kept, rows, list, particles};
+                     const struct history_rows *rows, const struct history_twins *twins,
+                     const struct pairlist *list, const struct particles *particles) {
+    struct restoring restoring = {kept, rows, twins, list, particles};
 #pragma omp parallel for num_threads(history->threads) schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
         restore_thread(history, &restoring, t);

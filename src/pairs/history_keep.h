@@ -37,11 +37,18 @@ struct history_numbers {
 void history_keep(const struct history *history, const struct pairlist *list,
                   const struct history_numbers *numbers, struct history_kept *kept);
 
-/* Hands the records to the pairs of the new list, and the rows (start NULL: there are none). Opens its own
- * thread team. */
+/* Copies of particles of this very rank, which a pair may meet that knew the particle itself before: those
+ * behind `first` owned particles and other copies, and whose copies they are. */
+struct history_twins {
+    size_t first, count;
+    const uint32_t *original;
+};
+
+/* Hands the records to the pairs of the new list, and the rows (start NULL: there are none, and no copies).
+ * Opens its own thread team. */
 void history_restore(struct history *history, const struct history_kept *kept,
-                     const struct history_rows *rows, const struct pairlist *list,
-                     const struct particles *particles);
+                     const struct history_rows *rows, const struct history_twins *twins,
+                     const struct pairlist *list, const struct particles *particles);
 
 void history_kept_free(struct history_kept *kept);
 

@@ -139,6 +139,31 @@ poured() {
 }
 check 'a division by one particle keeps contacts across the box: 2 ranks' poured 2
 check 'the same on 3 ranks' poured 3
+
+# Three ranks: the first spans y, which the others share, and so holds copies of its own particles. Of two that rub against
+# each other one crosses the seam there: the spring between them stays
+cat >cross.yaml <<'END'
+units: none
+box: {lower: [0, 0, 0], upper: [6.1, 6, 6], periodic: true}
+contact: {law: hooke}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.9, friction: 0.8, k_n: 1000}]
+step: {dt: 0.0005, count: 100, rebuild_every: 5}
+particles:
+  sources:
+    - {from: single, position: [1, 5.09, 3], radius: 0.5, velocity: [0.4, 1, 0], omega: [0, 0, 2]}
+    - {from: single, position: [1, 5.99, 3], radius: 0.5, velocity: [-0.4, 1, 0.1]}
+observables: {every: 100, list: [{name: velocity, id: 1, label: one}, {name: angular_velocity, id: 1, label: one}]}
+output: {checkpoint: {at_end: false}}
+END
+crossed() {
+    local k
+    run_scene 1 cross.yaml cross-1 && run_scene 3 cross.yaml cross-3 --set domain.name=$bisection || return 1
+    for k in 2 3 4 5 6 7; do
+        within "$(cut -d , -f $k cross-1/observables.csv | tail -n 1)" "$(cut -d , -f $k cross-3/observables.csv | tail -n 1)" 1e-9 || return 1
+    done
+}
+check 'a spring goes over the seam with its pair where a rank is its own neighbour' crossed
 check 'boulder: next neighbours do not do' refused boulder 8 --set domain.x=8
 for case in ten forty; do
     check "$case: the reference of reproducible runs" reproducibly 1 "$case-bits" "$case" --set index=brute
