@@ -9,14 +9,11 @@
 #include <string.h>
 
 /* What the counters of a checkpoint mean: the first ones, three of each insertion from COUNTER_INSERTION on,
- * and the last ones. */
+ * and the last one. */
 enum { COUNTER_STEP_BASE, COUNTER_TIME_BASE, COUNTER_INSERTED, COUNTER_DELETED, COUNTER_INSERTION };
-enum {
-    COUNTER_FRACTION = CHECKPOINT_COUNTERS - 3, /* of the stable step that was taken; 0: the step was given */
-    COUNTER_DIVIDED, /* the bisection was divided since the imbalance was measured */
-    COUNTER_REACHED  /* the imbalance after its last division */
-};
-enum { SUM_TAKEN, SUM_WALL_WORK };
+enum { COUNTER_FRACTION = CHECKPOINT_COUNTERS - 1 }; /* of the stable step that was taken; 0: it was given */
+/* What belongs to the ranks: sums, and what a bisection knows of its load (load.h) if as many resume. */
+enum { SUM_TAKEN, SUM_WALL_WORK, SUM_LOAD_FRESH, SUM_LOAD_REACHED };
 enum { INSERTION_COUNTERS = 3 };
 
 _Static_assert((int)COUNTER_INSERTION + INSERTION_COUNTERS * (int)INSERTIONS_MAX <= (int)COUNTER_FRACTION,
@@ -42,8 +39,6 @@ static void numbers_put(const struct simulation *s, struct checkpoint_numbers *n
     n->counter[COUNTER_INSERTED] = s->inserted;
     n->counter[COUNTER_DELETED] = s->deleted;
     n->counter[COUNTER_FRACTION] = bits_of(s->dt_fraction);
-    n->counter[COUNTER_DIVIDED] = s->load.fresh;
-    n->counter[COUNTER_REACHED] = bits_of(s->load.reached);
     domain_grid(s->domain, n->grid);
     for (int k = 0; k < s->scene->insertions; k++) {
         uint64_t *counter = &n->counter[COUNTER_INSERTION + INSERTION_COUNTERS * k];
@@ -51,6 +46,8 @@ static void numbers_put(const struct simulation *s, struct checkpoint_numbers *n
         counter[1] = s->insertion_state[k].tried;
         counter[2] = bits_of(s->insertion_state[k].mass);
     }
+    n->sum[SUM_LOAD_FRESH] = s->load.fresh;
+    n->sum[SUM_LOAD_REACHED] = s->load.reached;
     n->sum[SUM_TAKEN] = s->taken;
     n->sum[SUM_WALL_WORK] = s->walls ? walls_work(s->walls) : 0;
 }
@@ -197,8 +194,8 @@ bool resume_read(struct simulation *s, const char *path, struct rebuild_rows *ro
     wall_rows_rename(s, &loaded);
     masses_follow(s, path, error);
     if (loaded.tree && domain_bisects(s->domain)) {
-        load_restore(s, loaded.tree, loaded.numbers.counter[COUNTER_DIVIDED] != 0,
-                     double_of(loaded.numbers.counter[COUNTER_REACHED]));
+        load_restore(s, loaded.tree, loaded.numbers.sum[SUM_LOAD_FRESH] != 0,
+                     loaded.numbers.sum[SUM_LOAD_REACHED]);
         loaded.tree = NULL;
     }
     if (s->history) {

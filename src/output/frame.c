@@ -183,6 +183,8 @@ static int *assign_ranks(const struct frame *frame, const struct comm *comm) {
     }
     comm_max_int(comm, limits, 2);
     int *rank = memory_allocate(frame->rows, sizeof *rank, "ranks of ids");
+    if (limits[1] == INT64_MIN) /* no particles anywhere */
+        return rank;
     int64_t lowest = -limits[0], width = (limits[1] - lowest) / comm->size + 1;
     for (size_t i = 0; i < frame->rows; i++)
         rank[i] = (int)((id[i] - lowest) / width);

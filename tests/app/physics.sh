@@ -236,6 +236,12 @@ pushed() {
 }
 check 'a servo finds its force' pushed 1
 check 'so on two ranks' pushed 2
+steady() { # where the contact's damper answers the gain with 23 times the force sought
+    run_scene 1 servo.yaml steady --set walls[1].motion[0].speed_max=10 --set observables.every=7 || return 1
+    awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^lid_fz/) column = k } NR > 800 { rows++; if ($column < 19.5 || $column > 20.5) { bad = $column } }
+        END { if (bad) print "  force " bad; exit !(rows > 20) || bad }' steady/observables.csv
+}
+check 'it holds it without chatter' steady
 
 echo '== insertion'
 cat >clear.yaml <<'EOF'

@@ -3,7 +3,7 @@
 #
 # Scene number k is drawn from SEED + k alone (1 and 12, with SCREE_LONG 200, if they are not given), so the seed of a line
 # names one scene: random_scenes.sh 57 1. Drawn are dimension, box and its periodic sides, sizes, numbers, speeds, law,
-# gravity, walls, particles that leave or come, skin; and ranks, threads, index, division, synchronisation, newton, ghosts. Every
+# gravity, walls, particles that leave or come, groups that are held or moved, skin; and ranks, threads, index, division, synchronisation, newton, ghosts. Every
 # second scene is reproducible: all that its checkpoint holds must be the same to the last bit, in every fourth of them
 # after a change of the layout half-way. The others make at most 50 steps, after which positions must agree within 1e-9
 # of the box. A run may take 60 s: what hangs is told from what is slow.
@@ -231,6 +231,22 @@ draw_layout() {
     if once_in 3 && [[ $reproducible$layout = *true*index=auto* ]]; then layout+=" index.measure=true"; fi
 }
 
+# draw_more FILE: what goes behind the rest, so that the rest of a seed stays what it was: particles that are poured where
+# there were few, a group that is held or moved
+draw_more() {
+    if [ $sizes = few ] && [[ $extra != *insertions* ]]; then
+        draw 60
+        poured=$((poured + 1))
+        echo "insertions: [{rate: 1e6, count: $((drawn + 20)), material: soft, sizes: {law: uniform, min: $(part 20), max: $(part 60)}, region: {shape: all}}]"
+    fi >>"$1"
+    if once_in 4; then
+        pick 'motion: frozen' 'motion: moving, velocity: [0.5, -0.3, 0], omega: [0, 0, 2]'
+        ! grep -q 'tangential: none' "$1" || picked=${picked%, omega*}
+        held=$((held + 1))
+        echo "groups: [{name: held, $picked, select: {ids: [1, 2, 3, 5, 8, 13, 21, 34, 55]}}]"
+    fi >>"$1"
+}
+
 # timed RANKS DIR [FLAG...]: a run of scene.yaml, within its time
 timed() {
     local count=$1 dir=$2 status
@@ -342,15 +358,16 @@ one() {
     later=$layout later_ranks=$ranks change=no
     if once_in 4; then change=yes; fi
     draw_layout
+    draw_more scene.yaml
     check "seed $seed: $particles $sizes in ${dimension}D, moving $moved, reproducible $reproducible, $ranks ranks $layout$([ $change = no ] || [ $reproducible = false ] || echo ", then $later_ranks ranks $later")" agrees
     [ $failures = $before ] || sed 's/^/    /' scene.yaml
 }
 
-touching=0 shadows=0 divided=0 refused=0
+touching=0 shadows=0 divided=0 refused=0 poured=0 held=0
 for ((scene = 0; scene < count; scene++)); do
     one $((first + scene))
 done
-echo "contacts in $touching scenes, shadows needed in $shadows, refused by next neighbours $refused, divided anew $divided"
+echo "contacts in $touching scenes, shadows needed in $shadows, refused by next neighbours $refused, divided anew $divided; $poured poured, $held with a group"
 if [ "$count" -ge 12 ]; then
     check 'a third of the scenes have contacts' [ $((3 * touching)) -ge "$count" ]
     check 'some need shadows' [ $shadows -ge 1 ]
