@@ -236,8 +236,13 @@ static bool mine(void *context, const double x[3]) {
     return domain_owner(s->domain, x) == s->comm->rank;
 }
 
+static bool taken(void *context, const double x[3], double radius) {
+    const struct simulation *s = context;
+    return s->walls && walls_overlap(s->walls, x, radius);
+}
+
 static bool particles_make(struct simulation *s, struct error *error) {
-    struct scene_share share = {s->comm->rank, s->comm->size, mine, s};
+    struct scene_share share = {s->comm->rank, s->comm->size, mine, taken, s};
     bool good = scene_particles(s->scene, &share, s->particles, &s->census, error);
     if (!comm_agree(s->comm, error) || !good)
         return false;

@@ -79,18 +79,27 @@ static void relative(const struct box *box, const double x[3], double y[3]) {
     }
 }
 
-/* Finds a free place for one sphere; *tries counts. */
-static bool find_place(const struct scene *scene, int source, const struct region *region,
-                       const struct region_space *space, const struct placegrid *grid,
-                       const struct draw *draw, double x[3]) {
+/* Where spheres are placed, and what is in their way. */
+struct placing {
+    const struct scene *scene;
+    int source;
+    const struct scene_share *share;
+    struct region region;
+    struct region_space space;
+    struct placegrid *grid;
+};
+
+/* Finds a free place for one sphere. */
+static bool find_place(const struct placing *p, const struct draw *draw, double x[3]) {
     struct random_sequence random =
-        random_sequence(scene->seed, RANDOM_POSITION, (uint64_t)(source + 1) << 40 | draw->number);
-    for (int64_t k = 0; k < scene->source[source].attempts; k++) {
+        random_sequence(p->scene->seed, RANDOM_POSITION, (uint64_t)(p->source + 1) << 40 | draw->number);
+    for (int64_t k = 0; k < p->scene->source[p->source].attempts; k++) {
         double y[3];
-        if (!region_draw(region, space, draw->radius, &random, x))
+        if (!region_draw(&p->region, &p->space, draw->radius, &random, x))
             return false;
-        relative(&scene->box, x, y);
-        if (!placegrid_touches(grid, y, draw->radius))
+        relative(&p->scene->box, x, y);
+        if (!placegrid_touches(p->grid, y, draw->radius) &&
+            !(p->share->taken && p->share->taken(p->share->context, y, draw->radius)))
             return true;
     }
     return false;
@@ -106,7 +115,8 @@ static bool not_placed(const struct scene *scene, int source, const struct order
     return finish_fail(
         scene, error, key,
         "only %zu of %zu spheres found a place (volume fraction %.4g of %.4g) in %lld attempts for the next "
-        "one, of radius %g. Random placement ends at about %s, and nears it slowly (more attempts); wide "
+        "one, of radius %g, clear of others and of walls. Random placement ends at about %s, and nears it "
+        "slowly (more attempts); wide "
         "size "
         "laws reach more, a lattice or a packing made beforehand as well",
         placed, order->count, reached / order->volume, wanted / order->volume,
@@ -114,35 +124,34 @@ static bool not_placed(const struct scene *scene, int source, const struct order
         scene->box.dimension == 2 ? "0.547 of the area for equal discs" : "0.382 for equal spheres");
 }
 
-static bool place_all(const struct scene *scene, int source, const struct region *region,
-                      const struct region_space *space, struct placegrid *grid, const struct order *order,
-                      struct source_batch *batch, struct error *error) {
+static bool place_all(const struct placing *p, const struct order *order, struct source_batch *batch,
+                      struct error *error) {
     double reached = 0;
     for (size_t k = 0; k < order->count; k++) {
         double *x = batch->rows.position[k], y[3];
-        if (!find_place(scene, source, region, space, grid, &order->draw[k], x))
-            return not_placed(scene, source, order, k, reached, error);
-        relative(&scene->box, x, y);
-        placegrid_add(grid, y, order->draw[k].radius);
+        if (!find_place(p, &order->draw[k], x))
+            return not_placed(p->scene, p->source, order, k, reached, error);
+        relative(&p->scene->box, x, y);
+        placegrid_add(p->grid, y, order->draw[k].radius);
         batch->rows.radius[k] = order->draw[k].radius;
-        reached += solid(scene->box.dimension, order->draw[k].radius);
+        reached += solid(p->scene->box.dimension, order->draw[k].radius);
     }
     return true;
 }
 
-bool packing_make(const struct scene *scene, int source, struct placegrid *grid, struct source_batch *batch,
-                  struct error *error) {
-    struct region_space space;
-    struct region region = source_region(scene, &scene->source[source].region, &space);
+bool packing_make(const struct scene *scene, int source, const struct scene_share *share,
+                  struct placegrid *grid, struct source_batch *batch, struct error *error) {
+    struct placing placing = {.scene = scene, .source = source, .share = share, .grid = grid};
+    placing.region = source_region(scene, &scene->source[source].region, &placing.space);
     struct order order = {0};
-    bool good = draw_radii(scene, source, region_volume(&region, &space), &order, error);
+    bool good = draw_radii(scene, source, region_volume(&placing.region, &placing.space), &order, error);
     char key[96];
     if (good && order.count == 0)
         good = finish_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),
                            "is too small for a single sphere");
     if (good) {
         rows_create(&batch->rows, order.count, ROWS_POSITION | ROWS_RADIUS);
-        good = place_all(scene, source, &region, &space, grid, &order, batch, error);
+        good = place_all(&placing, &order, batch, error);
     }
     memory_free(order.draw);
     return good;

@@ -182,10 +182,13 @@ int scene_group(const struct scene *scene, const char *name);
 int scene_wall(const struct scene *scene, const char *name);
 
 /* Which particles this rank keeps: those with mine(context, x) true (x box-relative, wrapped), or, where
- * `mine` is NULL, an equal share: blocks of the stream dealt out in turn, wherever they lie. */
+ * `mine` is NULL, an equal share: blocks of the stream dealt out in turn, wherever they lie. Spheres that are
+ * placed at random keep clear of what taken(context, x, radius) says, on all ranks the same (NULL: nothing).
+ */
 struct scene_share {
     int rank, size;
     bool (*mine)(void *context, const double x[3]);
+    bool (*taken)(void *context, const double x[3], double radius);
     void *context;
 };
 

@@ -82,7 +82,7 @@ const struct schema_table schema_sizes = TABLE(sizes_rows);
 static const struct schema_name kind_names[] = {
     {"file", SOURCE_FILE, "read from a file"},
     {"lattice", SOURCE_LATTICE, "on a lattice"},
-    {"random", SOURCE_RANDOM, "at random places without overlap (random sequential addition, largest first)"},
+    {"random", SOURCE_RANDOM, "at random places without overlap, clear of walls (random sequential addition, largest first)"},
     {"single", SOURCE_SINGLE, "one particle"},
     {0}};
 static const struct schema_name format_names[] = {

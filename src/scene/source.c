@@ -171,7 +171,7 @@ static bool make_batch(struct walk *walk, int source, struct source_batch *batch
     case SOURCE_LATTICE:
         return lattice_make(walk->scene, source, batch, walk->error);
     case SOURCE_RANDOM:
-        return packing_make(walk->scene, source, walk->grid, batch, walk->error);
+        return packing_make(walk->scene, source, walk->share, walk->grid, batch, walk->error);
     case SOURCE_SINGLE:
         rows_create(&batch->rows, 1, ROWS_POSITION | ROWS_RADIUS);
         memcpy(batch->rows.position[0], options->position, sizeof(options->position));

@@ -54,9 +54,9 @@ bool table_read(const struct scene *scene, int source, struct source_batch *batc
 /* Places spheres on a lattice, cell by cell. */
 bool lattice_make(const struct scene *scene, int source, struct source_batch *batch, struct error *error);
 
-/* Places spheres at random, largest first, without touching each other or those in `grid` (which receives
- * them). Each sphere's place depends on seed, source and its number alone. */
-bool packing_make(const struct scene *scene, int source, struct placegrid *grid, struct source_batch *batch,
-                  struct error *error);
+/* Places spheres at random, largest first, without touching each other, those in `grid` (which receives them)
+ * or what share->taken names. Each sphere's place depends on seed, source and its number alone. */
+bool packing_make(const struct scene *scene, int source, const struct scene_share *share,
+                  struct placegrid *grid, struct source_batch *batch, struct error *error);
 
 #endif

@@ -263,6 +263,11 @@ still() { # without gravity nothing moves, and nothing is squeezed
 }
 check 'particles appear clear of walls and of each other' still 1
 check 'so on two ranks' still 2
+placed() { # those that are there from the start, too
+    run_scene 1 clear.yaml placed --set 'insertions=~' --set 'particles={from: random, count: 60, sizes: 0.4 mm}' --set step.count=1 &&
+        [ "$(number placed/report.json particles)" = 60 ] && [ "$(column placed/observables.csv energy_elastic_normal)" = 0 ]
+}
+check 'particles placed at random are clear of walls' placed
 check 'the report tells that all are placed' holds clear2/report.json '{"name": "insertions[0]", "asked": 40, "placed": 40}'
 crowded() {
     on 1 "$scree" run clear.yaml -o crowded --set 'insertions=[{name: rain, rate: 1e9, count: 400, sizes: 1 mm, attempts: 2}]' \
