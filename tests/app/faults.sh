@@ -179,7 +179,7 @@ fi
 always_full() {
     run_scene 2 scene.yaml device --set observables.every=1 || return 1
     ln -sf /dev/full device/observables.csv
-    run_scene 2 scene.yaml device --resume last --set observables.every=1 >/dev/null
+    run_scene 2 scene.yaml device --resume last --set step.count=60 --set observables.every=1 >/dev/null
     [ $? = 1 ] && says_once said 'observables.csv|No space left on device' || { cat said; return 1; }
     rm device/observables.csv
     goes_on device 3
