@@ -15,9 +15,8 @@ int threads_set(int wanted, int most, struct error *error) {
     granted = omp_get_num_threads();
     if (granted < wanted) {
         error_set(error, ERROR_USER,
-                  "threads: %d asked for, but OpenMP grants a rank %d only (OMP_THREAD_LIMIT?); allowed: up "
-                  "to that, "
-                  "or 0 for as many as there are",
+                  "threads: %d asked for, but OpenMP grants a rank %d only (OMP_THREAD_LIMIT?); allowed: "
+                  "up to that, or 0 for as many as there are",
                   wanted, granted);
         return 0;
     }

@@ -211,13 +211,13 @@ static const struct history_row *row_of(const struct restoring *r, uint32_t carr
 static const double *find_value(const struct history *history, const struct restoring *r, size_t first,
                                 const struct find *find, double *sign) {
     uint32_t record = find->record;
-    if (record == HISTORY_LEFT && r->twins->count > 0) {
-        uint32_t i = original_of(r->twins, r->list->i[first + find->pair]);
-        uint32_t j = original_of(r->twins, pair_partner(r->list->j[first + find->pair]));
-        record = i < r->kept->owned || j < r->kept->owned ? record_of(r->kept, i, j) : HISTORY_LEFT;
+    uint32_t i = r->list->i[first + find->pair], j = pair_partner(r->list->j[first + find->pair]);
+    if (record == HISTORY_LEFT) { /* one of them is a copy of a particle of this rank? */
+        uint32_t own_i = original_of(r->twins, i), own_j = original_of(r->twins, j);
+        if (own_i != i || own_j != j)
+            record = record_of(r->kept, own_i, own_j);
     }
     if (record == HISTORY_LEFT) {
-        uint32_t i = r->list->i[first + find->pair], j = pair_partner(r->list->j[first + find->pair]);
         int64_t id_i = r->particles->id[i], id_j = r->particles->id[j];
         const struct history_row *row = row_of(r, i, id_j);
         row = row ? row : row_of(r, j, id_i);
