@@ -57,7 +57,8 @@ check_PROGRAMS += \
 	tests/mpi/test_h5md_read \
 	tests/mpi/test_h5md_run \
 	tests/mpi/test_observables \
-	tests/mpi/test_report
+	tests/mpi/test_report \
+	tests/mpi/test_stress
 
 OUTPUT_TEST_SOURCES = tests/mpi/team.c tests/mpi/team.h tests/mpi/cloud.c tests/mpi/cloud.h tests/mpi/folder.c tests/mpi/folder.h
 OUTPUT_TEST_FLAGS = $(MPI_TEST_FLAGS) $(HDF5_CFLAGS)
@@ -81,12 +82,15 @@ tests_mpi_test_h5md_read_LDADD = $(OUTPUT_TEST_LIBS)
 tests_mpi_test_h5md_run_SOURCES = tests/mpi/test_h5md_run.c tests/mpi/trajectory.h $(OUTPUT_TEST_SOURCES)
 tests_mpi_test_h5md_run_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
 tests_mpi_test_h5md_run_LDADD = $(OUTPUT_TEST_LIBS)
-tests_mpi_test_observables_SOURCES = tests/mpi/test_observables.c $(OUTPUT_TEST_SOURCES)
+tests_mpi_test_observables_SOURCES = tests/mpi/test_observables.c tests/mpi/observed.h $(OUTPUT_TEST_SOURCES)
 tests_mpi_test_observables_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
 tests_mpi_test_observables_LDADD = $(OUTPUT_TEST_LIBS)
 tests_mpi_test_report_SOURCES = tests/mpi/test_report.c $(OUTPUT_TEST_SOURCES)
 tests_mpi_test_report_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
 tests_mpi_test_report_LDADD = $(OUTPUT_TEST_LIBS)
+tests_mpi_test_stress_SOURCES = tests/mpi/test_stress.c tests/mpi/observed.h $(OUTPUT_TEST_SOURCES)
+tests_mpi_test_stress_CPPFLAGS = $(OUTPUT_TEST_FLAGS)
+tests_mpi_test_stress_LDADD = $(OUTPUT_TEST_LIBS)
 
 # make tests/mpi/bench_ranks: what has the length of the rank count
 EXTRA_PROGRAMS += tests/mpi/bench_ranks
