@@ -4,12 +4,32 @@
 #include "contact/force_kernel.h"
 #include "contact/force_physics.h"
 #include <string.h>
+#ifdef __AVX__
+#include <immintrin.h>
+#endif
 
 /* Four doubles that move together; lowered to narrower registers where the CPU has none so wide. */
 typedef double force_four __attribute__((vector_size(32), aligned(8), may_alias));
 
-/* Half a record of a particle: x y z vx, and vy vz radius 1/mass. */
+/* Half a record of a particle: x y z radius, and vx vy vz 1/mass. */
 #define FORCE_HALF(state, half) (*(const force_four *)((const double *)(state) + 4 * (half)))
+
+typedef int64_t force_mask __attribute__((vector_size(32)));
+typedef uint32_t force_numbers __attribute__((vector_size(16), aligned(4), may_alias));
+
+/* The set lanes of a mask of comparison, as bits. */
+static inline unsigned force_bits(force_mask mask) {
+#ifdef __AVX__
+    return (unsigned)_mm256_movemask_pd((__m256d)mask);
+#else
+    return (unsigned)(-mask[0] | -mask[1] << 1 | -mask[2] << 2 | -mask[3] << 3);
+#endif
+}
+
+/* Lanes of the set bits of a number below 16, lowest first. */
+static const uint32_t force_place[16][FORCE_QUAD] = {
+    {0},    {0},       {1},    {0, 1},    {2},    {0, 2},    {1, 2},    {0, 1, 2},
+    {3},    {0, 3},    {1, 3}, {0, 1, 3}, {2, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 2, 3}};
 
 /* What the loops over pairs read, side by side: a compiler must assume that their stores change what lies
  * behind pointers. */
@@ -20,6 +40,7 @@ struct force_view {
     size_t stride;            /* doubles of a force record */
     const uint32_t *i, *j;    /* from the first pair of the block on */
     const double (*shift)[4];
+    bool prescribed; /* there are particles whose motion is prescribed */
 };
 
 static inline struct force_view force_view_of(const struct force_task *task) {
@@ -31,33 +52,58 @@ static inline struct force_view force_view_of(const struct force_task *task) {
                                .stride = (size_t)particles->force_stride,
                                .i = list->i + task->block->first_pair,
                                .j = list->j + task->block->first_pair,
-                               .shift = list->shift};
+                               .shift = list->shift,
+                               .prescribed = particles->group != NULL};
+}
+
+/* What a pair is to the law: half 0 gives x_j - x_i and r_i + r_j, half 1 v_j - v_i and 1/m_i + 1/m_j. */
+static inline force_four force_between(const struct particle_state *i, const struct particle_state *j,
+                                       int half) {
+    const force_four sign = {-1.0, -1.0, -1.0, 1.0};
+    return FORCE_HALF(j, half) + FORCE_HALF(i, half) * sign;
+}
+
+/* Which of four pairs touch, one bit each. */
+static inline unsigned force_touching(const struct force_view view, const uint32_t i[FORCE_QUAD],
+                                      const uint32_t j[FORCE_QUAD]) {
+    force_four d[FORCE_QUAD];
+    for (int k = 0; k < FORCE_QUAD; k++)
+        d[k] = force_between(&view.state[i[k]], &view.state[pair_partner(j[k])], 0) +
+               *(const force_four *)view.shift[pair_image(j[k])];
+    force_four xz01 = __builtin_shufflevector(d[0], d[1], 0, 4, 2, 6),
+               yr01 = __builtin_shufflevector(d[0], d[1], 1, 5, 3, 7),
+               xz23 = __builtin_shufflevector(d[2], d[3], 0, 4, 2, 6),
+               yr23 = __builtin_shufflevector(d[2], d[3], 1, 5, 3, 7);
+    force_four x = __builtin_shufflevector(xz01, xz23, 0, 1, 4, 5),
+               z = __builtin_shufflevector(xz01, xz23, 2, 3, 6, 7),
+               y = __builtin_shufflevector(yr01, yr23, 0, 1, 4, 5),
+               reach = __builtin_shufflevector(yr01, yr23, 2, 3, 6, 7);
+    return force_bits(x * x + y * y + z * z < reach * reach);
+}
+
+/* Appends those of the pairs k ... k + 3 whose bit is set. */
+static inline uint32_t *force_append(uint32_t *out, size_t k, unsigned touching) {
+    *(force_numbers *)out = *(const force_numbers *)force_place[touching] + (uint32_t)k;
+    return out + __builtin_popcount(touching);
 }
 
 /* Separations of the block's pairs [first, last) against the sum of radii; appends those that touch. */
 static inline void force_filter(const struct force_view view, struct force_thread *restrict thread,
                                 size_t first, size_t last) {
-    uint32_t touch[FORCE_CHUNK];
-    int n = (int)(last - first);
-    for (int k = 0; k < n; k++) {
-        uint32_t code = view.j[first + (size_t)k];
-        __builtin_prefetch(&view.state[pair_partner(view.j[first + (size_t)k + FORCE_AHEAD])]);
-        const struct particle_state *i = &view.state[view.i[first + (size_t)k]];
-        const struct particle_state *j = &view.state[pair_partner(code)];
-        *(force_four *)thread->distance[k] =
-            (FORCE_HALF(j, 0) - FORCE_HALF(i, 0)) + *(const force_four *)view.shift[pair_image(code)];
-        thread->reach[k] = i->radius + j->radius;
-    }
-#pragma omp simd
-    for (int k = 0; k < n; k++) {
-        const double *d = thread->distance[k];
-        double reach = thread->reach[k];
-        touch[k] = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < reach * reach;
-    }
     uint32_t *out = thread->candidate + thread->candidates;
-    for (int k = 0; k < n; k++) {
-        *out = (uint32_t)first + (uint32_t)k;
-        out += touch[k];
+    size_t k = first;
+    for (; k + FORCE_QUAD <= last; k += FORCE_QUAD) {
+        for (size_t lane = 0; lane < FORCE_QUAD; lane++)
+            __builtin_prefetch(&view.state[pair_partner(view.j[k + lane + FORCE_AHEAD])]);
+        out = force_append(out, k, force_touching(view, view.i + k, view.j + k));
+    }
+    if (k < last) {
+        uint32_t i[FORCE_QUAD], j[FORCE_QUAD];
+        for (size_t lane = 0; lane < FORCE_QUAD; lane++) {
+            i[lane] = view.i[k + lane < last ? k + lane : k];
+            j[lane] = view.j[k + lane < last ? k + lane : k];
+        }
+        out = force_append(out, k, force_touching(view, i, j) & ((1u << (last - k)) - 1));
     }
     thread->candidates = (size_t)(out - thread->candidate);
 }
@@ -65,20 +111,36 @@ static inline void force_filter(const struct force_view view, struct force_threa
 /* True of two particles that are both prescribed and move alike: what they overlap by stays, and is no
  * contact. */
 static inline bool force_fixed(const double record[8]) {
-    return record[7] == 0.0 && record[3] == 0.0 && record[4] == 0.0 && record[5] == 0.0;
+    return record[7] == 0.0 && record[4] == 0.0 && record[5] == 0.0 && record[6] == 0.0;
 }
 
-/* Fills the batch with the first `count` candidates, but those fixed to each other; `offset` is the number of
- * the block's first pair in the thread. */
+/* Takes contacts of particles that are fixed to each other out of the batch. */
+static __attribute__((noinline)) void force_drop_fixed(struct force_batch *restrict b) {
+    int kept = 0;
+    for (int k = 0; k < b->count; k++) {
+        if (force_fixed(b->record[k]))
+            continue;
+        memcpy(b->record[kept], b->record[k], sizeof b->record[k]);
+        memcpy(b->omega[kept], b->omega[k], sizeof b->omega[k]);
+        b->i[kept] = b->i[k];
+        b->j[kept] = b->j[k];
+        b->pair[kept] = b->pair[k];
+        b->radius[0][kept] = b->radius[0][k];
+        b->radius[1][kept] = b->radius[1][k];
+        kept++;
+    }
+    b->count = kept;
+}
+
+/* Fills the batch with the first `count` candidates; `offset` is the number of the block's first pair in the
+ * thread. */
 static inline void force_gather(const struct force_view view, struct force_thread *restrict thread, int count,
                                 uint32_t offset) {
-    const force_four sign = {-1.0, -1.0, 1.0, 1.0};
     struct force_batch *restrict b = &thread->batch;
     for (int k = 0; view.omega && k < count; k++)
         __builtin_prefetch(view.omega[pair_partner(view.j[thread->candidate[k]])]);
-    int k = 0;
-    for (int c = 0; c < count; c++) {
-        uint32_t pair = thread->candidate[c], i = view.i[pair], code = view.j[pair], j = pair_partner(code);
+    for (int k = 0; k < count; k++) {
+        uint32_t pair = thread->candidate[k], i = view.i[pair], code = view.j[pair], j = pair_partner(code);
         const struct particle_state *si = &view.state[i], *sj = &view.state[j];
         __builtin_prefetch(view.force + i * view.stride, 1);
         __builtin_prefetch(view.force + j * view.stride, 1);
@@ -88,16 +150,17 @@ static inline void force_gather(const struct force_view view, struct force_threa
         b->radius[0][k] = si->radius;
         b->radius[1][k] = sj->radius;
         *(force_four *)b->record[k] =
-            (FORCE_HALF(sj, 0) - FORCE_HALF(si, 0)) + *(const force_four *)view.shift[pair_image(code)];
-        *(force_four *)(b->record[k] + 4) = FORCE_HALF(sj, 1) + FORCE_HALF(si, 1) * sign;
+            force_between(si, sj, 0) + *(const force_four *)view.shift[pair_image(code)];
+        *(force_four *)(b->record[k] + 4) = force_between(si, sj, 1);
         if (view.omega) {
             *(force_four *)b->omega[k] = *(const force_four *)view.omega[i];
             *(force_four *)(b->omega[k] + 4) = *(const force_four *)view.omega[j];
         }
-        k += !force_fixed(b->record[k]);
     }
-    b->count = k;
-    b->padded = (k + FORCE_LANES - 1) / FORCE_LANES * FORCE_LANES;
+    b->count = count;
+    if (view.prescribed)
+        force_drop_fixed(b);
+    b->padded = (b->count + FORCE_LANES - 1) / FORCE_LANES * FORCE_LANES;
 }
 
 /* The springs of the batch where each of its contacts has one: records lie side by side. */

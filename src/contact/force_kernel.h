@@ -30,11 +30,12 @@
 
 /* FORCE_AHEAD: how many pairs ahead partners are fetched; lists are padded by more than that. */
 enum { FORCE_CHUNK = 512, FORCE_BATCH = 64, FORCE_LANES = 8, FORCE_AHEAD = 16 };
+enum { FORCE_QUAD = 4 }; /* pairs that the filter takes together */
 
 /* Contacts on their way through the phases. Entry k of each array belongs to contact k; the loops run to the
  * next multiple of FORCE_LANES: what lies there repeats the last contact, or is left from earlier ones. */
 struct force_batch {
-    double record[FORCE_BATCH][8];      /* x_j - x_i, v_j - v_i, r_i + r_j, 1/m_i + 1/m_j */
+    double record[FORCE_BATCH][8];      /* x_j - x_i, r_i + r_j, v_j - v_i, 1/m_i + 1/m_j */
     double omega[FORCE_BATCH][8];       /* omega_i 0 omega_j 0 */
     double radius[2][FORCE_BATCH];      /* r_i, r_j */
     double coefficient[6][FORCE_BATCH]; /* the members of struct law_coefficients */
@@ -62,10 +63,9 @@ typedef void force_physics(struct force_batch *batch, struct law_step step);
 
 /* A thread's own memory. */
 struct force_thread {
-    double distance[FORCE_CHUNK][4]; /* filter: separation, junk */
-    double reach[FORCE_CHUNK];       /* filter: r_i + r_j */
     struct force_batch batch;
-    uint32_t candidate[FORCE_CHUNK + FORCE_BATCH]; /* touching pairs, number - first pair of the block */
+    /* Touching pairs, number - first pair of the block. */
+    uint32_t candidate[FORCE_CHUNK + FORCE_BATCH + FORCE_QUAD];
     size_t candidates;
     size_t cursor; /* merge pointer into the old history records */
     struct force_sums sums;

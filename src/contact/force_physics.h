@@ -24,14 +24,14 @@ LAW_INLINE void force_set(double a[3][FORCE_BATCH], int k, struct law_vector v) 
 LAW_INLINE void force_measure(struct law_case law, struct force_batch *b, int k, struct law_step step) {
     const double *record = b->record[k], *omega = b->omega[k];
     double ri = b->radius[0][k], rj = b->radius[1][k];
-    struct law_vector d = {record[0], record[1], record[2]}, v = {record[3], record[4], record[5]};
-    double distance = sqrt(law_dot(d, d)), overlap = record[6] - distance;
+    struct law_vector d = {record[0], record[1], record[2]}, v = {record[4], record[5], record[6]};
+    double distance = sqrt(law_dot(d, d)), overlap = record[3] - distance;
     b->overlap[k] = overlap;
     b->mass[k] = force_ratio(1.0, record[7]);
     force_set(b->normal, k, law_scale(force_ratio(1.0, distance), d));
     force_set(b->velocity, k, v);
     if (law.hertz || law.rolling)
-        b->effective[k] = ri * rj / record[6];
+        b->effective[k] = ri * rj / record[3];
     if (!law.friction)
         return;
     if (law.synchronised) {

@@ -40,7 +40,7 @@ libcontact_la_LIBADD = libforce_baseline.la
 
 # The kernel of the force loop, once for each instruction set; force.c chooses at run time. Nobody looks at the floating
 # point exceptions that a select may raise. (Clang says so when it leaves a loop alone, as it does in checked builds.)
-FORCE_CFLAGS = $(AM_CFLAGS) -fno-trapping-math -Wno-pass-failed
+FORCE_CFLAGS = $(AM_CFLAGS) -fno-trapping-math -Wno-pass-failed -Wno-psabi
 FORCE_SOURCES = src/contact/force_block.c
 FORCE_V3 = -march=x86-64-v3
 FORCE_V4 = -march=x86-64-v4 -mprefer-vector-width=512

@@ -88,7 +88,7 @@ static inline void integrator_kick(const struct integrator_pass pass, size_t i) 
  * speed. */
 static inline double integrator_move(struct particle_state *state, const double *force, double *omega,
                                      const struct integrator_pass *pass) {
-    integrator_two *record = (integrator_two *)state; /* x y, z vx, vy vz, radius 1/mass */
+    integrator_two *record = (integrator_two *)state; /* x y, z radius, vx vy, vz 1/mass */
     const integrator_two *push = (const integrator_two *)force;
     const integrator_two dt = {pass->dt[0], pass->dt[1]}, fall = {pass->fall[0], pass->fall[1]};
     double mass = state->inverse_mass, dt_z = pass->dt[2];
@@ -97,13 +97,12 @@ static inline double integrator_move(struct particle_state *state, const double 
         ((integrator_two *)omega)[0] += push[2] * lightness;
         omega[2] += force[6] * lightness;
     }
-    integrator_two v = __builtin_shufflevector(record[1], record[2], 1, 2);
-    double v_z = record[2][1];
-    v += dt * (push[0] * mass) + fall;
-    v_z += dt_z * (force[2] * mass) + pass->fall[2];
+    integrator_two v = record[2] + (dt * (push[0] * mass) + fall);
+    double v_z = state->v[2] + (dt_z * (force[2] * mass) + pass->fall[2]);
     record[0] += dt * v;
-    record[1] = (integrator_two){record[1][0] + dt_z * v_z, v[0]};
-    record[2] = (integrator_two){v[1], v_z};
+    state->x[2] += dt_z * v_z;
+    record[2] = v;
+    state->v[2] = v_z;
     return v[0] * v[0] + v[1] * v[1] + v_z * v_z;
 }
 

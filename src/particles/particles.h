@@ -27,8 +27,8 @@ enum particle_feature {
 /* The hot record. */
 struct particle_state {
     double x[3];         /* centre, box-relative, length unit */
-    double v[3];         /* velocity at the last half step, length/time */
     double radius;       /* length unit */
+    double v[3];         /* velocity at the last half step, length/time */
     double inverse_mass; /* 1/mass; 0 for particles whose motion is prescribed (frozen or moving groups) */
 } __attribute__((aligned(64)));
 
