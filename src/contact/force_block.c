@@ -1,35 +1,13 @@
 /* One block of the pair list through the force loop: filter, gather, physics, scatter (force_kernel.h).
  * Compiled once for each instruction set, under the name that FORCE_KERNEL gives. */
 #include "contact/force_account.h"
+#include "contact/force_four.h"
 #include "contact/force_kernel.h"
 #include "contact/force_physics.h"
 #include <string.h>
-#ifdef __AVX__
-#include <immintrin.h>
-#endif
-
-/* Four doubles that move together; lowered to narrower registers where the CPU has none so wide. */
-typedef double force_four __attribute__((vector_size(32), aligned(8), may_alias));
 
 /* Half a record of a particle: x y z radius, and vx vy vz 1/mass. */
 #define FORCE_HALF(state, half) (*(const force_four *)((const double *)(state) + 4 * (half)))
-
-typedef int64_t force_mask __attribute__((vector_size(32)));
-typedef uint32_t force_numbers __attribute__((vector_size(16), aligned(4), may_alias));
-
-/* The set lanes of a mask of comparison, as bits. */
-static inline unsigned force_bits(force_mask mask) {
-#ifdef __AVX__
-    return (unsigned)_mm256_movemask_pd((__m256d)mask);
-#else
-    return (unsigned)(-mask[0] | -mask[1] << 1 | -mask[2] << 2 | -mask[3] << 3);
-#endif
-}
-
-/* Lanes of the set bits of a number below 16, lowest first. */
-static const uint32_t force_place[16][FORCE_QUAD] = {
-    {0},    {0},       {1},    {0, 1},    {2},    {0, 2},    {1, 2},    {0, 1, 2},
-    {3},    {0, 3},    {1, 3}, {0, 1, 3}, {2, 3}, {0, 2, 3}, {1, 2, 3}, {0, 1, 2, 3}};
 
 /* What the loops over pairs read, side by side: a compiler must assume that their stores change what lies
  * behind pointers. */
@@ -66,25 +44,12 @@ static inline force_four force_between(const struct particle_state *i, const str
 /* Which of four pairs touch, one bit each. */
 static inline unsigned force_touching(const struct force_view view, const uint32_t i[FORCE_QUAD],
                                       const uint32_t j[FORCE_QUAD]) {
-    force_four d[FORCE_QUAD];
+    force_four between[FORCE_QUAD], row[FORCE_QUAD];
     for (int k = 0; k < FORCE_QUAD; k++)
-        d[k] = force_between(&view.state[i[k]], &view.state[pair_partner(j[k])], 0) +
-               *(const force_four *)view.shift[pair_image(j[k])];
-    force_four xz01 = __builtin_shufflevector(d[0], d[1], 0, 4, 2, 6),
-               yr01 = __builtin_shufflevector(d[0], d[1], 1, 5, 3, 7),
-               xz23 = __builtin_shufflevector(d[2], d[3], 0, 4, 2, 6),
-               yr23 = __builtin_shufflevector(d[2], d[3], 1, 5, 3, 7);
-    force_four x = __builtin_shufflevector(xz01, xz23, 0, 1, 4, 5),
-               z = __builtin_shufflevector(xz01, xz23, 2, 3, 6, 7),
-               y = __builtin_shufflevector(yr01, yr23, 0, 1, 4, 5),
-               reach = __builtin_shufflevector(yr01, yr23, 2, 3, 6, 7);
-    return force_bits(x * x + y * y + z * z < reach * reach);
-}
-
-/* Appends those of the pairs k ... k + 3 whose bit is set. */
-static inline uint32_t *force_append(uint32_t *out, size_t k, unsigned touching) {
-    *(force_numbers *)out = *(const force_numbers *)force_place[touching] + (uint32_t)k;
-    return out + __builtin_popcount(touching);
+        between[k] = force_between(&view.state[i[k]], &view.state[pair_partner(j[k])], 0) +
+                     *(const force_four *)view.shift[pair_image(j[k])];
+    force_turn(row, between[0], between[1], between[2], between[3]);
+    return force_bits(row[0] * row[0] + row[1] * row[1] + row[2] * row[2] < row[3] * row[3]);
 }
 
 /* Separations of the block's pairs [first, last) against the sum of radii; appends those that touch. */
@@ -163,13 +128,20 @@ static inline void force_gather(const struct force_view view, struct force_threa
     b->padded = (b->count + FORCE_LANES - 1) / FORCE_LANES * FORCE_LANES;
 }
 
-/* The springs of the batch where each of its contacts has one: records lie side by side. */
+/* The springs of the batch where each of its contacts has one: records lie side by side. Reads up to a record
+ * of padding at a time. */
 static inline void force_recall_run(struct force_batch *restrict b, const double *restrict value,
                                     int components) {
-    int count = b->count;
-    for (int k = 0; k < count; k++)
-        for (int c = 0; c < components; c++)
-            b->spring[c][k] = value[k * components + c];
+    for (int k = 0; k < b->count; k += FORCE_QUAD)
+        for (int c = 0; c < components; c += 3) {
+            const double *from = value + k * components + c;
+            force_four out[FORCE_QUAD];
+            force_turn(out, *(const force_four *)from, *(const force_four *)(from + components),
+                       *(const force_four *)(from + 2 * components),
+                       *(const force_four *)(from + 3 * components));
+            for (int row = 0; row < 3; row++)
+                *(force_four *)&b->spring[c + row][k] = out[row];
+        }
 }
 
 /* Finds the old springs of the batch's contacts: both run in the order of the pairs. Most often no contact
@@ -197,17 +169,24 @@ static inline void force_recall(const struct history_part old, struct force_thre
     thread->cursor = cursor;
 }
 
-/* Appends the new springs of the batch to the other buffer. */
+/* Appends the new springs of the batch to the other buffer. Each store of three components spills into the
+ * next, which is written after it: at the end, into the padding. */
 static inline void force_remember(struct history_part *new, const struct force_batch *restrict b,
                                   int components) {
-    uint32_t *restrict pair = new->pair + new->count;
     double *restrict value = new->value + new->count *(size_t)components;
-    int count = b->count;
-    memcpy(pair, b->pair, (size_t)count * sizeof *pair);
-    for (int k = 0; k < count; k++)
-        for (int c = 0; c < components; c++)
-            value[k * components + c] = b->spring[c][k];
-    new->count += (size_t)count;
+    memcpy(new->pair + new->count, b->pair, (size_t)b->count * sizeof *b->pair);
+    for (int k = 0; k < b->count; k += FORCE_QUAD) {
+        force_four half[2][FORCE_QUAD];
+        for (int c = 0; c < components; c += 3) {
+            force_four z = *(const force_four *)&b->spring[c + 2][k];
+            force_turn(half[c / 3], *(const force_four *)&b->spring[c][k],
+                       *(const force_four *)&b->spring[c + 1][k], z, z);
+        }
+        for (int m = 0; m < FORCE_QUAD; m++)
+            for (int c = 0; c < components; c += 3)
+                *(force_four *)(value + (k + m) * components + c) = half[c / 3][m];
+    }
+    new->count += (size_t)b->count;
 }
 
 /* Coefficients of each contact, where they differ between materials. */
@@ -253,18 +232,12 @@ static inline void force_pad(struct force_batch *b) {
 static inline void force_transpose(struct force_batch *restrict b, double component[3][FORCE_BATCH],
                                    int offset) {
     const force_four zero = {0.0, 0.0, 0.0, 0.0};
-    int count = b->padded;
-    for (int k = 0; k < count; k += 4) {
-        force_four x = *(const force_four *)&component[0][k], y = *(const force_four *)&component[1][k];
-        force_four z = *(const force_four *)&component[2][k];
-        force_four xy02 = __builtin_shufflevector(x, y, 0, 4, 2, 6),
-                   xy13 = __builtin_shufflevector(x, y, 1, 5, 3, 7);
-        force_four z02 = __builtin_shufflevector(z, zero, 0, 4, 2, 6),
-                   z13 = __builtin_shufflevector(z, zero, 1, 5, 3, 7);
-        *(force_four *)(b->share[k] + offset) = __builtin_shufflevector(xy02, z02, 0, 1, 4, 5);
-        *(force_four *)(b->share[k + 1] + offset) = __builtin_shufflevector(xy13, z13, 0, 1, 4, 5);
-        *(force_four *)(b->share[k + 2] + offset) = __builtin_shufflevector(xy02, z02, 2, 3, 6, 7);
-        *(force_four *)(b->share[k + 3] + offset) = __builtin_shufflevector(xy13, z13, 2, 3, 6, 7);
+    for (int k = 0; k < b->padded; k += FORCE_QUAD) {
+        force_four out[FORCE_QUAD];
+        force_turn(out, *(const force_four *)&component[0][k], *(const force_four *)&component[1][k],
+                   *(const force_four *)&component[2][k], zero);
+        for (int m = 0; m < FORCE_QUAD; m++)
+            *(force_four *)(b->share[k + m] + offset) = out[m];
     }
 }
 

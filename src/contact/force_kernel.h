@@ -7,7 +7,7 @@
  *
  * A block goes through these stages (docs/performance.md):
  *
- *   filter   distance of FORCE_CHUNK pairs at a time against r_i + r_j; the numbers of those that touch are
+ *   filter   distances of four pairs at a time against r_i + r_j; the numbers of those that touch are
  *            appended to `candidate`
  *
  * then for each FORCE_BATCH candidates, and for the rest at the end of the block:
@@ -30,7 +30,6 @@
 
 /* FORCE_AHEAD: how many pairs ahead partners are fetched; lists are padded by more than that. */
 enum { FORCE_CHUNK = 512, FORCE_BATCH = 64, FORCE_LANES = 8, FORCE_AHEAD = 16 };
-enum { FORCE_QUAD = 4 }; /* pairs that the filter takes together */
 
 /* Contacts on their way through the phases. Entry k of each array belongs to contact k; the loops run to the
  * next multiple of FORCE_LANES: what lies there repeats the last contact, or is left from earlier ones. */
@@ -64,8 +63,8 @@ typedef void force_physics(struct force_batch *batch, struct law_step step);
 /* A thread's own memory. */
 struct force_thread {
     struct force_batch batch;
-    /* Touching pairs, number - first pair of the block. */
-    uint32_t candidate[FORCE_CHUNK + FORCE_BATCH + FORCE_QUAD];
+    /* Touching pairs, number - first pair of the block; four are written at a time. */
+    uint32_t candidate[FORCE_CHUNK + FORCE_BATCH + 4];
     size_t candidates;
     size_t cursor; /* merge pointer into the old history records */
     struct force_sums sums;

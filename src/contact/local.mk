@@ -4,6 +4,7 @@ libcontact_la_SOURCES = \
 	src/contact/force.h \
 	src/contact/force_account.h \
 	src/contact/force_contacts.c \
+	src/contact/force_four.h \
 	src/contact/force_kernel.h \
 	src/contact/force_kernels.c \
 	src/contact/force_ordered.c \

@@ -31,7 +31,7 @@ void history_destroy(struct history **history) {
 
 /* Grows a part, keeping what it holds. */
 static void part_reserve(struct history_part *part, int components, size_t contacts) {
-    if (contacts <= part->capacity)
+    if (contacts + HISTORY_PAD <= part->capacity)
         return;
     part->capacity = contacts + contacts / 16 + 1024;
     part->pair = memory_resize(part->pair, part->capacity, sizeof *part->pair, "contact history");

@@ -22,10 +22,13 @@ enum { HISTORY_COMPONENTS_MAX = 6 };
 
 /* The records of one thread, in one of the two buffers. */
 struct history_part {
-    size_t count, capacity;
-    uint32_t *pair; /* pair number - first pair of the thread; increasing */
-    double *value;  /* components doubles a record, oriented from row to partner */
+    size_t count, capacity; /* once there are records, HISTORY_PAD more are allocated */
+    uint32_t *pair;         /* pair number - first pair of the thread; increasing */
+    double *value;          /* components doubles a record, oriented from row to partner */
 };
+
+/* Records behind the last that may be read and written: the force loop moves several together. */
+enum { HISTORY_PAD = 4 };
 
 struct history {
     int components; /* doubles a record: 3 tangential spring [+ 3 rolling spring]; 0: no history */
