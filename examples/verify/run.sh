@@ -30,7 +30,7 @@ done
 VERIFY_ARGS="${VERIFY_ARGS:-}$args"
 export VERIFY_QUICK VERIFY_RANKS VERIFY_THREADS VERIFY_ARGS
 
-all=$(cd "$here" && for check in */check; do dirname "$check"; done)
+all=$(cd "$here" && for check in */check; do dirname "$check"; done | LC_ALL=C sort)
 results=${VERIFY_RESULTS:-$(results out)}
 documents=$results
 docs=$here/../../docs
