@@ -82,7 +82,9 @@ static inline bool force_fixed(const double record[8]) {
 /* Takes contacts of particles that are fixed to each other out of the batch. */
 static __attribute__((noinline)) void force_drop_fixed(struct force_batch *restrict b) {
     int kept = 0;
-    for (int k = 0; k < b->count; k++) {
+    while (kept < b->count && !force_fixed(b->record[kept]))
+        kept++;
+    for (int k = kept + 1; k < b->count; k++) {
         if (force_fixed(b->record[k]))
             continue;
         memcpy(b->record[kept], b->record[k], sizeof b->record[k]);

@@ -95,11 +95,23 @@ LAW_INLINE void force_measure_all(struct law_case law, struct force_batch *restr
         force_measure(law, b, k, step);
 }
 
-LAW_INLINE void force_respond_all(struct law_case law, struct force_batch *restrict b, struct law_step step) {
+LAW_INLINE void force_respond_loop(struct law_case law, struct force_batch *restrict b,
+                                   struct law_step step) {
     int count = b->padded;
 #pragma omp simd
     for (int k = 0; k < count; k++)
         force_respond(law, b, k, step);
+}
+
+/* A law that does not bring turned springs back to their length (LAMMPS's) has no root and division for it.
+ */
+LAW_INLINE void force_respond_all(struct law_case law, struct force_batch *restrict b, struct law_step step) {
+    if (law.friction && !law.rolling && step.rescale == 0.0) {
+        step.rescale = 0.0;
+        force_respond_loop(law, b, step);
+    } else {
+        force_respond_loop(law, b, step);
+    }
 }
 
 /* The specialisations: of the geometry force_measure_table[hertz][friction], of the law
