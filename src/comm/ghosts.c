@@ -14,7 +14,7 @@
 #include "comm/ghosts.h"
 
 #include "comm/copies.h"
-#include "comm/exchange.h"
+#include "comm/ghosts_parts.h"
 #include "comm/shadows.h"
 #include "core/memory.h"
 #include "particles/fields.h"
@@ -22,45 +22,6 @@
 #include <assert.h>
 #include <stdio.h>
 #include <string.h>
-
-/* Copies exchanged with one rank. */
-struct peer {
-    int rank;
-    size_t first, count;
-};
-
-struct ghosts {
-    const struct comm *comm;
-    const struct domain *domain;
-    const struct box *box;
-    struct ghosts_options options;
-    struct exchange exchange;
-    struct exchange_flight flight;
-    struct peer *to, *from;
-    size_t to_count, from_count;
-    uint32_t *original; /* owned particle of each copy sent */
-    size_t sent;
-    uint32_t *border; /* owned particles that have copies, each once */
-    size_t border_count;
-    uint8_t *image;     /* code of each ghost */
-    uint32_t *number;   /* of each ghost: owned + k */
-    double (*place)[3]; /* in_place: where the original of each ghost stood when it was made */
-    size_t held;
-    char *to_buffer, *from_buffer; /* values of all copies sent, and of all held */
-    size_t to_room, from_room;
-    struct exchange_message *to_message, *from_message;
-    double shift[BOX_IMAGE_CODES][4];
-    uint64_t revision; /* of the particles when the copies were made */
-    uint64_t migrated;
-    uint64_t class_count[CLASS_MAX], class_bytes[CLASS_MAX];
-    double farthest; /* the largest ball that reached beyond the neighbours; 0: none */
-    int rounds;      /* the most that a spread of shadows took */
-    struct {
-        int64_t id; /* -1: none */
-        double radius, reach, clearance;
-    } misfit;
-};
-
 struct ghosts *ghosts_create(const struct comm *comm, const struct domain *domain, const struct box *box,
                              const struct ghosts_options *options) {
     assert(options->newton || !options->reduced);
@@ -374,72 +335,4 @@ const uint8_t *ghosts_unshift(struct ghosts *ghosts, struct particles *particles
 unsigned ghosts_image(const struct ghosts *ghosts, size_t k) {
     assert(k < ghosts->held);
     return ghosts->image[k];
-}
-
-/* Other ranks in either list; both are sorted. */
-static size_t count_neighbours(const struct ghosts *ghosts) {
-    size_t t = 0, f = 0, count = 0;
-    while (t < ghosts->to_count || f < ghosts->from_count) {
-        int a = t < ghosts->to_count ? ghosts->to[t].rank : ghosts->comm->size;
-        int b = f < ghosts->from_count ? ghosts->from[f].rank : ghosts->comm->size;
-        int rank = a < b ? a : b;
-        t += a == rank;
-        f += b == rank;
-        count += rank != ghosts->comm->rank;
-    }
-    return count;
-}
-
-void ghosts_count(const struct ghosts *ghosts, struct ghosts_counts *counts) {
-    *counts = (struct ghosts_counts){.ghosts = ghosts->held,
-                                     .neighbours = count_neighbours(ghosts),
-                                     .messages = ghosts->exchange.messages,
-                                     .bytes = ghosts->exchange.bytes,
-                                     .rebuild_messages = ghosts->exchange.sparse_messages,
-                                     .rebuild_bytes = ghosts->exchange.sparse_bytes,
-                                     .migrated = ghosts->migrated,
-                                     .clearance = domain_clearance(ghosts->domain),
-                                     .reach = ghosts->farthest,
-                                     .rounds = ghosts->rounds};
-    memcpy(counts->bytes_class, ghosts->class_bytes, sizeof counts->bytes_class);
-    memcpy(counts->ghosts_class, ghosts->class_count, sizeof counts->ghosts_class);
-}
-
-size_t ghosts_memory(const struct ghosts *ghosts) {
-    return sizeof *ghosts + ghosts->to_room + ghosts->from_room +
-           ghosts->sent * (sizeof *ghosts->original + sizeof *ghosts->border) +
-           ghosts->held * (sizeof *ghosts->number + sizeof *ghosts->image +
-                           (ghosts->place ? sizeof *ghosts->place : 0)) +
-           (ghosts->to_count + ghosts->from_count) * (sizeof(struct peer) + sizeof(struct exchange_message));
-}
-
-static bool peers_valid(const struct peer *peer, size_t peers, size_t total) {
-    size_t at = 0;
-    for (size_t k = 0; k < peers; k++) {
-        if (peer[k].first != at || peer[k].count == 0 || (k > 0 && peer[k].rank <= peer[k - 1].rank))
-            return false;
-        at += peer[k].count;
-    }
-    return at == total;
-}
-
-bool ghosts_valid(const struct ghosts *ghosts, const struct particles *particles, char *why,
-                  size_t why_size) {
-    if (particles->ghosts != ghosts->held || particles->revision != ghosts->revision)
-        return snprintf(why, why_size, "plan of %zu copies, revision %llu, but %zu copies, revision %llu",
-                        ghosts->held, (unsigned long long)ghosts->revision, particles->ghosts,
-                        (unsigned long long)particles->revision) < 0;
-    if (!peers_valid(ghosts->to, ghosts->to_count, ghosts->sent) ||
-        !peers_valid(ghosts->from, ghosts->from_count, ghosts->held))
-        return snprintf(why, why_size, "peers are out of order or do not add up") < 0;
-    for (size_t t = 0; t < ghosts->to_count; t++)
-        for (size_t k = ghosts->to[t].first; k < ghosts->to[t].first + ghosts->to[t].count; k++)
-            if (ghosts->original[k] >= particles->owned)
-                return snprintf(why, why_size, "original %u of copy %zu for rank %d is none",
-                                ghosts->original[k], k, ghosts->to[t].rank) < 0;
-    for (size_t f = 0; f < ghosts->from_count; f++)
-        for (size_t k = ghosts->from[f].first; k < ghosts->from[f].first + ghosts->from[f].count; k++)
-            if (ghosts->from[f].rank == ghosts->comm->rank && ghosts->image[k] == 0)
-                return snprintf(why, why_size, "copy %zu stands where its original does", k) < 0;
-    return true;
 }

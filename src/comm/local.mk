@@ -7,7 +7,8 @@ libcomm_la_SOURCES = \
 	src/comm/domain_grid.c src/comm/domain_grid.h \
 	src/comm/domain_tree.c src/comm/domain_tree.h \
 	src/comm/exchange.c src/comm/exchange.h \
-	src/comm/ghosts.c src/comm/ghosts.h \
+	src/comm/ghosts.c src/comm/ghosts.h src/comm/ghosts_parts.h \
+	src/comm/ghosts_count.c \
 	src/comm/groups.c src/comm/groups.h \
 	src/comm/migrate.c src/comm/migrate.h \
 	src/comm/shadows.c src/comm/shadows.h

@@ -1,0 +1,46 @@
+/* Inside of the plan of the copies, whose invariants ghosts.c tells. Nobody else includes this. */
+#ifndef SCREE_COMM_GHOSTS_PARTS_H
+#define SCREE_COMM_GHOSTS_PARTS_H
+
+#include "comm/exchange.h"
+#include "comm/ghosts.h"
+
+/* Copies exchanged with one rank. */
+struct peer {
+    int rank;
+    size_t first, count;
+};
+
+struct ghosts {
+    const struct comm *comm;
+    const struct domain *domain;
+    const struct box *box;
+    struct ghosts_options options;
+    struct exchange exchange;
+    struct exchange_flight flight;
+    struct peer *to, *from;
+    size_t to_count, from_count;
+    uint32_t *original; /* owned particle of each copy sent */
+    size_t sent;
+    uint32_t *border; /* owned particles that have copies, each once */
+    size_t border_count;
+    uint8_t *image;     /* code of each ghost */
+    uint32_t *number;   /* of each ghost: owned + k */
+    double (*place)[3]; /* in_place: where the original of each ghost stood when it was made */
+    size_t held;
+    char *to_buffer, *from_buffer; /* values of all copies sent, and of all held */
+    size_t to_room, from_room;
+    struct exchange_message *to_message, *from_message;
+    double shift[BOX_IMAGE_CODES][4];
+    uint64_t revision; /* of the particles when the copies were made */
+    uint64_t migrated;
+    uint64_t class_count[CLASS_MAX], class_bytes[CLASS_MAX];
+    double farthest; /* the largest ball that reached beyond the neighbours; 0: none */
+    int rounds;      /* the most that a spread of shadows took */
+    struct {
+        int64_t id; /* -1: none */
+        double radius, reach, clearance;
+    } misfit;
+};
+
+#endif
