@@ -20,7 +20,6 @@
 #include "particles/fields.h"
 
 #include <assert.h>
-#include <stdio.h>
 #include <string.h>
 struct ghosts *ghosts_create(const struct comm *comm, const struct domain *domain, const struct box *box,
                              const struct ghosts_options *options) {
