@@ -46,8 +46,9 @@ nobase_dist_pkgdata_SCRIPTS += \
 
 pupcs = examples/pupcs
 nobase_dist_pkgdata_DATA += \
-	$(pupcs)/README.md $(pupcs)/dense/scene.yaml $(pupcs)/large/scene.yaml $(pupcs)/sparse/scene.yaml
-nobase_dist_pkgdata_SCRIPTS += $(pupcs)/run.sh
+	$(pupcs)/README.md $(pupcs)/dense/scene.yaml $(pupcs)/large/scene.yaml $(pupcs)/sizes.gp \
+	$(pupcs)/sparse/scene.yaml
+nobase_dist_pkgdata_SCRIPTS += $(pupcs)/run.sh $(pupcs)/sizes.sh
 
 scaling = examples/scaling
 nobase_dist_pkgdata_DATA += \

@@ -222,6 +222,11 @@ END
     if has hybrid; then hybrid_section; fi
     if has ranks; then ranks_section; fi
     if [ -s "$runs/ghosts/section.md" ]; then cat "$runs/ghosts/section.md"; fi
+    if [ -s "$runs/pupcs/section.md" ]; then cat "$runs/pupcs/section.md"; fi
+    if [ -s "$runs/pupcs/sizes.md" ]; then
+        cat "$runs/pupcs/sizes.md"
+        cp "$runs/pupcs/sizes.svg" "$pictures/scaling-sizes.svg" 2>/dev/null || true
+    fi
     lengths_section
     if has weak strong ranks lengths; then model_section; fi
 } >"$columns/page"

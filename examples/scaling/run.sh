@@ -7,6 +7,7 @@
 #   hybrid   the bidisperse benchmark with R = 10 on 1x1, 1xN and Nx1 (N: CORES), stage by stage
 #   ranks    messages, bytes, copies and memory of a rank on 8 ... 125 ranks (RANKS, edges of cubes of ranks: "2 3 4 5"), as
 #            bricks and by bisection, and with boulders that reach beyond neighbours on 27 ... 108
+#   pupcs    the scenarios of examples/pupcs, and the size of the largest particle there
 #   lengths  what has the length of the rank count, made up to 10^6 ranks on one: bench_ranks (make tests/mpi/bench_ranks)
 #   page     scaling.md and its pictures from what DIR (out beside this script) holds of all parts
 #
@@ -27,14 +28,14 @@ if [ "${1:-}" = --quick ]; then
 fi
 case ${1:-} in
 -*)
-    sed -n '2,17s/^# \{0,1\}//p' "$0"
+    sed -n '2,18s/^# \{0,1\}//p' "$0"
     [ "$1" = --help ]
     exit
     ;;
 esac
 out=${1:-$(results out)}
 [ $# = 0 ] || shift
-[ $# != 0 ] || set -- weak strong hybrid ranks lengths page
+[ $# != 0 ] || set -- weak strong hybrid ranks pupcs lengths page
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
 
@@ -153,6 +154,12 @@ run_ranks() {
         record ranks $((27 * block)) 1 "$out/boulders.yaml" --set box.upper="[$((block * side)), $side, $side]" \
             --set step.count=$rank_steps --set step.rebuild_every=20 --set domain.x=$((3 * block)) --set domain.y=3 --set domain.z=3
     done
+}
+
+run_pupcs() {
+    SCREE=$SCREE RUNS=$runs STEPS=${quick:+20} "$here/../pupcs/run.sh" "$out/pupcs" ${quick:+1x1}
+    # shellcheck disable=SC2086
+    SCREE=$SCREE STEPS=${quick:+5} RADII=${quick:+1 30} "$here/../pupcs/sizes.sh" "$out/pupcs" ${quick:+1}
 }
 
 run_lengths() {
