@@ -8,7 +8,7 @@
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
-export SCREE
+export SCREE OMP_WAIT_POLICY=passive
 layouts="brute,1,1 linkcell,1,1 multi,1,1 bytype,1,1 hgrid,1,1 brute,1,2 bytype,2,1 multi,2,2 linkcell,4,1 hgrid,4,2"
 if [ "${1:-}" = --all ]; then
     layouts=$(for index in brute linkcell multi bytype hgrid; do for ranks in 1 2 4; do for threads in 1 2; do echo "$index,$ranks,$threads"; done; done; done)

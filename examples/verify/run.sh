@@ -8,7 +8,7 @@
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
-export SCREE
+export SCREE OMP_WAIT_POLICY=passive
 VERIFY_QUICK=no
 args=
 while [ $# -gt 0 ]; do
