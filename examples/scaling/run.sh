@@ -172,8 +172,8 @@ run_lengths() {
 run_page() {
     documents=$examples/../docs
     [ -w "$documents" ] || documents=$out
-    for part in weak strong hybrid ranks lengths; do
-        if [ ! -s "$out/$part.jsonl" ] || [ -e "$out/$part.quick" ]; then documents=$out; fi
+    for part in weak strong hybrid ranks lengths pupcs/sizes; do
+        if [ ! -s "$out/$part.jsonl" ] || [ -e "$out/${part%/*}.quick" ]; then documents=$out; fi
     done
     "$here/page.sh" "$out" "$documents" >&2
 }
@@ -186,9 +186,15 @@ for part in "$@"; do
         [ -z "$quick" ] || : >"$out/$part.quick"
         "run_$part"
         ;;
+    pupcs)
+        mkdir -p "$out/pupcs"
+        rm -f "$out/pupcs.quick"
+        [ -z "$quick" ] || : >"$out/pupcs.quick"
+        run_pupcs
+        ;;
     page) run_page ;;
     *)
-        echo "no part '$part'; there are: weak strong hybrid ranks lengths page" >&2
+        echo "no part '$part'; there are: weak strong hybrid ranks pupcs lengths page" >&2
         exit 2
         ;;
     esac
