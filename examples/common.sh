@@ -37,4 +37,14 @@ on_ranks() {
     fi
 }
 
+# report_number DIR KEY: the first number of that name in the report of a run
+report_number() {
+    sed -n 's/^ *"'"$2"'": \([-0-9.e+]*\),*$/\1/p' "$1/report.json" | head -n 1
+}
+
+# median COLUMN FILE
+median() {
+    cut -d ' ' -f "$1" "$2" | sort -g | awk '{ v[NR] = $1 } END { print NR % 2 ? v[(NR + 1) / 2] : (v[NR / 2] + v[NR / 2 + 1]) / 2 }'
+}
+
 find_scree

@@ -84,11 +84,6 @@ best() {
     sort -g "$1" | head -n 1 | cut -d ' ' -f 6-
 }
 
-# median COLUMN FILE
-median() {
-    cut -d ' ' -f "$1" "$2" | sort -g | awk '{ v[NR] = $1 } END { print NR % 2 ? v[(NR + 1) / 2] : (v[NR / 2] + v[NR / 2 + 1]) / 2 }'
-}
-
 # table1_system R: edge of the cube, large and small spheres of Table 1 of Stratford, Shire and Hanley, in `table`; false if it has no such R
 table1_system() {
     case $1 in

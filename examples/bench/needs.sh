@@ -30,9 +30,6 @@ flags_of() {
     discs) flags=("${spring[@]}" "${walls[@]}" "${discs[@]}" --set box.periodic=false) ;;
     esac
 }
-number() { # DIR KEY
-    sed -n 's/^ *"'"$2"'": \([-0-9.e+]*\),*$/\1/p' "$out/$1/report.json" | head -n 1
-}
 declare -A best
 TIMEFORMAT='%U %S'
 least() { # NAME STEPS: the processor's seconds of a run with the flags at hand, where they are the least so far
@@ -50,7 +47,7 @@ done
 for name in "${names[@]}"; do
     flags_of "$name"
     "$SCREE" check "$here/needs.yaml" "${flags[@]}" >"$out/needs.txt" || exit 1
-    awk -v name="$name" -v seconds="$(awk "BEGIN { print ${best[$name,$steps]} - ${best[$name,1]} }")" -v steps="$((steps - 1))" -v n="$(number "$name" particles)" -v contacts="$(number "$name" contacts)" '
+    awk -v name="$name" -v seconds="$(awk "BEGIN { print ${best[$name,$steps]} - ${best[$name,1]} }")" -v steps="$((steps - 1))" -v n="$(report_number "$out/$name" particles)" -v contacts="$(report_number "$out/$name" contacts)" '
         /^  stored:/ { bytes = $2 }
         /^  history: [0-9]/ { history = $2 }
         /^passes/ { counting = 1; next }

@@ -88,7 +88,7 @@ packing_run() {
 
 # report KEY: a number of the last run's report
 report() {
-    sed -n 's/^ *"'"$1"'": \([-0-9.e+]*\),*$/\1/p' "$work/run/report.json" | head -n 1
+    report_number "$work/run" "$1"
 }
 
 # stages NAME...: seconds of these stages in the last run, added up

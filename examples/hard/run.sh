@@ -42,7 +42,7 @@ value() {
         { last = $at; if (NR - 1 == row) { print last; done = 1; exit } } END { if (!done) print last }' "$out/$1/observables.csv"
 }
 count() { # NAME KEY: of the report
-    sed -n 's/^ *"'"$2"'": \([-0-9.e+]*\),*$/\1/p' "$out/$1/report.json" | head -n 1
+    report_number "$out/$1" "$2"
 }
 calc() { awk "BEGIN { printf \"%.3g\", $1 }"; }
 true_if() { awk "BEGIN { exit !($1) }"; }

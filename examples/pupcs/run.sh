@@ -11,15 +11,6 @@ out=${1:-$(results out)}
 [ $# != 0 ] || set -- 1x1 2x1 1x2
 mkdir -p "$out"
 
-# number KEY: of the last report
-number() {
-    sed -n 's/^ *"'"$1"'": \([-0-9.e+]*\),*$/\1/p' "$report" | head -n 1
-}
-
-median() {
-    sort -g "$out/pupcs" | awk '{ value[NR] = $1 } END { print value[int((NR + 1) / 2)] }'
-}
-
 section() {
     cat <<END
 
@@ -61,13 +52,12 @@ for scenario in ${SCENARIOS:-sparse sparse-physical dense large}; do
     for layout in "$@"; do
         for sync in neighbours shadow; do
             run=$out/$scenario-$sync-$layout
-            report=$run/report.json
             line="{\"scenario\": \"$scenario\", \"sync\": \"$sync\", \"ranks\": ${layout%x*}, \"threads\": ${layout#*x}, \"pupcs\":"
             : >"$out/pupcs"
             for _ in $(seq "${RUNS:-3}"); do
                 if OMP_WAIT_POLICY=passive on_ranks "${layout%x*}" "$SCREE" run "$here/$scene/scene.yaml" -o "$run" --overwrite \
                     --quiet --set threads="${layout#*x}" --set sync="$sync" ${STEPS:+--set step.count="$STEPS"} $more 2>"$run.log"; then
-                    number pupcs >>"$out/pupcs"
+                    report_number "$run" pupcs >>"$out/pupcs"
                 elif grep -q 'sync: neighbours' "$run.log"; then
                     break
                 else
@@ -76,7 +66,7 @@ for scenario in ${SCENARIOS:-sparse sparse-physical dense large}; do
                 fi
             done
             if [ -s "$out/pupcs" ]; then
-                line="$line $(median), \"sync_share\": $(number sync_share), \"imbalance\": $(number imbalance)}"
+                line="$line $(median 1 "$out/pupcs"), \"sync_share\": $(report_number "$run" sync_share), \"imbalance\": $(report_number "$run" imbalance)}"
             else
                 line="$line null}"
             fi

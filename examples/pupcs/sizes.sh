@@ -15,11 +15,6 @@ out=${1:-$(results out)}
 mkdir -p "$out"
 export SCREE
 radii=${RADII:-1 5 10 15 20 25 30}
-report=$out/sizes/report.json
-
-number() {
-    sed -n 's/^ *"'"$1"'": \([-0-9.e+]*\),*$/\1/p' "$report" | head -n 1
-}
 
 # scene RADIUS
 scene() {
@@ -84,8 +79,8 @@ for grid in "$@"; do
             line="{\"scenario\": \"sizes\", \"edge\": $((80 / grid)), \"ranks\": $((grid * grid * grid)), \"sync\": \"$sync\", \"radius\": $radius, \"pupcs\":"
             if OMP_WAIT_POLICY=passive on_ranks $((grid * grid * grid)) "$SCREE" run "$out/sizes.yaml" -o "$out/sizes" --overwrite \
                 --quiet --set threads=1 --set sync="$sync" 2>"$out/sizes.log"; then
-                line="$line $(number pupcs), \"sync_share\": $(number sync_share)}"
-                echo "$radius $(number pupcs)" >>"$curve"
+                line="$line $(report_number "$out/sizes" pupcs), \"sync_share\": $(report_number "$out/sizes" sync_share)}"
+                echo "$radius $(report_number "$out/sizes" pupcs)" >>"$curve"
             elif grep -q 'sync: neighbours' "$out/sizes.log"; then
                 line="$line null}"
             else

@@ -54,7 +54,7 @@ final() {
 
 # report RUN KEY: a number of report.json
 report() {
-    sed -n 's/^ *"'"$2"'": \([-0-9.e+]*\),*$/\1/p' "$out/$1/report.json" | head -n 1
+    report_number "$out/$1" "$2"
 }
 
 # calc EXPRESSION: by awk, with pi

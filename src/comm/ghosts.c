@@ -21,6 +21,7 @@
 
 #include <assert.h>
 #include <string.h>
+
 struct ghosts *ghosts_create(const struct comm *comm, const struct domain *domain, const struct box *box,
                              const struct ghosts_options *options) {
     assert(options->newton || !options->reduced);

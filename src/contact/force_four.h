@@ -3,13 +3,13 @@
 #ifndef SCREE_CONTACT_FORCE_FOUR_H
 #define SCREE_CONTACT_FORCE_FOUR_H
 
+#include "contact/force_kernel.h"
+
 #include <stddef.h>
 #include <stdint.h>
 #ifdef __AVX__
 #include <immintrin.h>
 #endif
-
-enum { FORCE_QUAD = 4 };
 
 typedef double force_four __attribute__((vector_size(32), aligned(8), may_alias));
 typedef int64_t force_mask __attribute__((vector_size(32)));

@@ -28,8 +28,9 @@
 #include "contact/force_ordered.h"
 #include "contact/law_kernel.h"
 
-/* FORCE_AHEAD: how many pairs ahead partners are fetched; lists are padded by more than that. */
-enum { FORCE_CHUNK = 512, FORCE_BATCH = 64, FORCE_LANES = 8, FORCE_AHEAD = 16 };
+/* FORCE_QUAD: pairs that the filter takes at a time. FORCE_AHEAD: how many pairs ahead partners are fetched;
+ * lists are padded by more than that. */
+enum { FORCE_CHUNK = 512, FORCE_BATCH = 64, FORCE_LANES = 8, FORCE_QUAD = 4, FORCE_AHEAD = 16 };
 
 /* Contacts on their way through the phases. Entry k of each array belongs to contact k; the loops run to the
  * next multiple of FORCE_LANES: what lies there repeats the last contact, or is left from earlier ones. */
@@ -63,8 +64,8 @@ typedef void force_physics(struct force_batch *batch, struct law_step step);
 /* A thread's own memory. */
 struct force_thread {
     struct force_batch batch;
-    /* Touching pairs, number - first pair of the block; four are written at a time. */
-    uint32_t candidate[FORCE_CHUNK + FORCE_BATCH + 4];
+    /* Touching pairs, number - first pair of the block; FORCE_QUAD are written at a time. */
+    uint32_t candidate[FORCE_CHUNK + FORCE_BATCH + FORCE_QUAD];
     size_t candidates;
     size_t cursor; /* merge pointer into the old history records */
     struct force_sums sums;

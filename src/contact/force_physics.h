@@ -103,8 +103,8 @@ LAW_INLINE void force_respond_loop(struct law_case law, struct force_batch *rest
         force_respond(law, b, k, step);
 }
 
-/* A law that does not bring turned springs back to their length (LAMMPS's) has no root and division for it.
- */
+/* A law that does not bring turned springs back to their length (LAMMPS's) has no root and division for it:
+ * `rescale` set to a constant is what lets the compiler drop them from its loop. */
 LAW_INLINE void force_respond_all(struct law_case law, struct force_batch *restrict b, struct law_step step) {
     if (law.friction && !law.rolling && step.rescale == 0.0) {
         step.rescale = 0.0;
