@@ -15,44 +15,57 @@ struct lanes_row {
     __m256 x, y, z, r, certain;
 };
 
-LANES_INLINE struct lanes_row lanes_row(const float x[3], float r, float certain) {
-    return (struct lanes_row){_mm256_set1_ps(x[0]), _mm256_set1_ps(x[1]), _mm256_set1_ps(x[2]),
-                              _mm256_set1_ps(r), _mm256_set1_ps(certain)};
+LANES_INLINE struct lanes_row lanes_row(float x, float y, float z, float r, float certain) {
+    return (struct lanes_row){_mm256_set1_ps(x), _mm256_set1_ps(y), _mm256_set1_ps(z), _mm256_set1_ps(r),
+                              _mm256_set1_ps(certain)};
+}
+
+typedef __m256 lanes_mask;
+
+LANES_INLINE lanes_mask lanes_none(void) {
+    return _mm256_setzero_ps();
+}
+
+LANES_INLINE lanes_mask lanes_either(lanes_mask a, lanes_mask b) {
+    return _mm256_or_ps(a, b);
+}
+
+LANES_INLINE unsigned lanes_bits(lanes_mask mask) {
+    return (unsigned)_mm256_movemask_ps(mask);
 }
 
 LANES_INLINE unsigned lanes_test(const struct lanes_row *row, const float *x, const float *y, const float *z,
-                                 const float *r, unsigned *doubtful) {
-    __m256 dx = _mm256_sub_ps(_mm256_loadu_ps(x), row->x);
-    __m256 dy = _mm256_sub_ps(_mm256_loadu_ps(y), row->y);
-    __m256 dz = _mm256_sub_ps(_mm256_loadu_ps(z), row->z);
-    __m256 c = _mm256_add_ps(_mm256_loadu_ps(r), row->r);
+                                 const float *r, lanes_mask *doubtful) {
+    __m256 dx = _mm256_sub_ps(row->x, _mm256_loadu_ps(x));
+    __m256 dy = _mm256_sub_ps(row->y, _mm256_loadu_ps(y));
+    __m256 dz = _mm256_sub_ps(row->z, _mm256_loadu_ps(z));
+    __m256 c = _mm256_add_ps(row->r, _mm256_loadu_ps(r));
     __m256 square = _mm256_fmadd_ps(dx, dx, _mm256_fmadd_ps(dy, dy, _mm256_mul_ps(dz, dz)));
     __m256 cutoff = _mm256_mul_ps(c, c);
     __m256 sure = _mm256_cmp_ps(square, _mm256_mul_ps(cutoff, row->certain), _CMP_LE_OQ);
     __m256 possible = _mm256_cmp_ps(square, cutoff, _CMP_LE_OQ);
-    *doubtful = (unsigned)_mm256_movemask_ps(_mm256_andnot_ps(sure, possible));
+    *doubtful = _mm256_andnot_ps(sure, possible);
     return (unsigned)_mm256_movemask_ps(possible);
 }
 
-/* Moves the chosen of four words to the front, by a table of byte shuffles. */
-LANES_INLINE __m128i lanes_compress4(__m128i all, unsigned chosen) {
-    static const uint8_t lane[16][4] = {
-        {0, 0, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}, {0, 1, 0, 0}, {2, 0, 0, 0}, {0, 2, 0, 0},
-        {1, 2, 0, 0}, {0, 1, 2, 0}, {3, 0, 0, 0}, {0, 3, 0, 0}, {1, 3, 0, 0}, {0, 1, 3, 0},
-        {2, 3, 0, 0}, {0, 2, 3, 0}, {1, 2, 3, 0}, {0, 1, 2, 3},
-    };
-    int packed;
-    __builtin_memcpy(&packed, lane[chosen], sizeof packed);
-    __m128i which = _mm_cvtepu8_epi32(_mm_cvtsi32_si128(packed));
-    return _mm_castps_si128(_mm_permutevar_ps(_mm_castsi128_ps(all), which));
-}
+/* The numbers of the set bits of m, lowest first, a byte each. */
+#define LANES_PLACE(m, k)                                                                                    \
+    ((m) >> (k)&1 ? (uint64_t)(k) << 8 * __builtin_popcount((m) & ((1u << (k)) - 1)) : 0)
+#define LANES_PLACES(m)                                                                                      \
+    LANES_PLACE(m, 0) | LANES_PLACE(m, 1) | LANES_PLACE(m, 2) | LANES_PLACE(m, 3) | LANES_PLACE(m, 4) |      \
+        LANES_PLACE(m, 5) | LANES_PLACE(m, 6) | LANES_PLACE(m, 7)
+#define LANES_PLACES4(m) LANES_PLACES(m), LANES_PLACES(m + 1), LANES_PLACES(m + 2), LANES_PLACES(m + 3)
+#define LANES_PLACES16(m) LANES_PLACES4(m), LANES_PLACES4(m + 4), LANES_PLACES4(m + 8), LANES_PLACES4(m + 12)
+#define LANES_PLACES64(m)                                                                                    \
+    LANES_PLACES16(m), LANES_PLACES16(m + 16), LANES_PLACES16(m + 32), LANES_PLACES16(m + 48)
+static const uint64_t lanes_places[256] = {LANES_PLACES64(0u), LANES_PLACES64(64u), LANES_PLACES64(128u),
+                                           LANES_PLACES64(192u)};
 
 LANES_INLINE unsigned lanes_put(uint32_t *out, const uint32_t *j, unsigned chosen) {
-    __m128i low = _mm_loadu_si128((const __m128i *)(const void *)j);
-    __m128i high = _mm_loadu_si128((const __m128i *)(const void *)(j + 4));
-    unsigned lower = (unsigned)__builtin_popcount(chosen & 15);
-    _mm_storeu_si128((__m128i *)(void *)out, lanes_compress4(low, chosen & 15));
-    _mm_storeu_si128((__m128i *)(void *)(out + lower), lanes_compress4(high, chosen >> 4));
+    __m256i all = _mm256_loadu_si256((const __m256i *)(const void *)j);
+    __m256i which =
+        _mm256_cvtepu8_epi32(_mm_loadl_epi64((const __m128i *)(const void *)&lanes_places[chosen]));
+    _mm256_storeu_si256((__m256i *)(void *)out, _mm256_permutevar8x32_epi32(all, which));
     return (unsigned)__builtin_popcount(chosen);
 }
 

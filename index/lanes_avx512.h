@@ -16,13 +16,27 @@ struct lanes_row {
     __m512 x, y, z, r, certain;
 };
 
-LANES_INLINE struct lanes_row lanes_row(const float x[3], float r, float certain) {
-    return (struct lanes_row){_mm512_set1_ps(x[0]), _mm512_set1_ps(x[1]), _mm512_set1_ps(x[2]),
-                              _mm512_set1_ps(r), _mm512_set1_ps(certain)};
+LANES_INLINE struct lanes_row lanes_row(float x, float y, float z, float r, float certain) {
+    return (struct lanes_row){_mm512_set1_ps(x), _mm512_set1_ps(y), _mm512_set1_ps(z), _mm512_set1_ps(r),
+                              _mm512_set1_ps(certain)};
+}
+
+typedef __mmask16 lanes_mask;
+
+LANES_INLINE lanes_mask lanes_none(void) {
+    return 0;
+}
+
+LANES_INLINE lanes_mask lanes_either(lanes_mask a, lanes_mask b) {
+    return a | b;
+}
+
+LANES_INLINE unsigned lanes_bits(lanes_mask mask) {
+    return mask;
 }
 
 LANES_INLINE unsigned lanes_test(const struct lanes_row *row, const float *x, const float *y, const float *z,
-                                 const float *r, unsigned *doubtful) {
+                                 const float *r, lanes_mask *doubtful) {
     __m512 dx = _mm512_sub_ps(_mm512_loadu_ps(x), row->x);
     __m512 dy = _mm512_sub_ps(_mm512_loadu_ps(y), row->y);
     __m512 dz = _mm512_sub_ps(_mm512_loadu_ps(z), row->z);

@@ -19,13 +19,28 @@ struct lanes_row {
     float x, y, z, r, certain;
 };
 
-LANES_INLINE struct lanes_row lanes_row(const float x[3], float r, float certain) {
-    return (struct lanes_row){x[0], x[1], x[2], r, certain};
+LANES_INLINE struct lanes_row lanes_row(float x, float y, float z, float r, float certain) {
+    return (struct lanes_row){x, y, z, r, certain};
+}
+
+/* A yes or no for each of LANES candidates; lanes_bits gives it as a number. */
+typedef unsigned lanes_mask;
+
+LANES_INLINE lanes_mask lanes_none(void) {
+    return 0;
+}
+
+LANES_INLINE lanes_mask lanes_either(lanes_mask a, lanes_mask b) {
+    return a | b;
+}
+
+LANES_INLINE unsigned lanes_bits(lanes_mask mask) {
+    return mask;
 }
 
 /* Tests LANES candidates. Bit k of the result: candidate k may be a partner; of *doubtful: it may be none. */
 LANES_INLINE unsigned lanes_test(const struct lanes_row *row, const float *x, const float *y, const float *z,
-                                 const float *r, unsigned *doubtful) {
+                                 const float *r, lanes_mask *doubtful) {
     float square[LANES], cutoff[LANES];
 #pragma omp simd
     for (int k = 0; k < LANES; k++) {

@@ -165,6 +165,7 @@ static void add_search(struct levels *levels, const struct index_view *view, int
     double excess = 2.1 * tolerance + (margin[1] - margin[0]) * frame->scale;
     struct search search = {.level = level, .cells = cells, .margin = (float)highest};
     search.half = !ghosts && g == own;
+    search.direct = search.half && !levels->plan.stencils && !cells->sparse;
     search.home = ghosts && g == own && view->newton;
     search.reach = (float)((cells->r_max + highest) * (1 + 4 * CELLS_RADIUS_EXCESS) + 4 * tolerance);
     search.certain = search.home ? -INFINITY : certain_share(levels, smallest, excess);

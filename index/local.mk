@@ -36,6 +36,7 @@ libindex_la_SOURCES = \
 	index/search.h \
 	index/search_avx2.c \
 	index/search_avx512.c \
+	index/search_direct.h \
 	index/search_gather.h \
 	index/search_plain.c \
 	index/search_rows.h \

@@ -2,12 +2,12 @@
  * included a lanes_*.h before.
  *
  * Rows are taken in blocks: up to ROWS consecutive particles of one class in consecutive slots (or nearly) of
- * one pencil, as they lie in memory after a reorder. A search takes a span of them at once, the whole block,
- * or OWN_ROWS where the rows' own table is searched, which is dense. The candidates of the whole span are
- * copied to a small buffer, shifted by their image, and every row is tested against it, eight or
- * sixteen candidates at a time. So cells are looked up once a span, no image appears in the inner loop, and
- * that loop has no short runs. Where rows lie in any other order, blocks are single rows: as right, only
- * slower.
+ * one pencil, as they lie in memory after a reorder. Their own table, where it is dense, each row searches by
+ * itself (search_direct.h). Any other table a span of rows searches at once, the whole block, or OWN_ROWS
+ * where it is their own. The candidates of the whole span are copied to a small buffer, shifted by their
+ * image, and every row is tested against it, eight or sixteen candidates at a time. So cells are looked up
+ * once a span, no image appears in the inner loop, and that loop has no short runs. Where rows lie in any
+ * other order, blocks are single rows: as right, only slower.
  *
  * The filter is in single precision and loses nothing (frame.h): distances that are possible but not certain
  * are decided by the exact test.
@@ -20,7 +20,9 @@
 #ifndef SCREE_INDEX_SEARCH_ROWS_H
 #define SCREE_INDEX_SEARCH_ROWS_H
 
-#include "index/search_gather.h"
+#include "index/search_direct.h"
+
+#include <string.h>
 
 /* Selects the rows from ... to - 1 of the block. */
 LANES_INLINE void span_set(struct quest *quest, int from, int to) {
@@ -30,44 +32,56 @@ LANES_INLINE void span_set(struct quest *quest, int from, int to) {
     span->from = from;
     span->to = to;
     span->first_slot = block->slot[from];
-    span->r_max = block->r[from];
     for (int d = 0; d < 3; d++) {
-        span->low[d] = span->high[d] = block->x[from][d];
-    }
-    for (int k = from + 1; k < to; k++) {
-        for (int d = 0; d < 3; d++) {
-            float x = block->x[k][d];
-            span->low[d] = x < span->low[d] ? x : span->low[d];
-            span->high[d] = x > span->high[d] ? x : span->high[d];
+        float low = block->x[d][from], high = low;
+#pragma omp simd reduction(min : low) reduction(max : high)
+        for (int k = from; k < to; k++) {
+            float x = block->x[d][k];
+            low = x < low ? x : low;
+            high = x > high ? x : high;
         }
-        span->r_max = block->r[k] > span->r_max ? block->r[k] : span->r_max;
+        span->low[d] = low;
+        span->high[d] = high;
+        span->own_low[d] = grid_cell(grid, d, low);
+        span->own_high[d] = grid_cell(grid, d, high);
     }
-    for (int d = 0; d < 3; d++) {
-        span->own_low[d] = grid_cell(grid, d, span->low[d]);
-        span->own_high[d] = grid_cell(grid, d, span->high[d]);
+    float r_max = block->r[from];
+#pragma omp simd reduction(max : r_max)
+    for (int k = from; k < to; k++) {
+        r_max = block->r[k] > r_max ? block->r[k] : r_max;
+    }
+    span->r_max = r_max;
+}
+
+/* Radii and coordinates of the rows from their slots. */
+LANES_INLINE void block_load(struct block *block, const struct cells *cells) {
+    const int n = block->rows;
+    const uint32_t first = block->slot[0];
+    if (block->slot[n - 1] - first == (uint32_t)n - 1) {
+        memcpy(block->x[0], cells->x + first, (size_t)n * sizeof(float));
+        memcpy(block->x[1], cells->y + first, (size_t)n * sizeof(float));
+        memcpy(block->x[2], cells->z + first, (size_t)n * sizeof(float));
+        memcpy(block->r, cells->r + first, (size_t)n * sizeof(float));
+        return;
+    }
+    for (int k = 0; k < n; k++) {
+        uint32_t slot = block->slot[k];
+        block->x[0][k] = cells->x[slot];
+        block->x[1][k] = cells->y[slot];
+        block->x[2][k] = cells->z[slot];
+        block->r[k] = cells->r[slot];
     }
 }
 
-/* Puts owned particle i, which has this slot, into row k of the block. */
-LANES_INLINE void block_row(struct block *block, const struct cells *cells, int k, uint32_t i,
-                            uint32_t slot) {
-    block->particle[k] = i;
-    block->slot[k] = slot;
-    block->r[k] = cells->r[slot];
-    block->x[k][0] = cells->x[slot];
-    block->x[k][1] = cells->y[slot];
-    block->x[k][2] = cells->z[slot];
-}
-
-/* The end of the slots that may share a block with the first row. */
-LANES_INLINE uint32_t block_end(const struct quest *quest, const struct level *level) {
-    int cell[3];
-    for (int d = 0; d < 3; d++) {
-        cell[d] = grid_cell(&level->grid, d, quest->block.x[0][d]);
-    }
-    int last = quest->levels->plan.stencils ? cell[0] : level->grid.n[0] - 1;
-    uint32_t end = cells_run(&level->owned, &level->grid, cell[0], last, cell[1], cell[2]).end;
-    uint32_t limit = quest->block.slot[0] + SLOTS_APART;
+/* The end of the slots that may share a block with this one. */
+LANES_INLINE uint32_t block_end(const struct quest *quest, const struct level *level, uint32_t slot) {
+    const struct cells *cells = &level->owned;
+    const struct grid *grid = &level->grid;
+    const int cell[3] = {grid_cell(grid, 0, cells->x[slot]), grid_cell(grid, 1, cells->y[slot]),
+                         grid_cell(grid, 2, cells->z[slot])};
+    int last = quest->levels->plan.stencils ? cell[0] : grid->n[0] - 1;
+    uint32_t end = cells_run(cells, grid, cell[0], last, cell[1], cell[2]).end;
+    uint32_t limit = slot + SLOTS_APART;
     return end < limit ? end : limit;
 }
 
@@ -78,17 +92,17 @@ LANES_INLINE size_t next_block(struct quest *quest, size_t i, size_t last) {
     struct block *block = &quest->block;
     block->size_class = size_class[i];
     const struct level *level = &quest->levels->level[quest->levels->plan.grid_of[block->size_class]];
-    block_row(block, &level->owned, 0, (uint32_t)i, slot_of[i]);
-    uint32_t end = block_end(quest, level);
-    block->rows = 1;
-    for (i++; i < last && block->rows < ROWS && size_class[i] == block->size_class; i++) {
-        uint32_t slot = slot_of[i];
-        if (slot <= block->slot[block->rows - 1] || slot >= end) {
-            break;
-        }
-        block_row(block, &level->owned, block->rows, (uint32_t)i, slot);
-        block->rows++;
-    }
+    const uint32_t end = block_end(quest, level, slot_of[i]);
+    const int most = last - i < ROWS ? (int)(last - i) : ROWS;
+    int rows = 0;
+    do {
+        block->particle[rows] = (uint32_t)i;
+        block->slot[rows] = slot_of[i];
+        rows++, i++;
+    } while (rows < most && slot_of[i] > block->slot[rows - 1] && slot_of[i] < end &&
+             size_class[i] == block->size_class);
+    block->rows = rows;
+    block_load(block, &level->owned);
     return i;
 }
 
@@ -106,6 +120,13 @@ LANES_INLINE void search_span(struct quest *quest, int from, int to) {
     }
 }
 
+/* The present search, which is `direct`, for all rows of the block. */
+LANES_INLINE void search_direct(struct quest *quest) {
+    struct windows windows;
+    windows_make(quest, &windows);
+    direct_rows(quest, &windows);
+}
+
 LANES_INLINE void search_rows(const struct levels *levels, const struct index_view *view, size_t first,
                               size_t last, struct index_sink *sink) {
     struct quest quest;
@@ -117,6 +138,10 @@ LANES_INLINE void search_rows(const struct levels *levels, const struct index_vi
         int c = quest.block.size_class;
         for (int s = 0; s < levels->searches[c]; s++) {
             quest.search = &levels->search[c][s];
+            if (quest.search->direct) {
+                search_direct(&quest);
+                continue;
+            }
             int step = quest.search->half ? OWN_ROWS : ROWS;
             for (int from = 0; from < quest.block.rows; from += step) {
                 search_span(&quest, from, from + step < quest.block.rows ? from + step : quest.block.rows);

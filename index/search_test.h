@@ -14,7 +14,7 @@ struct block {
     int rows;
     int size_class;
     uint32_t particle[ROWS], slot[ROWS];
-    float x[ROWS][3], r[ROWS];
+    float x[3][ROWS], r[ROWS];
 };
 
 /* The rows from ... to - 1 of the block, which are searched together. */
@@ -43,12 +43,14 @@ struct quest {
     struct index_sink sink;
 };
 
-/* Of the possible but not certain candidates at `at`, those that are pairs. */
-LANES_INLINE unsigned decide(const struct quest *quest, uint32_t i, size_t at, unsigned doubtful) {
+/* Of the possible but not certain ones of LANES candidates (of this image, if their numbers do not tell),
+ * those that are pairs. */
+LANES_INLINE unsigned decide(const struct quest *quest, uint32_t i, const uint32_t *candidate, uint32_t bits,
+                             unsigned doubtful) {
     unsigned kept = 0;
     for (unsigned rest = doubtful; rest != 0; rest &= rest - 1) {
         unsigned k = (unsigned)__builtin_ctz(rest);
-        uint32_t tagged = quest->buffer.j[at + k];
+        uint32_t tagged = candidate[k] | bits;
         uint32_t j = tagged & (((uint32_t)1 << INDEX_IMAGE_SHIFT) - 1);
         int image[3];
         exact_image(tagged >> INDEX_IMAGE_SHIFT, image);
@@ -66,18 +68,17 @@ LANES_INLINE bool emit_row(struct quest *quest, const struct lanes_row *row, uin
     const struct candidates *buffer = &quest->buffer;
     struct index_sink sink = quest->sink;
     size_t first = sink.count;
-    unsigned doubtful = 0,
-             open = ~0u << at % LANES; /* whole vectors are tested: those before `at` do not count */
+    lanes_mask doubt, doubtful = lanes_none();
+    unsigned open = ~0u << at % LANES; /* whole vectors are tested: those before `at` do not count */
     for (at -= at % LANES; at < buffer->count; at += LANES) {
-        unsigned doubt;
         unsigned chosen =
             lanes_test(row, buffer->x + at, buffer->y + at, buffer->z + at, buffer->r + at, &doubt) & open;
-        doubt &= open;
-        open = ~0u;
-        doubtful |= doubt;
-        if (exact && doubt != 0) {
-            chosen ^= doubt ^ decide(quest, i, at, doubt);
+        doubtful = lanes_either(doubtful, doubt);
+        if (exact && (lanes_bits(doubt) & open) != 0) {
+            chosen ^=
+                (lanes_bits(doubt) & open) ^ decide(quest, i, buffer->j + at, 0, lanes_bits(doubt) & open);
         }
+        open = ~0u;
         if (sink.count < sink.capacity) {
             sink.count += lanes_put(sink.j + sink.count, buffer->j + at, chosen);
         } else {
@@ -88,7 +89,7 @@ LANES_INLINE bool emit_row(struct quest *quest, const struct lanes_row *row, uin
         lanes_fill(sink.i + k, i);
     }
     quest->sink.count = sink.count;
-    return doubtful != 0;
+    return lanes_bits(doubtful) != 0;
 }
 
 /* The rare second attempt for a row with doubtful candidates, out of the way of the fast one. */
@@ -102,7 +103,8 @@ LANES_INLINE void test_row(struct quest *quest, int k) {
     const struct block *block = &quest->block;
     const struct search *search = quest->search;
     uint32_t i = block->particle[k];
-    struct lanes_row row = lanes_row(block->x[k], block->r[k] + search->margin, search->certain);
+    struct lanes_row row = lanes_row(block->x[0][k], block->x[1][k], block->x[2][k],
+                                     block->r[k] + search->margin, search->certain);
     size_t at = search->half && !quest->buffer.continued ? block->slot[k] - quest->span.first_slot : 0;
     size_t count = quest->sink.count;
     if (emit_row(quest, &row, i, at, false)) {
@@ -111,10 +113,33 @@ LANES_INLINE void test_row(struct quest *quest, int k) {
     }
 }
 
+/* How far x lies outside of [low, high]. */
+LANES_INLINE float beyond(float low, float high, float x) {
+    float under = low - x, over = x - high, out = under > over ? under : over;
+    return out > 0 ? out : 0;
+}
+
+/* True if some candidate may be within reach of some row of the span, by the box around the rows. */
+LANES_INLINE bool span_met(const struct quest *quest) {
+    const struct candidates *buffer = &quest->buffer;
+    const struct span *span = &quest->span;
+    const float margin = span->r_max + quest->search->margin;
+    int met = 0;
+#pragma omp simd reduction(| : met)
+    for (size_t k = 0; k < buffer->count; k++) {
+        float dx = beyond(span->low[0], span->high[0], buffer->x[k]);
+        float dy = beyond(span->low[1], span->high[1], buffer->y[k]);
+        float dz = beyond(span->low[2], span->high[2], buffer->z[k]);
+        float reach = buffer->r[k] + margin;
+        met |= dx * dx + dy * dy + dz * dz <= reach * reach * (1 + 0x1p-18f);
+    }
+    return met != 0;
+}
+
 /* Tests all rows against the buffer and empties it. */
 LANES_INLINE void flush(struct quest *quest) {
     struct candidates *buffer = &quest->buffer;
-    if (buffer->count > 0) {
+    if (buffer->count > 0 && (quest->search->half || span_met(quest))) {
         for (size_t k = buffer->count; k < buffer->count + LANES; k++) {
             buffer->x[k] = buffer->y[k] = buffer->z[k] = 1e30f; /* too far for everybody */
             buffer->r[k] = 0;
