@@ -240,7 +240,7 @@ static void leave_and_return(struct cloud *c, const struct history *history, uin
                              struct history_rows *rows) {
     uint32_t order[1200], n = 0;
     for (uint32_t k = 0; k < 1200; k++)
-        place[k] = nth && k % nth == 0 ? HISTORY_LEFT : 0;
+        place[k] = nth && k % nth == 0 ? PARTICLE_LEFT : 0;
     history_detach(history, c->list, c->particles, true, place, rows);
     for (uint32_t k = 0; k < 1200; k++)
         if (place[k] == 0) {
@@ -248,7 +248,7 @@ static void leave_and_return(struct cloud *c, const struct history *history, uin
             place[k] = n++;
         }
     for (uint32_t k = 0; k < 1200; k++)
-        if (place[k] == HISTORY_LEFT)
+        if (place[k] == PARTICLE_LEFT)
             order[n++] = k;
     particles_reorder(c->particles, order);
     history_rows_reorder(rows, order, 1200);

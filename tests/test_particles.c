@@ -50,6 +50,43 @@ static void test_append_and_remove_keep_order(void **state) {
     assert_null(p);
 }
 
+static void test_vacate_moves_the_last_alone(void **state) {
+    (void)state;
+    struct particles *p = sample(PARTICLE_FEATURES_ALL, 100);
+    uint8_t leaves[100] = {0};
+    uint32_t place[100];
+    const size_t who[] = {0, 7, 40, 96, 98};
+    for (size_t k = 0; k < 5; k++)
+        leaves[who[k]] = 1;
+    assert_int_equal(particles_places(leaves, 100, place), 95);
+    particles_vacate(p, leaves);
+    assert_int_equal(p->owned, 95);
+    const size_t filler[] = {95, 97, 99}; /* of 0, 7, 40 */
+    for (size_t k = 0, f = 0; k < 95; k++) {
+        size_t from = leaves[k] ? filler[f++] : k;
+        assert_int_equal(place[from], k);
+        assert_int_equal(p->id[k], 1000 - (int64_t)from);
+        assert_int_equal(p->material[k], from % 3);
+        assert_true(p->omega[k][2] == (double)from);
+    }
+    for (size_t k = 0; k < 5; k++)
+        assert_int_equal(place[who[k]], PARTICLE_LEFT);
+    particles_destroy(&p);
+}
+
+static void test_vacate_by_all_or_none(void **state) {
+    (void)state;
+    struct particles *p = sample(PARTICLE_FEATURES_ALL, 10);
+    uint8_t leaves[10] = {0};
+    particles_vacate(p, leaves);
+    assert_int_equal(p->owned, 10);
+    assert_int_equal(p->id[9], 1000 - 9);
+    memset(leaves, 1, sizeof leaves);
+    particles_vacate(p, leaves);
+    assert_int_equal(p->owned, 0);
+    particles_destroy(&p);
+}
+
 /* Forces are zero where `clear`. */
 static void check_reorder(bool clear) {
     for (unsigned features = 0; features <= PARTICLE_FEATURES_ALL; features++) {
@@ -189,6 +226,8 @@ static void test_validity_finds_nonsense(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_append_and_remove_keep_order),
+        cmocka_unit_test(test_vacate_moves_the_last_alone),
+        cmocka_unit_test(test_vacate_by_all_or_none),
         cmocka_unit_test(test_reorder_moves_every_field),
         cmocka_unit_test(test_reorder_while_forces_are_zero),
         cmocka_unit_test(test_pack_and_unpack_are_inverse),

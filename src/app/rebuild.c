@@ -49,23 +49,18 @@ void rebuild_rows_free(struct rebuild_rows *rows) {
  */
 static void part_with_leavers(struct simulation *s, struct rebuild_rows *rows) {
     size_t owned = s->particles->owned;
-    uint32_t stay = 0;
     double lower[3], upper[3];
     domain_bounds(s->domain, s->comm->rank, lower, upper);
     timer_start(&s->timers, TIMER_HISTORY);
     rows->before = owned;
     rows->place = memory_allocate(owned, sizeof *rows->place, "places of particles");
+    uint8_t *leaves = memory_allocate(owned, 1, "particles that leave");
 #pragma omp parallel for schedule(static)
-    for (size_t k = 0; k < owned; k++) {
-        const double *x = s->particles->state[k].x;
-        bool inside = x[0] >= lower[0] && x[0] < upper[0] && x[1] >= lower[1] && x[1] < upper[1] &&
-                      x[2] >= lower[2] && x[2] < upper[2];
-        bool stays = inside || domain_owner(s->domain, x) == s->comm->rank;
-        rows->place[k] = stays ? 0 : HISTORY_LEFT;
-    }
     for (size_t k = 0; k < owned; k++)
-        if (rows->place[k] != HISTORY_LEFT)
-            rows->place[k] = stay++;
+        leaves[k] = domain_owner_from(s->domain, s->comm->rank, lower, upper, s->particles->state[k].x) !=
+                    s->comm->rank;
+    particles_places(leaves, owned, rows->place);
+    memory_free(leaves);
     history_detach(s->history, s->list, s->particles, true, rows->place, &rows->pairs);
     timer_stop(&s->timers, TIMER_HISTORY);
 }

@@ -56,6 +56,14 @@ void domain_destroy(struct domain **domain);
  * position on the face between two subdomains belongs to the upper one. */
 int domain_owner(const struct domain *domain, const double x[3]);
 
+/* The owner of a wrapped position, at once where that is `rank`, whose bounds (domain_bounds) are given. */
+static inline int domain_owner_from(const struct domain *domain, int rank, const double lower[3],
+                                    const double upper[3], const double x[3]) {
+    bool inside = x[0] >= lower[0] && x[0] < upper[0] && x[1] >= lower[1] && x[1] < upper[1] &&
+                  x[2] >= lower[2] && x[2] < upper[2];
+    return inside ? rank : domain_owner(domain, x);
+}
+
 /* The ranks whose subdomain a ball touches (sphere to box distance <= radius), with the image under which it
  * does, each (rank, image) once; the subdomains at open sides extend to infinity outwards. In wrapped
  * directions the image is 0. `x` is wrapped; `radius` is less than the box edge in the other periodic

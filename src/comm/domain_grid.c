@@ -75,14 +75,19 @@ static double grid_load(const int grid[3], const double *density) {
 }
 
 /* Calls `look` with each way to write `size` as a product of three that is allowed. Larger numbers first in
- * x: with gravity along z the columns are filled alike. */
+ * y, then x: particles are sorted by z, y and x, so what lies at a face in y lies together in memory (and at
+ * one in x does not), and with gravity along z the columns are filled alike. In 2D gravity is along y. */
 static void grids_each(int size, const struct box *box, const int wanted[3],
                        void (*look)(void *context, const int grid[3]), void *context) {
+    const int first = box->dimension == 2 ? 0 : 1;
     for (int a = size; a >= 1; a--) {
         if (size % a != 0)
             continue;
         for (int b = size / a; b >= 1; b--) {
-            int grid[3] = {a, b, size / a / b};
+            int grid[3];
+            grid[first] = a;
+            grid[1 - first] = b;
+            grid[2] = size / a / b;
             if (size / a % b == 0 && grid_allowed(grid, box, wanted))
                 look(context, grid);
         }

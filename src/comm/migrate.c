@@ -21,9 +21,11 @@ static void find_leavers(struct leavers *leavers, const struct comm *comm, const
                          const struct particles *particles) {
     size_t owned = particles->owned;
     int *owner = memory_allocate(owned, sizeof *owner, "owners");
+    double lower[3], upper[3];
+    domain_bounds(domain, comm->rank, lower, upper);
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < owned; k++)
-        owner[k] = domain_owner(domain, particles->state[k].x);
+        owner[k] = domain_owner_from(domain, comm->rank, lower, upper, particles->state[k].x);
     leavers->count = 0;
     for (size_t k = 0; k < owned; k++)
         leavers->count += owner[k] != comm->rank;
@@ -129,10 +131,11 @@ static struct arrivals take_apart(const struct exchange_message *message, const 
     return arrivals;
 }
 
-/* Row set `s` anew: the rows of those who stay, then those of the arrivals. */
-static void join_rows(struct migrate_rows *rows, int s, const uint8_t *leaves, size_t owned,
+/* Row set `s` anew: the rows of those who stay, where particles_vacate puts them, then those of the arrivals.
+ */
+static void join_rows(struct migrate_rows *rows, int s, const uint8_t *leaves, size_t stay,
                       const struct arrivals *arrivals, size_t messages) {
-    size_t particles = owned, count = rows->count;
+    size_t particles = stay, count = rows->count, last = stay;
     for (size_t m = 0; m < messages; m++) {
         particles += arrivals[m].count;
         count += arrivals[m].set[s].total;
@@ -142,12 +145,16 @@ static void join_rows(struct migrate_rows *rows, int s, const uint8_t *leaves, s
     joined.row = memory_allocate(count, rows->row_bytes, "rows by particle");
     char *to = joined.row;
     size_t p = 0;
-    for (size_t k = 0; k < owned; k++) {
-        if (leaves[k])
-            continue;
-        size_t n = rows->start[k + 1] - rows->start[k];
+    for (size_t k = 0; k < stay; k++) {
+        size_t from = k;
+        if (leaves[k]) {
+            while (leaves[last])
+                last++;
+            from = last++;
+        }
+        size_t n = rows->start[from + 1] - rows->start[from];
         joined.start[p++] = joined.count;
-        to = put(to, (const char *)rows->row + rows->start[k] * rows->row_bytes, n * rows->row_bytes);
+        to = put(to, (const char *)rows->row + rows->start[from] * rows->row_bytes, n * rows->row_bytes);
         joined.count += n;
     }
     for (size_t m = 0; m < messages; m++) {
@@ -165,7 +172,7 @@ static void join_rows(struct migrate_rows *rows, int s, const uint8_t *leaves, s
 
 static void join_particles(struct particles *particles, const uint8_t *leaves,
                            const struct arrivals *arrivals, size_t messages) {
-    particles_remove(particles, leaves);
+    particles_vacate(particles, leaves);
     size_t total = particles->owned;
     for (size_t m = 0; m < messages; m++)
         total += arrivals[m].count;
@@ -191,7 +198,7 @@ static void settle(struct particles *particles, struct migrate_rows *rows, int s
     for (size_t m = 0; m < inbox->count; m++)
         arrivals[m] = take_apart(&inbox->message[m], particles, rows, sets);
     for (int s = 0; s < sets; s++)
-        join_rows(&rows[s], s, leaves, owned, arrivals, inbox->count);
+        join_rows(&rows[s], s, leaves, owned - leavers->count, arrivals, inbox->count);
     join_particles(particles, leaves, arrivals, inbox->count);
     memory_free(arrivals);
     memory_free(leaves);

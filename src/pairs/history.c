@@ -103,7 +103,8 @@ static struct record_walk record_walk_begin(const struct history *history, const
 }
 
 static bool both_stay(const struct record_walk *walk, uint32_t i, uint32_t j) {
-    return walk->place && j < walk->owned && walk->place[i] != HISTORY_LEFT && walk->place[j] != HISTORY_LEFT;
+    return walk->place && j < walk->owned && walk->place[i] != PARTICLE_LEFT &&
+           walk->place[j] != PARTICLE_LEFT;
 }
 
 static bool record_walk_next(struct record_walk *walk, struct record *record) {

@@ -18,7 +18,6 @@
 #include "pairs/pairlist.h"
 
 enum { HISTORY_COMPONENTS_MAX = 6 };
-#define HISTORY_LEFT UINT32_MAX
 
 /* The records of one thread, in one of the two buffers. */
 struct history_part {
@@ -64,7 +63,7 @@ void history_flip(struct history *history);
 /* Turns the records of the list into rows of the owned particles (before migration and reorder; the list and
  * the particles still belong together). A record lies with its row particle; if `both_ends`, also with its
  * partner where that is owned, as it must be when one end may leave this rank. With `place` (owned entries)
- * only the records of pairs with a copy or with a particle whose place is HISTORY_LEFT: history_keep is for
+ * only the records of pairs with a copy or with a particle whose place is PARTICLE_LEFT: history_keep is for
  * the others. Allocates into `rows`; history_rows_free releases. */
 void history_detach(const struct history *history, const struct pairlist *list,
                     const struct particles *particles, bool both_ends, const uint32_t *place,

@@ -12,7 +12,7 @@ enum { CHUNK = 4096, BATCH = 1024 };
 
 /* A record between new numbers. */
 struct link {
-    uint32_t low; /* HISTORY_LEFT: not kept */
+    uint32_t low; /* PARTICLE_LEFT: not kept */
     uint32_t high;
 };
 
@@ -20,7 +20,7 @@ struct link {
 struct keeping {
     const struct history *history;
     const struct pairlist *list;
-    const uint32_t *now; /* new number of each old one, or HISTORY_LEFT */
+    const uint32_t *now; /* new number of each old one, or PARTICLE_LEFT */
     size_t before;       /* entries of now */
     struct history_kept *kept;
     struct link *link; /* of each record; HISTORY_KEPT_TURNED is added to `high` as in an entry */
@@ -36,7 +36,7 @@ static bool mirrored(const struct pair_block *mirror, size_t k) {
 
 /* The number that particle k of the old list has now; copies have none. */
 static inline uint32_t number_now(const struct keeping *keeping, uint32_t k) {
-    return k < keeping->before ? keeping->now[k] : HISTORY_LEFT;
+    return k < keeping->before ? keeping->now[k] : PARTICLE_LEFT;
 }
 
 /* The records of one thread. */
@@ -50,8 +50,8 @@ static void links_make(const struct keeping *keeping, int t) {
     for (size_t r = 0; r < part->count; r++) {
         size_t k = first + part->pair[r];
         uint32_t i = number_now(keeping, list->i[k]), j = number_now(keeping, pair_partner(list->j[k]));
-        bool kept = !mirrored(mirror, k) && i != HISTORY_LEFT && j != HISTORY_LEFT;
-        link[r].low = !kept ? HISTORY_LEFT : i < j ? i : j;
+        bool kept = !mirrored(mirror, k) && i != PARTICLE_LEFT && j != PARTICLE_LEFT;
+        link[r].low = !kept ? PARTICLE_LEFT : i < j ? i : j;
         link[r].high = i < j ? j : i | HISTORY_KEPT_TURNED;
     }
 }
@@ -61,7 +61,7 @@ static void bounds_find(const struct keeping *keeping, size_t chunk, size_t last
     for (size_t r = chunk * CHUNK; r < last; r++) {
         uint32_t low = keeping->link[r].low;
         lowest = low < lowest ? low : lowest;
-        highest = low > highest && low != HISTORY_LEFT ? low : highest;
+        highest = low > highest && low != PARTICLE_LEFT ? low : highest;
     }
     keeping->bounds[chunk].lowest = lowest;
     keeping->bounds[chunk].highest = highest;
@@ -106,7 +106,7 @@ static uint32_t *numbers_now(const struct history_numbers *numbers) {
     uint32_t *all = memory_allocate(numbers->before, sizeof *all, "kept history");
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < numbers->before; k++)
-        all[k] = numbers->place[k] != HISTORY_LEFT ? now[numbers->place[k]] : HISTORY_LEFT;
+        all[k] = numbers->place[k] != PARTICLE_LEFT ? now[numbers->place[k]] : PARTICLE_LEFT;
     memory_free(now);
     return all;
 }
@@ -156,7 +156,7 @@ struct find {
     uint32_t record; /* turned as it is seen from the pair's row */
 };
 
-/* The record of a pair as it is seen from i, or HISTORY_LEFT. The lower number is never that of a copy. No
+/* The record of a pair as it is seen from i, or PARTICLE_LEFT. The lower number is never that of a copy. No
  * branch depends on whether there is a record: nobody could foresee it. */
 static inline uint32_t record_of(const struct history_kept *kept, uint32_t i, uint32_t j) {
     uint32_t low = i < j ? i : j, high = i < j ? j : i, record = 0, hits = 0, end = kept->start[low + 1];
@@ -170,7 +170,7 @@ static inline uint32_t record_of(const struct history_kept *kept, uint32_t i, ui
 }
 
 /* The records of the pairs [first, last); returns how many there are. With `all` the pairs without a record
- * come, too, with HISTORY_LEFT. */
+ * come, too, with PARTICLE_LEFT. */
 static inline size_t records_find(const struct history_kept *kept, const struct pairlist *list, size_t first,
                                   size_t last, bool all, struct find *restrict find) {
     size_t found = 0;
@@ -178,7 +178,7 @@ static inline size_t records_find(const struct history_kept *kept, const struct 
         uint32_t record = record_of(kept, list->i[k], pair_partner(list->j[k]));
         find[found].pair = (uint32_t)(k - first);
         find[found].record = record;
-        found += all || record != HISTORY_LEFT;
+        found += all || record != PARTICLE_LEFT;
     }
     return found;
 }
@@ -212,12 +212,12 @@ static const double *find_value(const struct history *history, const struct rest
                                 const struct find *find, double *sign) {
     uint32_t record = find->record;
     uint32_t i = r->list->i[first + find->pair], j = pair_partner(r->list->j[first + find->pair]);
-    if (record == HISTORY_LEFT) { /* one of them is a copy of a particle of this rank? */
+    if (record == PARTICLE_LEFT) { /* one of them is a copy of a particle of this rank? */
         uint32_t own_i = original_of(r->twins, i), own_j = original_of(r->twins, j);
         if (own_i != i || own_j != j)
             record = record_of(r->kept, own_i, own_j);
     }
-    if (record == HISTORY_LEFT) {
+    if (record == PARTICLE_LEFT) {
         int64_t id_i = r->particles->id[i], id_j = r->particles->id[j];
         const struct history_row *row = row_of(r, i, id_j);
         row = row ? row : row_of(r, j, id_i);

@@ -27,7 +27,7 @@ struct history_kept {
 struct history_numbers {
     const uint32_t *order; /* of the reorder: new particle k was number order[k] after the migration */
     size_t owned;          /* now */
-    const uint32_t *place; /* number after the migration of each particle of the list; HISTORY_LEFT: none.
+    const uint32_t *place; /* number after the migration of each particle of the list; PARTICLE_LEFT: none.
                               NULL: nobody came or went */
     size_t before;         /* owned particles of the list, entries of place */
 };

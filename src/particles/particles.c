@@ -81,6 +81,43 @@ size_t particles_remove(struct particles *particles, const uint8_t *remove) {
     return n - kept;
 }
 
+size_t particles_places(const uint8_t *leaves, size_t owned, uint32_t *place) {
+    size_t stay = 0, last;
+    for (size_t k = 0; k < owned; k++)
+        stay += !leaves[k];
+    last = stay;
+    for (size_t k = 0; k < owned; k++)
+        place[k] = leaves[k] ? PARTICLE_LEFT : (uint32_t)k;
+    for (size_t k = 0; k < stay; k++) {
+        if (!leaves[k])
+            continue;
+        while (leaves[last])
+            last++;
+        place[last++] = (uint32_t)k;
+    }
+    return stay;
+}
+
+void particles_vacate(struct particles *particles, const uint8_t *leaves) {
+    assert(particles->ghosts == 0);
+    size_t owned = particles->owned;
+    uint32_t *place = memory_allocate(owned, sizeof *place, "places of particles");
+    size_t stay = particles_places(leaves, owned, place);
+    for (int a = 0; a < STORAGE_ARRAYS; a++) {
+        if (!storage_present(a, particles->features))
+            continue;
+        size_t stride = storage_stride(a, particles->features);
+        char *base = storage_get(particles, a);
+        for (size_t k = stay; k < owned; k++)
+            if (place[k] != PARTICLE_LEFT)
+                memcpy(base + place[k] * stride, base + k * stride, stride);
+    }
+    memory_free(place);
+    if (stay != owned)
+        particles->revision++;
+    particles->owned = stay;
+}
+
 /* Gathers rows of a multiple of 8 bytes, or of 1 byte; the two cases that all arrays fall into except the
  * images. */
 static void gather(char *restrict to, const char *restrict from, const uint32_t *order, size_t n,

@@ -70,6 +70,16 @@ size_t particles_append(struct particles *particles);
  * while ghosts == 0. Returns how many were removed. */
 size_t particles_remove(struct particles *particles, const uint8_t *remove);
 
+/* Where each of the owned particles goes if those with a non-zero entry in `leaves[owned]` leave and the last
+ * ones take their places, in order, so that the rest do not move. place[owned] is the caller's; it is
+ * PARTICLE_LEFT for those who leave. Returns how many stay. */
+size_t particles_places(const uint8_t *leaves, size_t owned, uint32_t *place);
+#define PARTICLE_LEFT UINT32_MAX
+
+/* Removes the owned particles whose entry in `leaves` is non-zero; the others go where particles_places says.
+ * For few that leave many. Only while ghosts == 0. */
+void particles_vacate(struct particles *particles, const uint8_t *leaves);
+
 /* Reorders the owned particles: the new particle k is the old order[k]. `order` has `owned` entries, a
  * permutation. Only while ghosts == 0. Every field of the field table follows (forces included). Opens its
  * own thread team. */

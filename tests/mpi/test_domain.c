@@ -217,7 +217,7 @@ static void grids_of_least_surface(void **state) {
     expect_grid(4, &boxes[0], any, (int[3]){2, 2, 1});
     expect_grid(8, &boxes[0], any, (int[3]){2, 2, 2});
     expect_grid(27, &boxes[1], any, (int[3]){3, 3, 3});
-    expect_grid(7, &boxes[1], any, (int[3]){7, 1, 1});
+    expect_grid(7, &boxes[1], any, (int[3]){1, 7, 1});
     expect_grid(8, &boxes[3], any, (int[3]){1, 8, 1});
     expect_grid(4, &boxes[5], any, (int[3]){4, 1, 1}); /* 3 cuts of 5 against 5 + 2 x 9 */
     expect_grid(8, &boxes[1], (int[3]){0, 1, 0}, (int[3]){4, 1, 2});
