@@ -13,7 +13,7 @@
 struct windows {
     int own_y, own_z; /* the block's pencil */
     int first[3][ROWS], last[3][ROWS];
-    int inside[ROWS]; /* no image of the box is met */
+    int images[ROWS]; /* bit d: images of the box in direction d may be met */
 };
 
 LANES_INLINE void windows_make(const struct quest *quest, struct windows *restrict windows) {
@@ -25,7 +25,7 @@ LANES_INLINE void windows_make(const struct quest *quest, struct windows *restri
     windows->own_y = grid_cell(&grid, 1, block->x[1][0]);
     windows->own_z = grid_cell(&grid, 2, block->x[2][0]);
     for (int k = 0; k < rows; k++) {
-        windows->inside[k] = 1;
+        windows->images[k] = 0;
     }
     for (int d = 0; d < 3; d++) {
         const float low = frame->periodic[d] ? frame->all_low[d] + frame->tolerance * 4 : -INFINITY;
@@ -35,7 +35,7 @@ LANES_INLINE void windows_make(const struct quest *quest, struct windows *restri
             float from = block->x[d][k] - (block->r[k] + reach), to = block->x[d][k] + (block->r[k] + reach);
             windows->first[d][k] = grid_cell(&grid, d, from);
             windows->last[d][k] = grid_cell(&grid, d, to);
-            windows->inside[k] &= (from > low) & (to < high);
+            windows->images[k] |= ((from <= low) | (to >= high)) << d;
         }
     }
 }
@@ -103,36 +103,50 @@ LANES_INLINE void direct_pencils(struct direct *direct, const struct windows *wi
     }
 }
 
+/* The pencils of one image of the box, which is number p[d] of the row's windows in each direction. */
+LANES_INLINE void direct_image(struct direct *direct, const struct windows *windows,
+                               const struct window window[3], const int p[3], uint32_t slot, bool exact) {
+    const struct search *search = direct->quest->search;
+    const int x0 = window[0].first[p[0]], x1 = window[0].last[p[0]];
+    const int y0 = window[1].first[p[1]], y1 = window[1].last[p[1]];
+    const int z0 = window[2].first[p[2]], z1 = window[2].last[p[2]];
+    for (int z = z0 > windows->own_z ? z0 : windows->own_z; z <= z1; z++) {
+        for (int y = z == windows->own_z && y0 < windows->own_y ? windows->own_y : y0; y <= y1; y++) {
+            struct cells_slice slice = cells_run(search->cells, &search->level->grid, x0, x1, y, z);
+            uint32_t from = slice.begin > slot ? slice.begin : slot + 1;
+            for (; from < slice.end; from += LANES) {
+                direct_slots(direct, from, slice.end - from < LANES ? slice.end - from : LANES, exact);
+            }
+        }
+    }
+}
+
 /* The partners of row k in all images that its window meets. */
 LANES_INLINE void direct_images(struct direct *direct, const struct windows *windows, int k, bool exact) {
     const struct quest *quest = direct->quest;
+    const struct search *search = quest->search;
     const struct block *block = &quest->block;
-    const struct grid *grid = &quest->search->level->grid;
-    const float at[3] = {block->x[0][k], block->x[1][k], block->x[2][k]},
-                reach = block->r[k] + quest->search->reach;
-    const float r = block->r[k] + quest->search->margin;
+    const float reach = block->r[k] + search->reach, r = block->r[k] + search->margin;
     struct window window[3];
     for (int d = 0; d < 3; d++) {
-        window[d] = window_of(&quest->levels->frame, grid, d, at[d] - reach, at[d] + reach);
+        const float at = block->x[d][k];
+        if (windows->images[k] & 1 << d) {
+            window[d] = window_of(&quest->levels->frame, &search->level->grid, d, at - reach, at + reach);
+        } else {
+            window[d] =
+                (struct window){.parts = 1, .first = {windows->first[d][k]}, .last = {windows->last[d][k]}};
+        }
     }
-    for (int p = 0; p < window[0].parts * window[1].parts * window[2].parts; p++) {
-        const int px = p % window[0].parts, py = p / window[0].parts % window[1].parts,
-                  pz = p / window[0].parts / window[1].parts;
-        direct->row = lanes_row(at[0] - window[0].shift[px], at[1] - window[1].shift[py],
-                                at[2] - window[2].shift[pz], r, quest->search->certain);
-        direct->bits = image_bits(window[0].image[px], window[1].image[py], window[2].image[pz]);
-        const int own_y = windows->own_y,
-                  own_z = windows->own_z; /* earlier pencils have earlier slots alone */
-        for (int z = window[2].first[pz] > own_z ? window[2].first[pz] : own_z; z <= window[2].last[pz];
-             z++) {
-            int y = window[1].first[py];
-            for (y = z == own_z && y < own_y ? own_y : y; y <= window[1].last[py]; y++) {
-                struct cells_slice slice =
-                    cells_run(quest->search->cells, grid, window[0].first[px], window[0].last[px], y, z);
-                uint32_t from = slice.begin > block->slot[k] ? slice.begin : block->slot[k] + 1;
-                for (; from < slice.end; from += LANES) {
-                    direct_slots(direct, from, slice.end - from < LANES ? slice.end - from : LANES, exact);
-                }
+    int p[3];
+    for (p[2] = 0; p[2] < window[2].parts; p[2]++) {
+        for (p[1] = 0; p[1] < window[1].parts; p[1]++) {
+            for (p[0] = 0; p[0] < window[0].parts; p[0]++) {
+                direct->row =
+                    lanes_row(block->x[0][k] - window[0].shift[p[0]], block->x[1][k] - window[1].shift[p[1]],
+                              block->x[2][k] - window[2].shift[p[2]], r, search->certain);
+                direct->bits =
+                    image_bits(window[0].image[p[0]], window[1].image[p[1]], window[2].image[p[2]]);
+                direct_image(direct, windows, window, p, block->slot[k], exact);
             }
         }
     }
@@ -141,7 +155,7 @@ LANES_INLINE void direct_images(struct direct *direct, const struct windows *win
 static LANES_TARGET void direct_row_exactly(struct quest *quest, const struct windows *windows, int k);
 
 /* All partners of row k. */
-LANES_INLINE void direct_row(struct quest *quest, const struct windows *windows, int k, bool inside,
+LANES_INLINE void direct_row(struct quest *quest, const struct windows *windows, int k, bool images,
                              bool exact) {
     const struct block *block = &quest->block;
     const struct search *search = quest->search;
@@ -153,10 +167,10 @@ LANES_INLINE void direct_row(struct quest *quest, const struct windows *windows,
                             .table = {cells->x, cells->y, cells->z, cells->r, cells->particle},
                             .sink = quest->sink,
                             .doubtful = lanes_none()};
-    if (inside) {
-        direct_pencils(&direct, windows, k, exact);
-    } else {
+    if (images) {
         direct_images(&direct, windows, k, exact);
+    } else {
+        direct_pencils(&direct, windows, k, exact);
     }
     if (!exact && lanes_bits(direct.doubtful) != 0) {
         direct_row_exactly(quest, windows, k);
@@ -171,20 +185,20 @@ LANES_INLINE void direct_row(struct quest *quest, const struct windows *windows,
 /* The rare ways to go, apart from the fast one. */
 static LANES_TARGET __attribute__((noinline)) void direct_row_exactly(struct quest *quest,
                                                                       const struct windows *windows, int k) {
-    direct_row(quest, windows, k, windows->inside[k], true);
+    direct_row(quest, windows, k, windows->images[k] != 0, true);
 }
 
 static LANES_TARGET __attribute__((noinline)) void direct_row_images(struct quest *quest,
                                                                      const struct windows *windows, int k) {
-    direct_row(quest, windows, k, false, false);
+    direct_row(quest, windows, k, true, false);
 }
 
 /* The rows of the block. A function of its own, for the sake of its registers. */
 static LANES_TARGET __attribute__((noinline)) void direct_rows(struct quest *quest,
                                                                const struct windows *windows) {
     for (int k = 0; k < quest->block.rows; k++) {
-        if (windows->inside[k]) {
-            direct_row(quest, windows, k, true, false);
+        if (windows->images[k] == 0) {
+            direct_row(quest, windows, k, false, false);
         } else {
             direct_row_images(quest, windows, k);
         }

@@ -2,6 +2,7 @@
 
 #include "core/memory.h"
 #include "output/file.h"
+#include "output/h5_watch.h"
 #include "output/output.h"
 
 #include <errno.h>
@@ -47,6 +48,7 @@ static bool begin(struct h5 *h5, const char *path, const struct comm *comm, stru
     H5Eset_auto2(H5E_DEFAULT, NULL, NULL);
     if (!comm)
         return true;
+    h5_watch_begin(comm, path);
     h5->transfer = H5Pcreate(H5P_DATASET_XFER);
     if (h5->transfer < 0 || H5Pset_dxpl_mpio(h5->transfer, H5FD_MPIO_COLLECTIVE) < 0)
         return h5_fail(h5, ERROR_SYSTEM, "", "collective transfer cannot be set", error);
@@ -125,7 +127,10 @@ bool h5_close(struct h5 *h5, struct error *error) {
     if (h5->transfer > 0 && h5->transfer != H5P_DEFAULT)
         H5Pclose(h5->transfer);
     h5->transfer = H5P_DEFAULT;
-    return agree(h5, error);
+    bool good = agree(h5, error);
+    if (h5->comm)
+        h5_watch_end();
+    return good;
 }
 
 bool output_left_open(void) {

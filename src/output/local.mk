@@ -22,6 +22,8 @@ liboutput_la_SOURCES = \
 	src/output/frame_rows.c \
 	src/output/h5.c \
 	src/output/h5.h \
+	src/output/h5_watch.c \
+	src/output/h5_watch.h \
 	src/output/h5_data.c \
 	src/output/h5md.c \
 	src/output/h5md.h \

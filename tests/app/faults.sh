@@ -6,8 +6,8 @@ set -u
 . "$top_srcdir/tests/app/common.sh"
 cd "$out" || exit 1
 
-cut_message=$top_builddir/tests/app/.libs/cut_message.so
-[ -e "$cut_message" ] || make -s -C "$top_builddir" tests/app/cut_message.la >"$out/made" 2>&1
+cut_message=$top_builddir/tests/app/.libs/cut_message.so cut_write=$top_builddir/tests/app/.libs/cut_write.so
+[ -e "$cut_write" ] || make -s -C "$top_builddir" tests/app/cut_message.la tests/app/cut_write.la >"$out/made" 2>&1
 
 # Fast enough that particles change ranks at each rebuild, with springs, and a boulder whose copies take several rounds
 cat >scene.yaml <<'EOF'
@@ -222,6 +222,27 @@ cut_short() {
     [ $refused = 3 ] && goes_on cut 3
 }
 check 'three cuts are refused, and the one before serves' cut_short
+
+echo '== writes that end too early on one rank'
+# cut_one NUMBER WORDS: the NUMBERth write of rank 1; after some of them HDF5 never returns (h5_watch.h)
+cut_one() {
+    local dir=write status began=$SECONDS
+    rm -rf $dir
+    on 2 env LD_PRELOAD="$cut_write" ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0" CUT_RANK=1 CUT_NUMBER="$1" \
+        "$scree" run scene.yaml -o $dir --quiet --set output.trajectory.every=20 >write.said 2>&1
+    status=$?
+    [ $status = 1 ] && says_once write.said "$2|cannot be written" || { echo "  status $status"; cat write.said; return 1; }
+    [ $((SECONDS - began)) -le 60 ] || { echo "  the job took $((SECONDS - began)) s to end"; return 1; }
+}
+if [ -e "$cut_write" ]; then
+    check 'of a dataset' cut_one 9 '/particles/all/position/value'
+    check 'of what HDF5 keeps about the file, in a flush' cut_one 4 'trajectory.h5'
+    check 'of the same, in a later frame' cut_one 18 'trajectory.h5'
+    writes_alone() { ! cut_one 1000000 nothing >/dev/null && [ "$(number write/report.json last_step)" = 40 ]; }
+    check 'and writes that are left alone do no harm' writes_alone
+else
+    echo 'not tried: writes that end too early (no shared libraries)'
+fi
 
 echo '== messages of the wrong length'
 # cut NUMBER CALL BYTES: the NUMBERth message that rank 1 sends by CALL gets longer by BYTES

@@ -9,14 +9,18 @@ dist_check_SCRIPTS += tests/app/verify.sh
 
 dist_check_SCRIPTS += tests/app/reproducible.sh
 
-# faults.sh makes one message too short by a library that stands before MPI
+# faults.sh makes one message or one write too short by libraries that stand before MPI
 dist_check_SCRIPTS += tests/app/faults.sh
-check_LTLIBRARIES += tests/app/cut_message.la
+check_LTLIBRARIES += tests/app/cut_message.la tests/app/cut_write.la
 tests_app_cut_message_la_SOURCES = tests/app/cut_message.c
 tests_app_cut_message_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 tests_app_cut_message_la_LDFLAGS = $(AM_LDFLAGS) -module -avoid-version -shared -rpath /nowhere
 tests_app_cut_message_la_LIBADD = $(MPI_LIBS)
-tests/app/faults.log: tests/app/cut_message.la
+tests_app_cut_write_la_SOURCES = tests/app/cut_write.c
+tests_app_cut_write_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+tests_app_cut_write_la_LDFLAGS = $(AM_LDFLAGS) -module -avoid-version -shared -rpath /nowhere
+tests_app_cut_write_la_LIBADD = $(MPI_LIBS) -ldl
+tests/app/faults.log: tests/app/cut_message.la tests/app/cut_write.la
 
 
 # Random scenes: 12, or 200 by check-long
