@@ -2,7 +2,8 @@
  * density of the particles alone. `auto` chooses by it.
  *
  * Ogarko and Luding's estimate, T ~ N L (m + K) for m particles in each cell of L levels, counts candidates
- * and cells per particle. Here rows are searched in spans (search_rows.h), so the counts are, for rows of
+ * and cells per particle. Here rows are searched in spans (search_rows.h; also counted so where rows search
+ * the dense table of their own one by one), so the counts are, for rows of
  * level g and the tables of levels h >= g, with n_h the number density of h and a cut-off s:
  *
  *   visits      rows of g, once for each h; in spans of at most OWN_ROWS (h = g) or ROWS (h > g) of a pencil
