@@ -34,7 +34,6 @@ LANES_INLINE void span_set(struct quest *quest, int from, int to) {
     span->first_slot = block->slot[from];
     for (int d = 0; d < 3; d++) {
         float low = block->x[d][from], high = low;
-#pragma omp simd reduction(min : low) reduction(max : high)
         for (int k = from; k < to; k++) {
             float x = block->x[d][k];
             low = x < low ? x : low;
@@ -46,7 +45,6 @@ LANES_INLINE void span_set(struct quest *quest, int from, int to) {
         span->own_high[d] = grid_cell(grid, d, high);
     }
     float r_max = block->r[from];
-#pragma omp simd reduction(max : r_max)
     for (int k = from; k < to; k++) {
         r_max = block->r[k] > r_max ? block->r[k] : r_max;
     }
