@@ -59,7 +59,7 @@ static void test_vacate_moves_the_last_alone(void **state) {
     for (size_t k = 0; k < 5; k++)
         leaves[who[k]] = 1;
     assert_int_equal(particles_places(leaves, 100, place), 95);
-    particles_vacate(p, leaves);
+    particles_vacate(p, place, 95);
     assert_int_equal(p->owned, 95);
     const size_t filler[] = {95, 97, 99}; /* of 0, 7, 40 */
     for (size_t k = 0, f = 0; k < 95; k++) {
@@ -78,11 +78,14 @@ static void test_vacate_by_all_or_none(void **state) {
     (void)state;
     struct particles *p = sample(PARTICLE_FEATURES_ALL, 10);
     uint8_t leaves[10] = {0};
-    particles_vacate(p, leaves);
+    uint32_t place[10];
+    assert_int_equal(particles_places(leaves, 10, place), 10);
+    particles_vacate(p, place, 10);
     assert_int_equal(p->owned, 10);
     assert_int_equal(p->id[9], 1000 - 9);
     memset(leaves, 1, sizeof leaves);
-    particles_vacate(p, leaves);
+    assert_int_equal(particles_places(leaves, 10, place), 0);
+    particles_vacate(p, place, 0);
     assert_int_equal(p->owned, 0);
     particles_destroy(&p);
 }

@@ -131,11 +131,10 @@ static struct arrivals take_apart(const struct exchange_message *message, const 
     return arrivals;
 }
 
-/* Row set `s` anew: the rows of those who stay, where particles_vacate puts them, then those of the arrivals.
- */
-static void join_rows(struct migrate_rows *rows, int s, const uint8_t *leaves, size_t stay,
+/* Row set `s` anew: of those who stay, from[0 ... stay - 1], then of the arrivals. */
+static void join_rows(struct migrate_rows *rows, int s, const uint32_t *from, size_t stay,
                       const struct arrivals *arrivals, size_t messages) {
-    size_t particles = stay, count = rows->count, last = stay;
+    size_t particles = stay, count = rows->count;
     for (size_t m = 0; m < messages; m++) {
         particles += arrivals[m].count;
         count += arrivals[m].set[s].total;
@@ -145,16 +144,10 @@ static void join_rows(struct migrate_rows *rows, int s, const uint8_t *leaves, s
     joined.row = memory_allocate(count, rows->row_bytes, "rows by particle");
     char *to = joined.row;
     size_t p = 0;
-    for (size_t k = 0; k < stay; k++) {
-        size_t from = k;
-        if (leaves[k]) {
-            while (leaves[last])
-                last++;
-            from = last++;
-        }
-        size_t n = rows->start[from + 1] - rows->start[from];
-        joined.start[p++] = joined.count;
-        to = put(to, (const char *)rows->row + rows->start[from] * rows->row_bytes, n * rows->row_bytes);
+    for (; p < stay; p++) {
+        size_t n = rows_of(rows, from[p]);
+        joined.start[p] = joined.count;
+        to = put(to, (const char *)rows->row + rows->start[from[p]] * rows->row_bytes, n * rows->row_bytes);
         joined.count += n;
     }
     for (size_t m = 0; m < messages; m++) {
@@ -170,9 +163,7 @@ static void join_rows(struct migrate_rows *rows, int s, const uint8_t *leaves, s
     *rows = joined;
 }
 
-static void join_particles(struct particles *particles, const uint8_t *leaves,
-                           const struct arrivals *arrivals, size_t messages) {
-    particles_vacate(particles, leaves);
+static void append_arrivals(struct particles *particles, const struct arrivals *arrivals, size_t messages) {
     size_t total = particles->owned;
     for (size_t m = 0; m < messages; m++)
         total += arrivals[m].count;
@@ -188,20 +179,35 @@ static void join_particles(struct particles *particles, const uint8_t *leaves,
     }
 }
 
-static void settle(struct particles *particles, struct migrate_rows *rows, int sets,
-                   const struct leavers *leavers, const struct exchange_inbox *inbox) {
-    size_t owned = particles->owned;
+/* Where the owned particles go, as particles_places says; returns how many stay. */
+static size_t places_without(const struct leavers *leavers, size_t owned, uint32_t *place) {
     uint8_t *leaves = memory_allocate_zero(owned, 1, "particles that leave");
     for (size_t k = 0; k < leavers->count; k++)
         leaves[leavers->particle[k]] = 1;
+    size_t stay = particles_places(leaves, owned, place);
+    memory_free(leaves);
+    return stay;
+}
+
+static void settle(struct particles *particles, struct migrate_rows *rows, int sets,
+                   const struct leavers *leavers, const struct exchange_inbox *inbox) {
+    size_t owned = particles->owned;
+    uint32_t *place = memory_allocate(owned, sizeof *place, "places of particles");
+    uint32_t *from = memory_allocate(owned, sizeof *from, "places of particles");
+    size_t stay = places_without(leavers, owned, place);
+    for (size_t k = 0; k < owned; k++)
+        if (place[k] != PARTICLE_LEFT)
+            from[place[k]] = (uint32_t)k;
     struct arrivals *arrivals = memory_allocate(inbox->count, sizeof *arrivals, "arrivals");
     for (size_t m = 0; m < inbox->count; m++)
         arrivals[m] = take_apart(&inbox->message[m], particles, rows, sets);
     for (int s = 0; s < sets; s++)
-        join_rows(&rows[s], s, leaves, owned - leavers->count, arrivals, inbox->count);
-    join_particles(particles, leaves, arrivals, inbox->count);
+        join_rows(&rows[s], s, from, stay, arrivals, inbox->count);
+    particles_vacate(particles, place, stay);
+    append_arrivals(particles, arrivals, inbox->count);
     memory_free(arrivals);
-    memory_free(leaves);
+    memory_free(from);
+    memory_free(place);
 }
 
 size_t migrate_particles(struct exchange *exchange, const struct domain *domain, struct particles *particles,

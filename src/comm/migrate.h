@@ -18,7 +18,7 @@ struct migrate_rows {
 };
 
 /* Sends every owned particle to the rank that owns its position, which may be any. Those who stay lie
- * where particles_vacate puts them, arrivals follow by source rank, then in their order there. The `n` row
+ * where particles_places puts them, arrivals follow by source rank, then in their order there. The `n` row
  * sets follow. Returns how many particles this rank sent away. Collective. */
 size_t migrate_particles(struct exchange *exchange, const struct domain *domain, struct particles *particles,
                          struct migrate_rows *rows, int n);

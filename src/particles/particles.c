@@ -98,11 +98,9 @@ size_t particles_places(const uint8_t *leaves, size_t owned, uint32_t *place) {
     return stay;
 }
 
-void particles_vacate(struct particles *particles, const uint8_t *leaves) {
+void particles_vacate(struct particles *particles, const uint32_t *place, size_t stay) {
     assert(particles->ghosts == 0);
     size_t owned = particles->owned;
-    uint32_t *place = memory_allocate(owned, sizeof *place, "places of particles");
-    size_t stay = particles_places(leaves, owned, place);
     for (int a = 0; a < STORAGE_ARRAYS; a++) {
         if (!storage_present(a, particles->features))
             continue;
@@ -112,7 +110,6 @@ void particles_vacate(struct particles *particles, const uint8_t *leaves) {
             if (place[k] != PARTICLE_LEFT)
                 memcpy(base + place[k] * stride, base + k * stride, stride);
     }
-    memory_free(place);
     if (stay != owned)
         particles->revision++;
     particles->owned = stay;

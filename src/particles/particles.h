@@ -76,9 +76,9 @@ size_t particles_remove(struct particles *particles, const uint8_t *remove);
 size_t particles_places(const uint8_t *leaves, size_t owned, uint32_t *place);
 #define PARTICLE_LEFT UINT32_MAX
 
-/* Removes the owned particles whose entry in `leaves` is non-zero; the others go where particles_places says.
- * For few that leave many. Only while ghosts == 0. */
-void particles_vacate(struct particles *particles, const uint8_t *leaves);
+/* Moves the owned particles to place[owned] of particles_places, which found that `stay` of them stay; the
+ * others are gone. For few that leave many. Only while ghosts == 0. */
+void particles_vacate(struct particles *particles, const uint32_t *place, size_t stay);
 
 /* Reorders the owned particles: the new particle k is the old order[k]. `order` has `owned` entries, a
  * permutation. Only while ghosts == 0. Every field of the field table follows (forces included). Opens its
