@@ -7,14 +7,15 @@
 
 enum { SPAN_OWN = 12, SPAN_OTHER = 32, LANES = 8 };
 
-/* Nanoseconds an event: fitted on an AMD EPYC (Zen 4), AVX-512. */
+/* Nanoseconds an event: fitted on an AMD EPYC (Zen 4), AVX2. */
 static const double price[COST_TERMS] = {
-    [COST_PARTICLE] = 20, [COST_MIXED] = 60,  [COST_VISIT] = 8.5, [COST_RUN] = 12.7,
-    [COST_ROUND] = 14,    [COST_SPARSE] = 20, [COST_TEST] = 2.45,
+    [COST_PARTICLE] = 25, [COST_MIXED] = 60, [COST_WINDOW] = 10.5, [COST_VECTOR] = 1.5, [COST_VISIT] = 4,
+    [COST_RUN] = 20,      [COST_ROUND] = 13, [COST_SPARSE] = 9,    [COST_TEST] = 3.3,
 };
 
 static const char *const names[COST_TERMS] = {
-    [COST_PARTICLE] = "particles", [COST_MIXED] = "mixed",   [COST_VISIT] = "visits", [COST_RUN] = "runs",
+    [COST_PARTICLE] = "particles", [COST_MIXED] = "mixed",   [COST_WINDOW] = "windows",
+    [COST_VECTOR] = "vectors",     [COST_VISIT] = "visits",  [COST_RUN] = "runs",
     [COST_ROUND] = "round",        [COST_SPARSE] = "sparse", [COST_TEST] = "tests",
 };
 
@@ -28,7 +29,7 @@ double cost_price(enum cost_term term) {
 
 /* One level as the model sees it. */
 struct part {
-    double count, radius_max, margin, edge;
+    double count, radius_max, radius_mean, margin, edge;
     bool mixed;
     double density; /* a length unit^dimension */
     double pencil;  /* particles in a pencil */
@@ -57,6 +58,7 @@ static struct part part_of(const struct cost_scene *scene, const struct cost_pla
         if (scene->count[bin] > 0) {
             part.mixed = scene->classes && part.count > 0;
             part.margin = part.count == 0 || scene->classes ? scene->margin[bin] : part.margin;
+            part.radius_mean += scene->count[bin] * 0.5 * (scene->radius_min[bin] + scene->radius_max[bin]);
             part.count += scene->count[bin];
             part.radius_max = scene->radius_max[bin];
         }
@@ -64,6 +66,7 @@ static struct part part_of(const struct cost_scene *scene, const struct cost_pla
     if (part.count == 0) {
         return part;
     }
+    part.radius_mean /= part.count;
     double across = pow(scene->volume, 1.0 / scene->dimension);
     double wide = fmax(1, across / part.edge);
     part.density = part.count / scene->volume;
@@ -87,31 +90,58 @@ static double spans_of(const struct part *part, double most) {
            (part->pencil / most + 0.5 * some * (1 + exp(-part->pencil / most)) * (1 - 1 / most));
 }
 
-/* Rows of g in the table of h. */
-static void count_search(const struct cost_scene *scene, const struct part *g, const struct part *h, bool own,
-                         double count[COST_TERMS]) {
-    bool flat = scene->dimension == 2;
-    double most = own ? SPAN_OWN : SPAN_OTHER;
-    double spans = spans_of(g, most), rows = g->count / spans;
+/* Extents of the window in which rows look at the table h. */
+struct window {
+    double length, high, wide; /* along the pencils, across them */
+    double pencils;            /* of h in it */
+    bool round;                /* the corners are left out */
+};
+
+/* The window of rows that fill length x width, to a distance `reach` of them. */
+static struct window window_of(const struct cost_scene *scene, const struct part *h, double length,
+                               double width, double reach) {
     double across = pow(scene->volume, 1.0 / scene->dimension);
-    double reach = g->span_radius[own ? 0 : 1] + h->radius_max + g->margin;
-    double length = fmin(across, rows / g->pencil * across);
-    double width = fmin(g->edge, across) * (rows - 1) / (rows + 1);
-    double high = fmin(width + 2 * reach + h->edge, 3 * across), wide = flat ? h->edge : high;
-    double pencils = high * wide / (h->edge * h->edge);
-    double area = high * (flat ? 1 : wide);
-    bool round = high + (flat ? 0 : wide) > 6.5 * h->edge;
-    if (!flat && round) { /* the corners are left out */
+    bool flat = scene->dimension == 2;
+    struct window window;
+    window.high = fmin(width + 2 * reach + h->edge, 3 * across);
+    window.wide = flat ? h->edge : window.high;
+    window.length = fmin(length + 2 * reach + 0.5 * h->edge, 3 * across);
+    window.pencils = window.high * window.wide / (h->edge * h->edge);
+    window.round = window.high + (flat ? 0 : window.wide) > 6.5 * h->edge;
+    return window;
+}
+
+/* Rows of g, one by one, in the dense table of their own. */
+static void count_direct(const struct cost_scene *scene, const struct part *g, double count[COST_TERMS]) {
+    struct window window = window_of(scene, g, 0, 0, g->radius_mean + g->radius_max + g->margin);
+    double share = 0.5 + 0.5 / window.pencils;
+    double found = g->density * window.length * window.high * (scene->dimension == 2 ? 1 : window.wide);
+    double vectors = fmax(1, found / window.pencils / LANES + 0.5);
+    count[COST_WINDOW] += g->count * share * window.pencils;
+    count[COST_VECTOR] += g->count * share * window.pencils * vectors;
+}
+
+/* Rows of g in the table of h, in spans. */
+static void count_spans(const struct cost_scene *scene, const struct part *g, const struct part *h, bool own,
+                        double count[COST_TERMS]) {
+    bool flat = scene->dimension == 2;
+    double spans = spans_of(g, own ? SPAN_OWN : SPAN_OTHER), rows = g->count / spans;
+    double across = pow(scene->volume, 1.0 / scene->dimension);
+    struct window window = window_of(scene, h, fmin(across, rows / g->pencil * across),
+                                     fmin(g->edge, across) * (rows - 1) / (rows + 1),
+                                     g->span_radius[own ? 0 : 1] + h->radius_max + g->margin);
+    double area = window.high * (flat ? 1 : window.wide);
+    if (!flat && window.round) {
         area *= 0.85;
     }
-    double share = own ? 0.5 + 0.5 / pencils : 1;
-    double row_empty = exp(-h->density * high * (flat ? 1 : h->edge) * across);
-    double found = h->density * area * share * fmin(length + 2 * reach + 0.5 * h->edge, 3 * across);
-    double runs = share * ((1 - row_empty) * pencils + (flat ? 1 : wide / h->edge));
+    double share = own ? 0.5 + 0.5 / window.pencils : 1;
+    double row_empty = exp(-h->density * window.high * (flat ? 1 : h->edge) * across);
+    double found = h->density * area * share * window.length;
+    double runs = share * ((1 - row_empty) * window.pencils + (flat ? 1 : window.wide / h->edge));
     double some = 1 - exp(-found);
     count[COST_VISIT] += g->count;
     count[COST_RUN] += spans * runs;
-    count[COST_ROUND] += round ? spans * runs : 0;
+    count[COST_ROUND] += window.round ? spans * runs : 0;
     count[COST_SPARSE] += h->sparse ? spans * runs : 0;
     count[COST_TEST] += spans * rows * (found / LANES + 0.5 * some);
 }
@@ -128,8 +158,10 @@ void cost_count(const struct cost_scene *scene, const struct cost_plan *plan, do
     }
     for (int g = 0; g < plan->levels; g++) {
         for (int h = g; h < plan->levels && part[g].count > 0; h++) {
-            if (part[h].count > 0) {
-                count_search(scene, &part[g], &part[h], g == h, count);
+            if (g == h && !part[g].sparse) {
+                count_direct(scene, &part[g], count);
+            } else if (part[h].count > 0) {
+                count_spans(scene, &part[g], &part[h], g == h, count);
             }
         }
     }

@@ -2,16 +2,19 @@
  * density of the particles alone. `auto` chooses by it.
  *
  * Ogarko and Luding's estimate, T ~ N L (m + K) for m particles in each cell of L levels, counts candidates
- * and cells per particle. Here rows are searched in spans (search_rows.h; also counted so where rows search
- * the dense table of their own one by one), so the counts are, for rows of
- * level g and the tables of levels h >= g, with n_h the number density of h and a cut-off s:
+ * and cells per particle. Here most rows are searched in spans and some one by one (search_rows.h),
+ * so the counts are, for rows of level g and the tables of levels h >= g, with n_h the number density of h
+ * and a cut-off s:
  *
- *   visits      rows of g, once for each h; in spans of at most OWN_ROWS (h = g) or ROWS (h > g) of a pencil
- *   runs        spans x pencils of h that a window of (edge of g + 2 s) meets; half of them for h = g
+ *   windows     where g = h and the table is dense: rows x pencils within s of them, half of those
+ *   vectors     LANES of candidates in these windows, one vector at least in each
+ *   visits      elsewhere: rows of g, once for each h
+ *   runs        spans of at most OWN_ROWS (h = g) or ROWS (h > g) of a pencil x pencils of h that a window of
+ *               (edge of g + 2 s) meets; half of them for h = g
  *   round       those of wide windows, which are cut to a ball pencil by pencil
  *   sparse      those of them in tables that are kept sparse (cells.h)
  *   tests       candidates of a span, n_h x (volume of those pencils between the ends of the window), x rows,
- * LANES at a time
+ *               LANES at a time
  *
  * and each has its price. Particles are taken to be spread evenly over the volume; a volume that is occupied
  * only in part should be given as the part. Prices were fitted by `bench_index calibrate` (docs/indexes.md).
@@ -48,6 +51,8 @@ struct cost_plan {
 enum cost_term {
     COST_PARTICLE,
     COST_MIXED,
+    COST_WINDOW,
+    COST_VECTOR,
     COST_VISIT,
     COST_RUN,
     COST_ROUND,
