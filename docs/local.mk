@@ -56,3 +56,4 @@ EXTRA_DIST += docs/performance.md \
 	docs/images/performance-optimum.svg \
 	docs/images/performance-roofline.svg \
 	docs/images/performance-univol.svg
+EXTRA_DIST += docs/results

@@ -7,7 +7,8 @@
 # --list:  their names.
 #
 # What each benchmark printed goes to RESULTS/NAME.jsonl, led by a line that says on what machine and under what conditions, and what it said
-# besides to RESULTS/NAME.log. One that fails is named at the end, and the others go on. RESULTS (examples/bench/out) and
+# besides to RESULTS/NAME.log. One that fails is named at the end, and the others go on. What the page was made from is kept beside it, in
+# DOCUMENTS/results/performance, and stands in for benchmarks that RESULTS does not hold. RESULTS (examples/bench/out) and
 # DOCUMENTS (docs of this checkout if it can be written, else RESULTS), SCREE, CORES, WORK (keeps the packings) may be set; and SKIP_LAMMPS=1,
 # which leaves out LAMMPS, and the benchmarks that are nothing without it.
 set -eu
@@ -39,6 +40,7 @@ if [ -z "$documents" ]; then
     documents=$here/../../docs
     test -w "$documents" || documents=$results
 fi
+kept=$documents/results/performance
 mkdir -p "$results"
 
 all="roofline bidisperse-10 table1-10 cells-10 continuous-dunkirk-10 continuous-exponential-50 univol-0.1 univol-0.4 auto growth chute ablation needs"
@@ -109,6 +111,11 @@ if [ -n "$run" ]; then
         fi
     done
 fi
+for made in "$kept"/*.jsonl; do
+    test ! -s "$made" || test -s "$results/$(basename "$made")" || cp "$made" "$results"
+done
 "$here/page.sh" "$results" "$documents"
+mkdir -p "$kept"
+cp "$results"/*.jsonl "$kept"
 echo "report.sh: wrote $documents/performance.md" >&2
 test -z "$failed" || { echo "report.sh: failed:$failed" >&2; exit 1; }

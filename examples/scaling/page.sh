@@ -13,7 +13,7 @@ pictures=$documents/images
 mkdir -p "$pictures"
 columns=$(mktemp -d)
 trap 'rm -rf "$columns"' EXIT
-cat "$runs"/*.jsonl >"$columns/all"
+cat "$runs"/*.jsonl >"$columns/all" 2>/dev/null || { echo "page: $runs holds no results" >&2; exit 1; }
 
 has() {
     for part in "$@"; do

@@ -7,9 +7,11 @@
 #   hybrid   the bidisperse benchmark with R = 10 on 1x1, 1xN and Nx1 (N: CORES), stage by stage
 #   ranks    messages, bytes, copies and memory of a rank on 8 ... 125 ranks (RANKS, edges of cubes of ranks: "2 3 4 5"), as
 #            bricks and by bisection, and with boulders that reach beyond neighbours on 27 ... 108
+#   ghosts   full and reduced ghosts against geometry on 8 ranks (ghosts.sh)
 #   pupcs    the scenarios of examples/pupcs, and the size of the largest particle there
 #   lengths  what has the length of the rank count, made up to 10^6 ranks on one: bench_ranks (make tests/mpi/bench_ranks)
-#   page     scaling.md and its pictures from what DIR (out beside this script) holds of all parts
+#   page     scaling.md and its pictures from what DIR (out beside this script) holds; parts that it does not hold are those
+#            that the page was last made from (docs/results/scaling)
 #
 # Prints a JSON line a run and keeps them in DIR/PART.jsonl; README.md says what the keys mean. `page` writes into docs of this
 # checkout when all parts are there and none was quick, else into DIR. --quick: small systems and few layouts, less than a minute.
@@ -28,14 +30,14 @@ if [ "${1:-}" = --quick ]; then
 fi
 case ${1:-} in
 -*)
-    sed -n '2,18s/^# \{0,1\}//p' "$0"
+    sed -n '2,20s/^# \{0,1\}//p' "$0"
     [ "$1" = --help ]
     exit
     ;;
 esac
 out=${1:-$(results out)}
 [ $# = 0 ] || shift
-[ $# != 0 ] || set -- weak strong hybrid ranks pupcs lengths page
+[ $# != 0 ] || set -- weak strong hybrid ranks ghosts pupcs lengths page
 mkdir -p "$out"
 out=$(cd "$out" && pwd)
 
@@ -156,6 +158,10 @@ run_ranks() {
     done
 }
 
+run_ghosts() {
+    SCREE=$SCREE RATIOS=${quick:+10} LARGE=${quick:+20} SMALL=${quick:+20000} "$here/ghosts.sh" "$out"
+}
+
 run_pupcs() {
     SCREE=$SCREE RUNS=$runs STEPS=${quick:+20} "$here/../pupcs/run.sh" "$out/pupcs" ${quick:+1x1}
     # shellcheck disable=SC2086
@@ -169,13 +175,23 @@ run_lengths() {
     "$bench" ${quick:+1000 10000} | tee "$out/lengths.jsonl"
 }
 
+# The page, from DIR, and from what it was last made from where DIR has nothing
 run_page() {
     documents=$examples/../docs
+    kept=$documents/results/scaling
     [ -w "$documents" ] || documents=$out
-    for part in weak strong hybrid ranks lengths pupcs/sizes; do
-        if [ ! -s "$out/$part.jsonl" ] || [ -e "$out/${part%/*}.quick" ]; then documents=$out; fi
+    parts="ghosts/lines.jsonl ghosts/section.md weak.jsonl strong.jsonl hybrid.jsonl ranks.jsonl lengths.jsonl pupcs/lines.jsonl pupcs/section.md pupcs/sizes.jsonl pupcs/sizes.md"
+    mkdir -p "$out/pupcs" "$out/ghosts"
+    for part in $parts; do
+        if [ ! -s "$out/$part" ] && [ -s "$kept/$part" ]; then cp "$kept/$part" "$out/$part"; fi
+        if [ ! -s "$out/$part" ] || [ -e "$out/${part%/*}.quick" ] || [ -e "$out/${part%.*}.quick" ]; then documents=$out; fi
     done
     "$here/page.sh" "$out" "$documents" >&2
+    [ "$documents" != "$out" ] || return 0
+    mkdir -p "$kept/pupcs" "$kept/ghosts"
+    for part in $parts; do
+        cp "$out/$part" "$kept/$part"
+    done
 }
 
 for part in "$@"; do
@@ -186,15 +202,15 @@ for part in "$@"; do
         [ -z "$quick" ] || : >"$out/$part.quick"
         "run_$part"
         ;;
-    pupcs)
-        mkdir -p "$out/pupcs"
-        rm -f "$out/pupcs.quick"
-        [ -z "$quick" ] || : >"$out/pupcs.quick"
-        run_pupcs
+    ghosts | pupcs)
+        mkdir -p "$out/$part"
+        rm -f "$out/$part.quick"
+        [ -z "$quick" ] || : >"$out/$part.quick"
+        "run_$part"
         ;;
     page) run_page ;;
     *)
-        echo "no part '$part'; there are: weak strong hybrid ranks pupcs lengths page" >&2
+        echo "no part '$part'; there are: weak strong hybrid ranks ghosts pupcs lengths page" >&2
         exit 2
         ;;
     esac
