@@ -125,6 +125,23 @@ static void periodic_direction(struct frame *frame, const struct index_view *vie
     frame->owned_high[d] = frame->all_high[d] = frame_coordinate(frame, d, edge);
 }
 
+/* True if every ghost lies beyond the owned particles' extent, or on its face, in some open direction. */
+static bool hollow(const struct index_view *view, const struct extent *owned) {
+    bool inside = false;
+#pragma omp parallel for num_threads(view->threads)                                                          \
+    reduction(||                                                                                             \
+              : inside) if (view->total - view->owned > 10000)
+    for (size_t k = view->owned; k < view->total; k++) {
+        const double *x = view->position + k * view->stride;
+        bool within = true;
+        for (int d = 0; d < 3; d++) {
+            within = within && (view->periodic[d] || !(x[d] <= owned->low[d] || x[d] >= owned->high[d]));
+        }
+        inside = inside || within;
+    }
+    return !inside;
+}
+
 void frame_make(struct frame *frame, const struct index_view *view) {
     *frame = (struct frame){.unit = levels_cutoffs(view, 0, view->classes - 1).smallest};
     frame->scale = 1 / frame->unit;
@@ -132,6 +149,7 @@ void frame_make(struct frame *frame, const struct index_view *view) {
     if (!(view->periodic[0] && view->periodic[1] && view->periodic[2])) {
         extents[0] = extent_of(view, 0, view->owned);
         extents[1] = extent_of(view, view->owned, view->total);
+        frame->hollow = hollow(view, &extents[0]);
     }
     double size = 0;
     for (int d = 0; d < 3; d++) {

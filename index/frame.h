@@ -27,6 +27,7 @@ struct frame {
     float owned_low[3], owned_high[3]; /* extent of owned particles; in periodic directions the box */
     float all_low[3], all_high[3];     /* extent of all */
     float tolerance;                   /* frame units */
+    bool hollow; /* no ghost lies inside of the owned particles' extent, in the directions that are open */
     bool clamped;
 };
 

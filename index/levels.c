@@ -167,6 +167,7 @@ static void add_search(struct levels *levels, const struct index_view *view, int
     search.half = !ghosts && g == own;
     search.direct = search.half && !levels->plan.stencils && !cells->sparse;
     search.home = ghosts && g == own && view->newton;
+    search.beyond = ghosts && frame->hollow;
     search.reach = (float)((cells->r_max + highest) * (1 + 4 * CELLS_RADIUS_EXCESS) + 4 * tolerance);
     search.certain = search.home ? -INFINITY : certain_share(levels, smallest, excess);
     levels->search[c][levels->searches[c]++] = search;

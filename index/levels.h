@@ -40,6 +40,7 @@ struct search {
     float certain; /* ... and is one if distance^2 <= certain * that^2 (-infinity: never certain) */
     float reach;   /* r + reach bounds the distance of all partners in the table */
     bool half, home;
+    bool beyond; /* no candidate lies inside of the owned particles' extent */
     bool direct; /* rows look at the table where it lies (search_direct.h) */
 };
 

@@ -227,9 +227,26 @@ LANES_INLINE bool gather_stencil(struct quest *quest) {
     return true;
 }
 
+/* True if the span's reach ends inside of the owned particles' extent. */
+LANES_INLINE bool span_inside(const struct quest *quest) {
+    const struct frame *frame = &quest->levels->frame;
+    const struct span *span = &quest->span;
+    const float reach = span->r_max + quest->search->reach;
+    for (int d = 0; d < 3; d++) {
+        if (!frame->periodic[d] &&
+            !(span->low[d] - reach > frame->owned_low[d] && span->high[d] + reach < frame->owned_high[d])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 LANES_INLINE bool gather(struct quest *quest) {
     quest->buffer.count = 0;
     quest->buffer.continued = false;
+    if (quest->search->beyond && span_inside(quest)) {
+        return true;
+    }
     return quest->search->stencil != NULL ? gather_stencil(quest) : gather_windows(quest);
 }
 

@@ -29,13 +29,14 @@ finish() {
     exit
 }
 
-# on RANKS COMMAND...
+# on RANKS COMMAND..., for at most `limit` seconds
+limit=120
 on() {
     if [ "$1" = 1 ]; then
         shift
-        timeout 120 "$@"
+        timeout "$limit" "$@"
     else
-        TEST_SECONDS=120 "$LAUNCH" -n "$@"
+        TEST_SECONDS=$limit "$LAUNCH" -n "$@"
     fi
 }
 

@@ -5,6 +5,7 @@
 # contacts counted must be the same; momentum must be what it was where nothing acts from outside.
 set -u
 . "$top_srcdir/tests/app/common.sh"
+. "$top_srcdir/tests/app/forces.sh"
 cd "$out" || exit 1
 
 common='units: none
@@ -73,25 +74,6 @@ particles:
 EOF
 } >boulder.yaml
 
-# bound_of CASE EDGE: from the largest overlap and the longest edge
-bound_of() {
-    awk -F, -v edge="$2" 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^overlap_max/) column = k }
-        END { bound = 8 * 2.2e-16 * edge / $column; if (bound < 1e-12) bound = 1e-12
-            printf "%.3g", bound }' "$1-first/observables.csv"
-}
-
-# last_frame DIR: the dump's last step alone
-last_frame() {
-    awk '/^ITEM: TIMESTEP/ { text = "" } { text = text $0 "\n" } END { printf "%s", text }' "$1/dump.lammpstrj" >"$1/last"
-}
-
-# momentum_kept DIR: the last row's momentum is the first one's
-momentum_kept() {
-    awk -F, 'NR == 2 { for (k = 2; k <= 4; k++) first[k] = $k }
-        END { for (k = 2; k <= 4; k++) { d = $k - first[k]; if (!(d < 1e-9 && d > -1e-9)) bad = 1 }
-            if (bad || NR < 3) print "  momentum changed"; exit bad || NR < 3 }' "$1/observables.csv"
-}
-
 # reference CASE: brute on one rank
 reference() {
     run_scene 1 "$1.yaml" "$1-first" --set index=brute --set threads=1 && last_frame "$1-first" || return 1
@@ -104,20 +86,15 @@ reference() {
 
 # layout CASE RANKS INDEX NEWTON GHOSTS [SKIN]; with a skin rebuilds come when it is used up, on each layout at other steps
 layout() {
-    local dir=$1-other key force keys='particles contacts dangerous_rebuilds pairs rebuilds'
+    local dir=$1-other keys='particles contacts dangerous_rebuilds pairs rebuilds'
     run_scene "$2" "$1.yaml" "$dir" --overwrite --set threads=1 --set index="$3" --set newton="$4" --set ghosts="$5" \
         ${6:+--set skin.length="$6" --set step.rebuild_every=0} || return 1
-    last_frame "$dir"
     if [ -n "${6:-}" ]; then
         keys='particles contacts dangerous_rebuilds'
         [ "$(number "$dir/report.json" rebuilds)" -ge 4 ] || { echo '  few rebuilds'; return 1; }
     fi
-    for key in $keys; do
-        [ "$(number "$1-first/report.json" $key)" = "$(number "$dir/report.json" $key)" ] ||
-            { echo "  $key: $(number "$1-first/report.json" $key) and $(number "$dir/report.json" $key)"; return 1; }
-    done
-    force=$(awk -f "$top_srcdir/examples/bidisperse/compare.awk" "$1-first/last" "$dir/last") || return 1
-    within "$(echo "$force" | awk '{ print $2 }')" 0 "$(bound_of "$1" 12)" || return 1
+    # shellcheck disable=SC2086
+    same_forces "$1" "$dir" 12 $keys || return 1
     case $1 in
     periodic | boulder) momentum_kept "$dir" ;;
     esac

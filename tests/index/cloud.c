@@ -70,6 +70,15 @@ static double place(const struct cloud_spec *spec, struct random_sequence *rando
     }
 }
 
+/* Puts a ghost on the other side of a face of the box, or on it. */
+static void move_out(const struct cloud_spec *spec, double *x, size_t k, const double edge[3]) {
+    int d = (int)(k % (size_t)spec->dimension);
+    while (spec->periodic[d]) {
+        d = (d + 1) % spec->dimension;
+    }
+    x[d] = k % 2 == 0 ? -0.3 * x[d] : edge[d] + 0.3 * x[d];
+}
+
 static void set_margins(struct index_view *view, const struct cloud_spec *spec) {
     for (int a = 0; a < view->classes; a++) {
         for (int b = 0; b < view->classes; b++) {
@@ -126,6 +135,9 @@ void cloud_make(struct cloud *cloud, const struct cloud_spec *spec) {
         for (int d = 0; d < 3; d++) {
             double x = place(spec, &random, k, view->edge[d], spec->periodic[d]);
             cloud->record[k * STRIDE + (size_t)d] = spec->dimension == 2 && d == 2 ? 0.5 * view->edge[2] : x;
+        }
+        if (spec->around && k >= view->owned) {
+            move_out(spec, cloud->record + k * STRIDE, k, view->edge);
         }
         cloud->id[k] = (int64_t)k + 1;
     }

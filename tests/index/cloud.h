@@ -34,6 +34,7 @@ struct cloud_spec {
     int dimension;
     bool periodic[3];
     double ghosts; /* share of the particles that are ghosts */
+    bool around;   /* ghosts lie around the others, beyond the box in an open direction, not among them */
     bool newton;
     bool loose_bounds; /* radius_max of the classes larger than their largest particle */
     uint64_t seed;
