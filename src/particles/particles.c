@@ -115,26 +115,37 @@ void particles_vacate(struct particles *particles, const uint32_t *place, size_t
     particles->owned = stay;
 }
 
-/* Gathers rows of a multiple of 8 bytes, or of 1 byte; the two cases that all arrays fall into except the
- * images. */
+/* Row k, of `bytes`, from row order[k] of those that lie `stride` apart; by the threads of the team that
+ * calls. Inlined for each length, as a call for each row would cost more than the copy. */
+static inline __attribute__((always_inline)) void gather_rows(char *restrict to, const char *restrict from,
+                                                              size_t stride, const uint32_t *order, size_t n,
+                                                              size_t bytes) {
+#pragma omp for schedule(static)
+    for (size_t k = 0; k < n; k++)
+        memcpy(to + k * bytes, from + (size_t)order[k] * stride, bytes);
+}
+
 static void gather(char *restrict to, const char *restrict from, const uint32_t *order, size_t n,
                    size_t stride) {
-    if (stride == 64) {
-#pragma omp parallel for schedule(static)
-        for (size_t k = 0; k < n; k++)
-            memcpy(to + k * 64, from + (size_t)order[k] * 64, 64);
-    } else if (stride == 32) {
-#pragma omp parallel for schedule(static)
-        for (size_t k = 0; k < n; k++)
-            memcpy(to + k * 32, from + (size_t)order[k] * 32, 32);
-    } else if (stride == 8) {
-#pragma omp parallel for schedule(static)
-        for (size_t k = 0; k < n; k++)
-            memcpy(to + k * 8, from + (size_t)order[k] * 8, 8);
-    } else {
-#pragma omp parallel for schedule(static)
-        for (size_t k = 0; k < n; k++)
-            memcpy(to + k * stride, from + (size_t)order[k] * stride, stride);
+#pragma omp parallel
+    switch (stride) {
+    case 64:
+        gather_rows(to, from, 64, order, n, 64);
+        break;
+    case 32:
+        gather_rows(to, from, 32, order, n, 32);
+        break;
+    case 12:
+        gather_rows(to, from, 12, order, n, 12);
+        break;
+    case 8:
+        gather_rows(to, from, 8, order, n, 8);
+        break;
+    case 1:
+        gather_rows(to, from, 1, order, n, 1);
+        break;
+    default:
+        gather_rows(to, from, stride, order, n, stride);
     }
 }
 
@@ -151,19 +162,17 @@ static void copy(char *to, const char *from, size_t bytes) {
     }
 }
 
-/* Gathers the records of an array one half after the other, each through `spare`, which has room for halves.
- */
-static void gather_halves(char *array, char *spare, const uint32_t *order, size_t n, size_t stride) {
-    size_t half = stride / 2;
-    for (size_t offset = 0; offset < stride; offset += half) {
+/* Gathers particle states one half after the other, each through `spare`, which has room for halves. */
+static void gather_halves(struct particle_state *state, char *spare, const uint32_t *order, size_t n) {
+    enum { HALF = sizeof(struct particle_state) / 2 };
+    for (size_t offset = 0; offset < sizeof(struct particle_state); offset += HALF) {
+        char *array = (char *)state + offset;
 #pragma omp parallel
         {
+            gather_rows(spare, array, sizeof(struct particle_state), order, n, HALF);
 #pragma omp for schedule(static)
             for (size_t k = 0; k < n; k++)
-                memcpy(spare + k * half, array + (size_t)order[k] * stride + offset, half);
-#pragma omp for schedule(static)
-            for (size_t k = 0; k < n; k++)
-                memcpy(array + k * stride + offset, spare + k * half, half);
+                memcpy(array + k * sizeof(struct particle_state), spare + k * HALF, HALF);
         }
     }
 }
@@ -173,7 +182,7 @@ static void gather_halves(char *array, char *spare, const uint32_t *order, size_
 void particles_reorder(struct particles *particles, const uint32_t *order) {
     assert(particles->ghosts == 0);
     const size_t force_stride = storage_stride(STORAGE_FORCE, particles->features), n = particles->owned;
-    const bool lend = particles->force_clear;
+    const bool lend = particles->force_clear; /* the array of states alone may be wider, by twice */
     const size_t width = lend ? force_stride : sizeof(struct particle_state);
     void *spare = lend ? (void *)particles->force
                        : memory_allocate(particles->capacity, width, "particles, second array");
@@ -183,7 +192,7 @@ void particles_reorder(struct particles *particles, const uint32_t *order) {
         size_t stride = storage_stride(a, particles->features);
         void *now = storage_get(particles, a);
         if (stride > width) {
-            gather_halves(now, spare, order, n, stride);
+            gather_halves(now, spare, order, n);
             continue;
         }
         gather(spare, now, order, n, stride);
