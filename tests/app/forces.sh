@@ -3,7 +3,9 @@
 
 # last_frame DIR: the dump's last step alone
 last_frame() {
-    awk '/^ITEM: TIMESTEP/ { text = "" } { text = text $0 "\n" } END { printf "%s", text }' "$1/dump.lammpstrj" >"$1/last"
+    local first
+    first=$(grep -n '^ITEM: TIMESTEP' "$1/dump.lammpstrj" | tail -n 1 | cut -d : -f 1)
+    tail -n "+$first" "$1/dump.lammpstrj" >"$1/last"
 }
 
 # bound_of CASE EDGE: max(1e-12, 8 eps EDGE / the largest overlap at the end)
