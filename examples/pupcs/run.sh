@@ -1,8 +1,8 @@
 #!/bin/sh
 # Particle updates per core and second: run.sh [DIR [RANKS_X_THREADS ...]]
 # Runs the scenarios with both ways of synchronising on each layout ("1x1 2x1 1x2" if none is named) and prints a JSON line
-# for each, the median of RUNS (3). SCENARIOS and STEPS, if set, name some of them and their steps; DIR (out beside this script)
-# keeps the reports, the lines (lines.jsonl) and a section for the page on scaling (section.md).
+# for each, the median of RUNS (3), taken in turns. SCENARIOS and STEPS, if set, name some of them and their steps; DIR (out beside
+# this script) keeps the reports, the lines (lines.jsonl) and a section for the page on scaling (section.md).
 set -e
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
@@ -43,6 +43,21 @@ END
         }' "$out/lines.jsonl"
 }
 
+# one_run SYNC: its figure goes to SYNC.pupcs; where next-neighbour synchronisation refuses the scene there is SYNC.refused
+one_run() {
+    run=$out/$scenario-$1-$layout
+    # shellcheck disable=SC2086
+    if OMP_WAIT_POLICY=passive on_ranks "${layout%x*}" "$SCREE" run "$here/$scene/scene.yaml" -o "$run" --overwrite \
+        --quiet --set threads="${layout#*x}" --set sync="$1" ${STEPS:+--set step.count="$STEPS"} $more 2>"$run.log"; then
+        report_number "$run" pupcs >>"$out/$1.pupcs"
+    elif grep -q 'sync: neighbours' "$run.log"; then
+        : >"$out/$1.refused"
+    else
+        cat "$run.log" >&2
+        exit 1
+    fi
+}
+
 : >"$out/lines.jsonl"
 for scenario in ${SCENARIOS:-sparse sparse-physical dense large}; do
     case $scenario in
@@ -50,25 +65,19 @@ for scenario in ${SCENARIOS:-sparse sparse-physical dense large}; do
     *) scene=$scenario more= ;;
     esac
     for layout in "$@"; do
+        rm -f "$out"/*.pupcs "$out"/*.refused
+        for _ in $(seq "${RUNS:-3}"); do # in turns, as other load comes and goes
+            for sync in neighbours shadow; do
+                if [ ! -e "$out/$sync.refused" ]; then one_run "$sync"; fi
+            done
+        done
         for sync in neighbours shadow; do
             run=$out/$scenario-$sync-$layout
             line="{\"scenario\": \"$scenario\", \"sync\": \"$sync\", \"ranks\": ${layout%x*}, \"threads\": ${layout#*x}, \"pupcs\":"
-            : >"$out/pupcs"
-            for _ in $(seq "${RUNS:-3}"); do
-                if OMP_WAIT_POLICY=passive on_ranks "${layout%x*}" "$SCREE" run "$here/$scene/scene.yaml" -o "$run" --overwrite \
-                    --quiet --set threads="${layout#*x}" --set sync="$sync" ${STEPS:+--set step.count="$STEPS"} $more 2>"$run.log"; then
-                    report_number "$run" pupcs >>"$out/pupcs"
-                elif grep -q 'sync: neighbours' "$run.log"; then
-                    break
-                else
-                    cat "$run.log" >&2
-                    exit 1
-                fi
-            done
-            if [ -s "$out/pupcs" ]; then
-                line="$line $(median 1 "$out/pupcs"), \"sync_share\": $(report_number "$run" sync_share), \"imbalance\": $(report_number "$run" imbalance)}"
-            else
+            if [ -e "$out/$sync.refused" ]; then
                 line="$line null}"
+            else
+                line="$line $(median 1 "$out/$sync.pupcs"), \"sync_share\": $(report_number "$run" sync_share), \"imbalance\": $(report_number "$run" imbalance)}"
             fi
             echo "$line" | tee -a "$out/lines.jsonl"
         done

@@ -235,15 +235,8 @@ static void verify_run(struct simulation *s) {
 }
 
 static void wall_run(struct simulation *s) {
-    const struct pairlist *list = s->list;
-#pragma omp parallel num_threads(list->threads)
-    {
-        int t = omp_get_thread_num();
-        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
-            if (list->blocks[b].kind == PAIR_BLOCK_ROWS)
-                walls_force_block(s->walls, &s->contact, t, list->blocks[b].first_row,
-                                  list->blocks[b].last_row);
-    }
+#pragma omp parallel num_threads(s->threads)
+    walls_force_share(s->walls, &s->contact, omp_get_thread_num(), omp_get_thread_num(), s->threads);
 }
 
 /* Forces on walls summed without rounding: rank 0 gets those of all ranks. */

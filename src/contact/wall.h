@@ -135,11 +135,10 @@ bool walls_overlap(const struct walls *walls, const double x[3], double radius);
  * team. */
 void walls_build(struct walls *walls, const struct particles *particles, const struct size_classes *classes);
 
-/* Forces of walls on the owned particles [first, last), by thread `thread`; adds to particles.force. Costs a
- * binary search where no particle is near a wall. Each particle once an evaluation, in any order; many
- * threads at once, disjoint ranges. */
-void walls_force_block(struct walls *walls, const struct force_context *context, int thread, size_t first,
-                       size_t last);
+/* Forces of walls on share `share` of `shares` like ones of the owned particles near walls, by thread
+ * `thread`; adds to particles.force. Each share once an evaluation, in any order; many threads at once. */
+void walls_force_share(struct walls *walls, const struct force_context *context, int thread, int share,
+                       int shares);
 
 /* Ends the evaluation: history buffers change places, sums of threads are added to `sums` (a contact with a
  * wall counts as one contact, two sides) and make the wall forces. One thread. */

@@ -250,27 +250,15 @@ static void take_particle(struct wall_task *task) {
     }
 }
 
-/* The first candidate that is particle `first` or a later one. */
-static size_t candidate_from(const struct walls *walls, size_t first) {
-    size_t low = 0, high = walls->candidates;
-    while (low < high) {
-        size_t middle = (low + high) / 2;
-        if (walls->particle[middle] < first)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
-
-void walls_force_block(struct walls *walls, const struct force_context *context, int thread, size_t first,
-                       size_t last) {
+void walls_force_share(struct walls *walls, const struct force_context *context, int thread, int share,
+                       int shares) {
     struct wall_task task = {.walls = walls,
                              .context = context,
                              .scratch = walls->scratch[thread],
                              .law = law_case_of(&context->law->options, context->want_sums),
                              .step = law_step_of(&context->law->options, context->dt)};
-    for (size_t k = candidate_from(walls, first); k < walls->candidates && walls->particle[k] < last; k++) {
+    size_t last = walls->candidates * ((size_t)share + 1) / (size_t)shares;
+    for (size_t k = walls->candidates * (size_t)share / (size_t)shares; k < last; k++) {
         task.candidate = k;
         task.particle = walls->particle[k];
         walls->records[1 - walls->now].count[k] = 0;
