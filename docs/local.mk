@@ -56,4 +56,9 @@ EXTRA_DIST += docs/performance.md \
 	docs/images/performance-optimum.svg \
 	docs/images/performance-roofline.svg \
 	docs/images/performance-univol.svg
-EXTRA_DIST += docs/results
+EXTRA_DIST += docs/results/performance
+EXTRA_DIST += docs/results/scaling/hybrid.jsonl docs/results/scaling/lengths.jsonl docs/results/scaling/ranks.jsonl \
+	docs/results/scaling/strong.jsonl docs/results/scaling/weak.jsonl \
+	docs/results/scaling/ghosts/lines.jsonl docs/results/scaling/ghosts/section.md \
+	docs/results/scaling/pupcs/lines.jsonl docs/results/scaling/pupcs/section.md \
+	docs/results/scaling/pupcs/sizes.jsonl docs/results/scaling/pupcs/sizes.md
