@@ -133,9 +133,8 @@ static inline void world_forces(struct world *w, double dt) {
         .particles = p, .law = &w->law, .dt = dt, .want_sums = true, .want_virial = true};
     if (n > 0)
         memset(p->force, 0, n * stride * sizeof *p->force);
-    for (int t = 0; t < w->threads; t++) /* shares of threads in any order, two a thread */
-        for (int half = 1; half >= 0; half--)
-            walls_force_share(w->walls, &w->context, t, 2 * t + half, 2 * w->threads);
+    for (int t = w->threads - 1; t >= 0; t--) /* in any order */
+        walls_force_share(w->walls, &w->context, t);
     w->sums = (struct force_sums){0};
     walls_finish(w->walls, &w->context, &w->sums);
 }

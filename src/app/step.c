@@ -236,7 +236,7 @@ static void verify_run(struct simulation *s) {
 
 static void wall_run(struct simulation *s) {
 #pragma omp parallel num_threads(s->threads)
-    walls_force_share(s->walls, &s->contact, omp_get_thread_num(), omp_get_thread_num(), s->threads);
+    walls_force_share(s->walls, &s->contact, omp_get_thread_num());
 }
 
 /* Forces on walls summed without rounding: rank 0 gets those of all ranks. */

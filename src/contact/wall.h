@@ -135,10 +135,9 @@ bool walls_overlap(const struct walls *walls, const double x[3], double radius);
  * team. */
 void walls_build(struct walls *walls, const struct particles *particles, const struct size_classes *classes);
 
-/* Forces of walls on share `share` of `shares` like ones of the owned particles near walls, by thread
- * `thread`; adds to particles.force. Each share once an evaluation, in any order; many threads at once. */
-void walls_force_share(struct walls *walls, const struct force_context *context, int thread, int share,
-                       int shares);
+/* Forces of walls on thread `thread`'s share of the owned particles near walls, like ones for all threads;
+ * adds to particles.force. Each thread's once an evaluation, in any order; many threads at once. */
+void walls_force_share(struct walls *walls, const struct force_context *context, int thread);
 
 /* Ends the evaluation: history buffers change places, sums of threads are added to `sums` (a contact with a
  * wall counts as one contact, two sides) and make the wall forces. One thread. */

@@ -250,15 +250,15 @@ static void take_particle(struct wall_task *task) {
     }
 }
 
-void walls_force_share(struct walls *walls, const struct force_context *context, int thread, int share,
-                       int shares) {
+void walls_force_share(struct walls *walls, const struct force_context *context, int thread) {
     struct wall_task task = {.walls = walls,
                              .context = context,
                              .scratch = walls->scratch[thread],
                              .law = law_case_of(&context->law->options, context->want_sums),
                              .step = law_step_of(&context->law->options, context->dt)};
-    size_t last = walls->candidates * ((size_t)share + 1) / (size_t)shares;
-    for (size_t k = walls->candidates * (size_t)share / (size_t)shares; k < last; k++) {
+    size_t first = walls->candidates * (size_t)thread / (size_t)walls->threads;
+    size_t last = walls->candidates * ((size_t)thread + 1) / (size_t)walls->threads;
+    for (size_t k = first; k < last; k++) {
         task.candidate = k;
         task.particle = walls->particle[k];
         walls->records[1 - walls->now].count[k] = 0;
