@@ -71,7 +71,7 @@ function input_rows() {
     printf "| messages a rank | %.3g a step, %.3g a rebuild | `ranks`, the most ranks |\n", messages, rebuild_messages
     printf "| bytes a rank, a share of 10 x 10 x 10 | %.3g a step, %.3g a rebuild | `ranks`, the most ranks |\n", bytes, rebuild_bytes
     printf "| memory | %.3g bytes a sphere or copy | `weak`, several ranks |\n", each
-    printf "| walk through the scene's spheres | %.3g ns a sphere | `strong`, set-up on 1 and 2 ranks |\n", 1e9 * walk
+    printf "| walk through the scene's spheres | %.3g ns a sphere | `strong`, set-up on 1 and 2 ranks; placed at random, which costs more than a lattice or a file |\n", 1e9 * walk
     printf "| latency | %.3g us a message | assumed |\n", 1e6 * latency
     printf "| bandwidth | %.3g GB/s a rank | assumed |\n", bandwidth / 1e9
 }
