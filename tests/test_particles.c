@@ -3,6 +3,7 @@
 #include "particles/fields.h"
 #include "particles/particles.h"
 #include <math.h>
+#include <omp.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -90,39 +91,76 @@ static void test_vacate_by_all_or_none(void **state) {
     particles_destroy(&p);
 }
 
-/* Forces are zero where `clear`. */
-static void check_reorder(bool clear) {
-    for (unsigned features = 0; features <= PARTICLE_FEATURES_ALL; features++) {
-        struct particles *p = sample(features, 257), *q = sample(features, 257);
-        uint32_t order[257];
-        p->force_clear = clear;
-        for (size_t k = 0; clear && k < 257 * (size_t)p->force_stride; k++)
-            p->force[k] = q->force[k] = 0;
-        for (uint32_t k = 0; k < 257; k++)
-            order[k] = (k * 100 + 7) % 257;
-        particles_reorder(p, order);
-        particles_reorder(p, order); /* the second time with spare arrays in place */
-        for (int f = 0; f < fields_count(); f++) {
-            if (!fields_present(p, f))
-                continue;
-            size_t stride, bytes = fields_bytes(f);
-            const char *new = fields_base(p, f, &stride), *old = fields_base(q, f, &stride);
-            for (size_t k = 0; k < 257; k++)
-                assert_memory_equal(new + k *stride, old + order[order[k]] * stride, bytes);
-        }
-        particles_destroy(&p);
-        particles_destroy(&q);
+/* Reorders n particles twice, by `threads`; their forces are zero where `clear`. */
+static void check_reorder(unsigned features, bool clear, int threads, const uint32_t *order, uint32_t n) {
+    struct particles *p = sample(features, n), *q = sample(features, n);
+    omp_set_num_threads(threads);
+    p->force_clear = clear;
+    for (size_t k = 0; clear && k < n * (size_t)p->force_stride; k++)
+        p->force[k] = q->force[k] = 0;
+    particles_reorder(p, order);
+    particles_reorder(p, order);
+    for (int f = 0; f < fields_count(); f++) {
+        if (!fields_present(p, f))
+            continue;
+        size_t stride, bytes = fields_bytes(f);
+        const char *new = fields_base(p, f, &stride), *old = fields_base(q, f, &stride);
+        for (size_t k = 0; k < n; k++)
+            assert_memory_equal(new + k *stride, old + order[order[k]] * stride, bytes);
     }
+    particles_destroy(&p);
+    particles_destroy(&q);
 }
 
 static void test_reorder_moves_every_field(void **state) {
     (void)state;
-    check_reorder(false);
+    uint32_t order[257];
+    for (uint32_t k = 0; k < 257; k++)
+        order[k] = (k * 100 + 7) % 257;
+    for (unsigned features = 0; features <= PARTICLE_FEATURES_ALL; features++) {
+        check_reorder(features, false, 1, order, 257);
+        check_reorder(features, true, 3, order, 257);
+    }
 }
 
-static void test_reorder_while_forces_are_zero(void **state) {
+/* Changes places, each with one at most `reach` away. */
+static void shuffle(uint32_t *order, uint32_t n, uint32_t reach) {
+    struct random_sequence random = random_sequence(7, RANDOM_TEST, reach);
+    for (uint32_t k = 0; k < n; k++) {
+        uint32_t other = k + (uint32_t)(reach * random_uniform(&random)), moved = order[k];
+        if (other >= n)
+            continue;
+        order[k] = order[other];
+        order[other] = moved;
+    }
+}
+
+/* Rows that stay close, that go far ahead or back, and any; on threads that meet at all kinds of places. */
+static void test_reorder_by_any_order(void **state) {
     (void)state;
-    check_reorder(true);
+    enum { N = 12345 };
+    static const uint32_t shifts[] = {0, 1, 895, 896, 897, 1024, N / 2, N - 1},
+                          reaches[] = {0, 3, 800, 2000, N};
+    static uint32_t order[N];
+    for (size_t s = 0; s < sizeof shifts / sizeof *shifts; s++)
+        for (size_t r = 0; r < sizeof reaches / sizeof *reaches; r++) {
+            for (uint32_t k = 0; k < N; k++)
+                order[k] = (k + N - shifts[s]) % N;
+            shuffle(order, N, reaches[r]);
+            for (int threads = 1; threads <= 5; threads += 2) {
+                check_reorder(PARTICLE_SPIN, s % 2 == 0, threads, order, N);
+                check_reorder(0, s % 2 == 1, threads, order, N);
+            }
+        }
+}
+
+static void test_reorder_of_few(void **state) {
+    (void)state;
+    static const uint32_t order[3] = {2, 0, 1};
+    for (int threads = 1; threads <= 5; threads++) {
+        check_reorder(PARTICLE_FEATURES_ALL, true, threads, order, 3);
+        check_reorder(PARTICLE_FEATURES_ALL, false, threads, NULL, 0);
+    }
 }
 
 static void test_pack_and_unpack_are_inverse(void **state) {
@@ -232,7 +270,8 @@ int main(void) {
         cmocka_unit_test(test_vacate_moves_the_last_alone),
         cmocka_unit_test(test_vacate_by_all_or_none),
         cmocka_unit_test(test_reorder_moves_every_field),
-        cmocka_unit_test(test_reorder_while_forces_are_zero),
+        cmocka_unit_test(test_reorder_by_any_order),
+        cmocka_unit_test(test_reorder_of_few),
         cmocka_unit_test(test_pack_and_unpack_are_inverse),
         cmocka_unit_test(test_scene_without_friction_carries_nothing_of_it),
         cmocka_unit_test(test_wrap_counts_images),

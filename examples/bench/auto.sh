@@ -5,10 +5,12 @@
 # dilute to dense, boulders):
 #
 # detection: order + build + search, CPU time, of `auto` with its own classes, then of `hgrid` with 1, 2, 3, 4 and 6 levels of equal
-#   occupancy at cells of 0.7, 1, 1.4 and 2 cut-offs. After each scene a line with ratio (auto over the best), linkcell_ratio (auto
-#   over the best single level) and prediction (the cost model over what was measured).
-# run: the same of whole runs, wall clock: 10 steps with Hooke contacts and slip history for each rebuild. What was fastest and
-#   `auto` then run in turns, and the line of the scene holds the ratio of the medians.
+#   occupancy at cells of 0.7, 1, 1.4 and 2 cut-offs.
+# run: the same of whole runs, wall clock: 10 steps with Hooke contacts and slip history for each rebuild.
+#
+# Of each kind `auto`, what was fastest and the fastest single level are then measured in turns. The line of the scene holds the ratios
+# of the medians: ratio (auto over the fastest), linkcell_ratio (auto over the single level), the same of runs, and prediction (the
+# cost model over what was measured).
 #
 # One JSON line a measurement (seconds is one detection, or ten steps and a rebuild), the last line is the summary: median and
 # largest ratios. --quick: 4,000 particles, a short sweep, a minute at most.
@@ -81,6 +83,39 @@ fastest() {
         if (NR == 1 || t < least) { least = t; row = $0 } } END { print row }'
 }
 
+# turns KIND: a row of seconds for each turn: auto, the fastest, the fastest single level; by commands of these names
+turns() {
+    : >"$work/auto.$1"
+    turn=0
+    while [ $turn -lt "$runs" ]; do
+        mine=$("$1_auto")
+        other=$("$1_best")
+        single=$("$1_one")
+        echo "$(value seconds "$mine") $(value seconds "$other") $(value seconds "$single")" >>"$work/auto.$1"
+        turn=$((turn + 1))
+    done
+}
+medians() {
+    echo "$(median 1 "$work/auto.$1") $(median 2 "$work/auto.$1") $(median 3 "$work/auto.$1")"
+}
+detection_auto() { detect levels=0 index=auto; }
+detection_best() { detect levels="$(value levels "$best")" factor="$(value factor "$best")"; }
+detection_one() { detect levels=1 factor="$(value factor "$one")"; }
+detections_in_turns() {
+    best=$(fastest detection '"index": "hgrid"')
+    one=$(fastest detection '"index": "hgrid", "levels": 1,')
+    turns detection
+}
+run_auto() { whole auto 0 0 classes.method=auto; }
+run_best() { whole hgrid "$(value levels "$best")" "$(value factor "$best")" "$cut"; }
+run_one() { whole hgrid 1 "$(value factor "$one")" classes.method=one; }
+runs_in_turns() {
+    best=$(fastest run '"index": "hgrid"')
+    one=$(fastest run '"levels": 1,')
+    cut=$(classes_at "$(cuts "$(value levels "$best")" 0.3 "$packing.sizes")")
+    turns run
+}
+
 # measure: all of one scene
 measure() {
     {
@@ -99,27 +134,17 @@ measure() {
         done
     } >"$rows"
     cat "$rows"
-    best=$(fastest run '"index": "hgrid"')
-    one=$(fastest run '"levels": 1,')
-    cut=$(classes_at "$(cuts "$(value levels "$best")" 0.3 "$packing.sizes")")
-    : >"$work/auto.turns"
-    turn=0
-    while [ $turn -lt "$runs" ]; do
-        mine=$(whole auto 0 0 classes.method=auto)
-        other=$(whole hgrid "$(value levels "$best")" "$(value factor "$best")" "$cut")
-        single=$(whole hgrid 1 "$(value factor "$one")" classes.method=one)
-        echo "$(value seconds "$mine") $(value seconds "$other") $(value seconds "$single")" >>"$work/auto.turns"
-        turn=$((turn + 1))
-    done
-    line=$(fastest detection '"index": "auto"')
-    awk -v scene="$scene" -v threads="$threads" -v n="$particles" -v mine="$(value seconds "$line")" -v predicted="$(value predicted "$line")" \
-        -v others="$(value seconds "$(fastest detection '"index": "hgrid"')")" -v single="$(value seconds "$(fastest detection '"levels": 1,.*"index": "hgrid"\|"index": "hgrid".*"levels": 1,')")" \
-        -v a="$(median 1 "$work/auto.turns")" -v b="$(median 2 "$work/auto.turns")" -v c="$(median 3 "$work/auto.turns")" 'BEGIN {
+    detections_in_turns
+    runs_in_turns
+    awk -v scene="$scene" -v threads="$threads" -v n="$particles" -v predicted="$(value predicted "$(fastest detection '"index": "auto"')")" \
+        -v d="$(medians detection)" -v r="$(medians run)" 'BEGIN {
+        split(d, detection)
+        split(r, run)
         printf "{\"kind\": \"scene\", \"scene\": \"%s\", \"threads\": %d, \"seconds\": %.6g, \"particles\": %d, \"ns_per_particle\": %.5g, ", scene, threads,
-            mine, n, 1e9 * mine / n
-        printf "\"predicted\": %.6g, \"prediction\": %.3f, \"ratio\": %.3f, \"linkcell_ratio\": %.3f, ", predicted, predicted / mine,
-            mine / others, mine / single
-        printf "\"run_seconds\": %.6g, \"run_ratio\": %.3f, \"run_linkcell_ratio\": %.3f}\n", a, a / b, a / c }' | tee -a "$scenes"
+            detection[1], n, 1e9 * detection[1] / n
+        printf "\"predicted\": %.6g, \"prediction\": %.3f, \"ratio\": %.3f, \"linkcell_ratio\": %.3f, ", predicted, predicted / detection[1],
+            detection[1] / detection[2], detection[1] / detection[3]
+        printf "\"run_seconds\": %.6g, \"run_ratio\": %.3f, \"run_linkcell_ratio\": %.3f}\n", run[1], run[1] / run[2], run[1] / run[3] }' | tee -a "$scenes"
 }
 
 while IFS='|' read -r scene law <&3; do
