@@ -206,21 +206,37 @@ static bool write_frames(const struct converting *c, struct h5md *h5md, struct d
     return good;
 }
 
-/* True if the number of particles differs between chosen frames. */
+/* True if two columns of `bytes` bytes hold other values, or one of them is not there. */
+static bool column_differs(const void *a, const void *b, size_t bytes) {
+    return a && b ? memcmp(a, b, bytes) != 0 : a != b;
+}
+
+/* True if two frames differ in what a file of particles that stay the same holds only once. */
+static bool fixed_differ(const struct rows *a, const struct rows *b) {
+    size_t n = a->count;
+    return n != b->count || column_differs(a->id, b->id, n * sizeof *a->id) ||
+           column_differs(a->radius, b->radius, n * sizeof *a->radius) ||
+           column_differs(a->mass, b->mass, n * sizeof *a->mass) ||
+           column_differs(a->material, b->material, n * sizeof *a->material);
+}
+
+/* True if the particles, or what is fixed of them, differ between chosen frames. */
 static bool find_varying(const struct converting *c, bool *varying, struct error *error) {
-    uint64_t first, last, count = 0;
+    uint64_t first, last;
+    struct rows before = {0};
+    bool good = choose_frames(c, &first, &last, error);
     *varying = false;
-    if (!choose_frames(c, &first, &last, error))
-        return false;
-    for (uint64_t k = first; k < last && last - first > 1; k++) {
+    for (uint64_t k = first; good && !*varying && k < last && last - first > 1; k++) {
         struct rows rows;
-        if (!read_frame(c, (int64_t)k, &rows, error))
-            return false;
-        *varying = *varying || (k > first && rows.count != count);
-        count = rows.count;
-        rows_free(&rows);
+        good = read_frame(c, (int64_t)k, &rows, error);
+        if (!good)
+            break;
+        *varying = k > first && fixed_differ(&before, &rows);
+        rows_free(&before);
+        before = rows;
     }
-    return true;
+    rows_free(&before);
+    return good;
 }
 
 static bool write_h5md(const struct converting *c, struct error *error) {

@@ -293,6 +293,29 @@ dumped() {
     "$scree" convert smooth/trajectory.h5 frames.lammpstrj >said 2>&1 && [ "$(grep -c 'ITEM: TIMESTEP' frames.lammpstrj)" = 3 ] && [ "$(wc -l <frames.lammpstrj)" = $((3 * 69)) ]
 }
 check 'H5MD to a dump, frame by frame' dumped
+# Two particles in two frames: the second may show others, or other values of the same
+frame() { # STEP LINE LINE
+    printf 'ITEM: TIMESTEP\n%s\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 10\n0 10\n0 10\n' "$1"
+    printf 'ITEM: ATOMS id type radius mass x y z\n%s\n%s\n' "$2" "$3"
+}
+values_of() { # id, type, radius and mass of each particle of a dump
+    awk '/^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; rows = 1; next } /^ITEM/ { rows = 0 }
+        rows { print $at["id"], $at["type"], $at["radius"], $at["mass"] }' "$1"
+}
+changes() { # SECOND FRAME: dump -> H5MD -> dump keeps it
+    { frame 0 '1 1 1 4 2 2 2' '2 1 1 4 5 5 5' && frame 10 "$@"; } >changing.lammpstrj
+    "$scree" convert changing.lammpstrj changing.h5 --overwrite >said 2>&1 &&
+        "$scree" convert changing.h5 changed.lammpstrj --overwrite >>said 2>&1 || { cat said; return 1; }
+    [ "$(values_of changed.lammpstrj | wc -l)" = 4 ] && diff <(values_of changing.lammpstrj) <(values_of changed.lammpstrj)
+}
+check 'particles that are others, as many as before' changes '2 1 1 4 5 5 5' '3 1 1 4 8 8 8'
+check 'a radius that changes' changes '1 1 0.5 4 2 2 2' '2 1 1 4 5 5 5'
+check 'a mass that changes' changes '1 1 1 4 2 2 2' '2 1 1 3 5 5 5'
+check 'a material that changes' changes '1 1 1 4 2 2 2' '2 2 1 4 5 5 5'
+fixed_once() {
+    changes '1 1 1 4 3 3 3' '2 1 1 4 6 6 6' && holds changing.xdmf 'changing.h5:/particles/all/radius<'
+}
+check 'what stays the same is written once' fixed_once
 again() { # what was converted is a source of particles
     run_scene 1 smooth.yaml again --set step.count=1 --set 'particles={file: a.data, format: lammps-data}' && [ "$(number again/report.json particles)" = 60 ]
 }
