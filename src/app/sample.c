@@ -14,6 +14,15 @@ static void columns_name(struct sample_record *record, const struct observables 
     }
 }
 
+/* What is made of a record has room for so many columns of the scene's own. */
+static bool columns_fit(int own, const struct scene *scene, struct error *error) {
+    char place[SCENE_PATH_MAX];
+    return own <= SAMPLE_COLUMNS_MAX ||
+           error_set(error, ERROR_USER,
+                     "%s: observables.list: makes %d columns; scree ablate --error compares up to %d",
+                     scene_place(scene, "observables.list", place, sizeof place), own, SAMPLE_COLUMNS_MAX);
+}
+
 /* The scene's own list (energies, momentum and contacts where it has none), and the energies and momentum. */
 static bool columns_make(struct sampler *sampler, struct simulation *s, struct error *error) {
     struct sample_record *record = sampler->record;
@@ -29,6 +38,8 @@ static bool columns_make(struct sampler *sampler, struct simulation *s, struct e
                                             {.name = "energy"}, {.name = "momentum"}, {.name = "speed_max"}}};
     if (!observables_create(&sampler->own, &own, &view, &run, error) ||
         !observables_create(&sampler->whole, &whole, &view, &run, error))
+        return false;
+    if (!columns_fit(observables_columns(sampler->own), s->scene, error))
         return false;
     record->own = observables_columns(sampler->own);
     record->columns = record->own + observables_columns(sampler->whole);

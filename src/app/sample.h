@@ -38,7 +38,8 @@ struct sampler {
 };
 
 /* Makes a recorder that samples every `steps_each` steps up to `samples` times beside the start, into
- * `record`. */
+ * `record`. A scene with more columns of its own than SAMPLE_COLUMNS_MAX is refused (user) when its run
+ * begins. */
 void sample_create(struct sampler *sampler, struct sample_record *record, uint64_t steps_each, int samples);
 
 /* Frees the recorder, not the record. */

@@ -90,4 +90,6 @@ check 'unknown columns are refused' refuses 'allowed: trajectory, energy_kinetic
 check 'flags of the other table are refused' refuses 'does not take' --error -o six --threads 1
 check 'a span of nothing is refused' refuses 'allowed: numbers' --error -o seven --duration 0
 check 'a mean beyond the end is refused' refuses 'allowed: numbers' --error -o eight --duration 0.01 --mean-from 1
+many=$(for k in $(seq 43); do printf '{name: stress, label: s%d}, ' "$k"; done)
+check 'more columns than can be compared are refused' refuses 'makes 258 columns; scree ablate --error compares up to 256' --error -o nine --duration 0.01 --set "observables.list=[${many%, }]"
 finish
