@@ -64,6 +64,10 @@ const struct observable_kind *observables_kind(int k);
 /* True if a point (user's coordinates) lies in a region. */
 bool observables_region_contains(const struct output_region *region, const double x[3]);
 
+/* True if particle i, or copy i, is of the item's material and lies in its region (no region: any particle).
+ * Positions are wrapped first: copies stand beyond the box, and particles may, between rebuilds. */
+bool observables_item_counts(const struct output_view *view, const struct observable_item *item, size_t i);
+
 /* The parts of the row "stress" (observables_stress.c has the formula). */
 void observables_stress_flux(const struct output_view *view, const struct observable_item *item, size_t i,
                              double *part);

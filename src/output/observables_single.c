@@ -113,22 +113,28 @@ bool observables_region_contains(const struct output_region *region, const doubl
     return dot(out, out) < region->radius * region->radius;
 }
 
-static bool in_region(const struct output_view *view, const struct observable_item *item, size_t i) {
+bool observables_item_counts(const struct output_view *view, const struct observable_item *item, size_t i) {
+    const struct box *box = view->box;
+    if (item->region == NULL)
+        return true;
+    if (item->material >= 0 && particles_material(view->particles, i) != item->material)
+        return false;
     double x[3];
-    for (int d = 0; d < 3; d++)
-        x[d] = view->particles->state[i].x[d] + view->box->origin[d];
-    return (item->material < 0 || particles_material(view->particles, i) == item->material) &&
-           observables_region_contains(item->region, x);
+    for (int d = 0; d < 3; d++) {
+        double at = view->particles->state[i].x[d];
+        x[d] = at - (box->periodic[d] ? floor(at / box->edge[d]) * box->edge[d] : 0) + box->origin[d];
+    }
+    return observables_region_contains(item->region, x);
 }
 
 static void count_in_region(const struct output_view *view, const struct observable_item *item, size_t i,
                             double *part) {
-    part[0] += in_region(view, item, i);
+    part[0] += observables_item_counts(view, item, i);
 }
 
 static void volume_in_region(const struct output_view *view, const struct observable_item *item, size_t i,
                              double *part) {
-    if (in_region(view, item, i))
+    if (observables_item_counts(view, item, i))
         part[0] += particles_sphere_mass(view->particles->state[i].radius, 1);
 }
 

@@ -13,26 +13,10 @@
 
 #include <math.h>
 
-/* True if particle i, or copy i, counts for the item. Positions are wrapped first: copies stand beyond the
- * box, and particles may, between rebuilds. */
-static bool counts(const struct output_view *view, const struct observable_item *item, size_t i) {
-    const struct box *box = view->box;
-    if (item->region == NULL)
-        return true;
-    if (item->material >= 0 && particles_material(view->particles, i) != item->material)
-        return false;
-    double x[3];
-    for (int d = 0; d < 3; d++) {
-        double at = view->particles->state[i].x[d];
-        x[d] = at - (box->periodic[d] ? floor(at / box->edge[d]) * box->edge[d] : 0) + box->origin[d];
-    }
-    return observables_region_contains(item->region, x);
-}
-
 void observables_stress_flux(const struct output_view *view, const struct observable_item *item, size_t i,
                              double *part) {
     double v[3], inverse = view->particles->state[i].inverse_mass;
-    if (!(inverse > 0) || !counts(view, item, i))
+    if (!(inverse > 0) || !observables_item_counts(view, item, i))
         return;
     integrator_full_step(view->particles, view->motion, i, v, NULL);
     const double flux[6] = {v[0] * v[0], v[1] * v[1], v[2] * v[2], v[0] * v[1], v[0] * v[2], v[1] * v[2]};
@@ -58,11 +42,12 @@ void observables_stress_contacts(const struct observable_context *context, struc
     const struct contact_list *list = context->contacts;
     for (size_t k = 0; k < list->particle_count; k++) {
         const struct force_contact *contact = &list->particle[k];
-        int inside = counts(view, item, contact->number_i) + counts(view, item, contact->number_j);
+        int inside = observables_item_counts(view, item, contact->number_i) +
+                     observables_item_counts(view, item, contact->number_j);
         add_contact(contact, 0.5 * inside, part);
     }
     for (size_t k = 0; k < list->wall_count; k++)
-        add_contact(&list->wall[k], counts(view, item, list->wall[k].number_i), part);
+        add_contact(&list->wall[k], observables_item_counts(view, item, list->wall[k].number_i), part);
 }
 
 /* The part of a region along a direction: [from, to) of the box's, in the user's coordinates. */
