@@ -94,7 +94,13 @@ bool ablate_run(const struct comm *comm, const struct scene *scene, const struct
                 struct report *report, struct error *error) {
     struct run_options options = {.quiet = true, .watch = watch};
     memory_peak_reset();
-    return run_scene(comm, scene, &options, report, error) == 0;
+    int status = run_scene(comm, scene, &options, report, error);
+    if (status > ERROR_SIGNAL) {
+        error_set(error, (enum error_kind)status, "ended by signal %d", status - ERROR_SIGNAL);
+        if (report)
+            report_destroy(report);
+    }
+    return status == 0;
 }
 
 /* One run of the scene with these settings. */

@@ -5,7 +5,8 @@
 #include "app/command.h"
 #include "app/run.h"
 
-/* Runs a scene without files; `watch` and `report` may be NULL. Collective. */
+/* Runs a scene without files; `watch` and `report` may be NULL. A signal that ends the run is an error of
+ * kind ERROR_SIGNAL + number. Collective. */
 bool ablate_run(const struct comm *comm, const struct scene *scene, const struct run_watch *watch,
                 struct report *report, struct error *error);
 

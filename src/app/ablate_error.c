@@ -113,7 +113,7 @@ static bool study_spread(struct study *study, struct error *error) {
 
 /* A variant that the scene cannot take, or that a guard stopped, has no result; that is one. */
 static bool stopped_note(struct speed_row *row, const struct error *why, struct error *error) {
-    if (why->kind == ERROR_SYSTEM) {
+    if (why->kind != ERROR_USER && why->kind != ERROR_PHYSICS) {
         *error = *why;
         return false;
     }

@@ -23,9 +23,9 @@ static void on_signal(int number) {
     run_signal = number;
 }
 
+/* One that came since an earlier run stays: it ends this one. */
 static void signals_catch(void) {
     struct sigaction action = {.sa_handler = on_signal};
-    run_signal = 0;
     sigemptyset(&action.sa_mask);
     action.sa_flags = SA_RESTART;
     sigaction(SIGTERM, &action, NULL);
@@ -262,5 +262,7 @@ int run_scene(const struct comm *comm, const struct scene *scene, const struct r
     folder_unlock(&run.lock);
     simulation_destroy(&run.s);
     memory_free(echo);
-    return error->kind != ERROR_NONE ? (int)error->kind : run.record.stopped ? 128 + run.record.stopped : 0;
+    if (error->kind != ERROR_NONE)
+        return error->kind;
+    return run.record.stopped ? ERROR_SIGNAL + run.record.stopped : 0;
 }

@@ -25,8 +25,8 @@ struct run_options {
 };
 
 /* Runs a scene to its end. Fills `report` where it is not NULL (report_destroy is the caller's). Returns the
- * status of the program: 0, or the kind of the error; 128 + signal where a signal ended the run after a
- * checkpoint. Collective. */
+ * status of the program: 0, or the kind of the error; ERROR_SIGNAL + number, without an error, where a signal
+ * ended the run after a checkpoint. A signal that comes between two runs ends the second. Collective. */
 int run_scene(const struct comm *comm, const struct scene *scene, const struct run_options *options,
               struct report *report, struct error *error);
 

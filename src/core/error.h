@@ -1,4 +1,4 @@
-/* The three kinds of failure, and the one way each is reported.
+/* The kinds of failure, and the one way each is reported.
  *
  * A function that can fail because of the user or of the system takes a `struct error *` as its last
  * argument, fills it and returns false. Nobody below `app/` prints or exits: the caller decides, and under
@@ -15,9 +15,10 @@ enum { ERROR_TEXT_MAX = 2048 };
 
 enum error_kind {
     ERROR_NONE = 0,
-    ERROR_SYSTEM = 1, /* MPI, HDF5, memory, disk: exit status 1 */
-    ERROR_USER = 2,   /* scene, data, mesh, checkpoint, command line: exit status 2 */
-    ERROR_PHYSICS = 3 /* a guard stopped the run: exit status 3 */
+    ERROR_SYSTEM = 1,  /* MPI, HDF5, memory, disk: exit status 1 */
+    ERROR_USER = 2,    /* scene, data, mesh, checkpoint, command line: exit status 2 */
+    ERROR_PHYSICS = 3, /* a guard stopped the run: exit status 3 */
+    ERROR_SIGNAL = 128 /* plus its number: a signal ended the run: exit status 128 + number */
 };
 
 struct error {

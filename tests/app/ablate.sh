@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Speed against error: what `scree ablate --error` finds on a scene whose errors are known to be small, and how it refuses.
+# Speed against error: what `scree ablate --error` finds on a scene whose errors are known to be small, how it refuses, and how a
+# signal ends it.
 
 . "$(dirname "$0")/common.sh"
 cd "$out" || exit 1
@@ -92,4 +93,29 @@ check 'a span of nothing is refused' refuses 'allowed: numbers' --error -o seven
 check 'a mean beyond the end is refused' refuses 'allowed: numbers' --error -o eight --duration 0.01 --mean-from 1
 many=$(for k in $(seq 43); do printf '{name: stress, label: s%d}, ' "$k"; done)
 check 'more columns than can be compared are refused' refuses 'makes 258 columns; scree ablate --error compares up to 256' --error -o nine --duration 0.01 --set "observables.list=[${many%, }]"
+
+# takes_signals PID: it is the program, and has its own way with SIGTERM
+takes_signals() {
+    [ "$(cat /proc/"$1"/comm 2>/dev/null)" = "$(basename "$scree")" ] &&
+        [ $((0x0$(awk '/^SigCgt/ { print $2 }' /proc/"$1"/status) >> 14 & 1)) = 1 ]
+}
+# ended DIR FLAG...: SIGTERM while the first run goes on; the program says so and goes no further
+ended() {
+    local dir=$1 starter program status k
+    shift
+    timeout "$limit" "$scree" ablate scene.yaml -o "$dir" "$@" >said 2>told &
+    starter=$!
+    for k in $(seq 300); do
+        program=$(awk '{ print $1 }' /proc/$starter/task/$starter/children 2>/dev/null)
+        [ -n "$program" ] && takes_signals "$program" && break
+        sleep 0.1
+    done
+    kill -TERM "$program" || { cat told; return 1; }
+    wait $starter
+    status=$?
+    [ $status = 143 ] && holds told 'scree: ended by signal 15' && lacks said advice || { echo "  status $status"; cat told; return 1; }
+}
+check 'a signal ends a table of times, with status 143' ended ten --threads 1 --index brute,linkcell --steps 100000000
+check 'what was written is kept' grep -q '^index,newton,ranks' ten/ablate.csv
+check 'a signal ends a study, with status 143' ended eleven --error --duration 100000 --samples 2
 finish
