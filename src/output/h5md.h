@@ -3,7 +3,7 @@
  * The file is open only while something is added, so a run that dies leaves a whole file. All elements of a
  * frame share step and time by hard links. While the number of particles is fixed, id, radius, mass and
  * material are fixed datasets; where particles come and go (`varying`) they depend on time too, absent rows
- * have id -1, and /observables/particles/value counts the rows of each frame. */
+ * have id -1, and /parameters/frames/rows counts the rows of each frame that are particles. */
 #ifndef SCREE_OUTPUT_H5MD_H
 #define SCREE_OUTPUT_H5MD_H
 
@@ -22,8 +22,8 @@ struct h5md_head {
 };
 
 /* Prepares a writer for `path` (which ends in .h5). resume_step < 0: the file is made anew at the first
- * frame; else frames after that step are cut off and new ones follow, and what is not there is made.
- * Collective. */
+ * frame; else frames after that step are cut off and new ones follow, and what is not there is made; a file
+ * made for a fixed number of particles is refused (user), as it stands, where they vary now. Collective. */
 bool h5md_open(struct h5md **h5md, const struct comm *comm, const char *path, const struct h5md_head *head,
                int64_t resume_step, struct error *error);
 

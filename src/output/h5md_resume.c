@@ -139,13 +139,25 @@ bool h5md_write_xdmf(const char *path, const char *xdmf_path, const struct comm 
     return h5md_close(&h5md, good ? error : &ignored) && good;
 }
 
+/* A file made for particles that stay the same holds their ids once. */
+static bool check_varying(const struct h5md *h5md, const struct h5 *h5, struct error *error) {
+    static const char ids[] = "/particles/all/id";
+    if (!h5md->varying || !h5_exists(h5, ids) || h5_is_group(h5, ids))
+        return true;
+    return error_set(
+        error, ERROR_USER,
+        "%s: was made for particles that stay the same, and now the scene inserts or deletes some "
+        "(insertions, deletions, box.leave: delete); resume into another output directory",
+        h5->path);
+}
+
 bool h5md_resume(struct h5md *h5md, int64_t step, struct error *error) {
     struct h5 h5;
     if (!h5_open(&h5, h5md->path, h5md->comm, true, error))
         return false;
     static const char *const groups[] = {"/particles/all", "/observables", "/connectivity",
                                          "/parameters/frames"};
-    bool good = true;
+    bool good = check_varying(h5md, &h5, error);
     for (size_t k = 0; good && k < sizeof groups / sizeof groups[0]; k++)
         good = cut_group(&h5, groups[k], step, error);
     good = good && h5md_recall(h5md, &h5, error);

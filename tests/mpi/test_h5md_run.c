@@ -104,6 +104,28 @@ static void resume_goes_on(void **state) {
     }
 }
 
+/* Where particles come and go, a file made for those that stay is refused, and nothing is cut. */
+static void fixed_file_is_kept(void **state) {
+    struct team *team = *state;
+    struct fixture f;
+    struct error error = {0};
+    fixture_make(&f, team, &box_3d, 0);
+    write_file(&f, false, -1, 0, 50);
+    struct h5md_head head = head_of(&f, true);
+    struct h5md *h5md = NULL;
+    team_expect(team, !h5md_open(&h5md, &team->comm, f.path, &head, 25, &error), "the file is taken");
+    team_expect(team, error.kind == ERROR_USER && strstr(error.text, "trajectory.h5"), "%s", error.text);
+    team_expect(team, strstr(error.text, "another output directory") != NULL, "%s", error.text);
+    h5md_close(&h5md, &error);
+    uint64_t frames = 0;
+    struct error none = {0};
+    if (team->comm.rank == 0)
+        team_expect(team, h5md_read_frames(f.path, NULL, &frames, &none) && frames == 5, "%d frames",
+                    (int)frames);
+    fixture_free(&f);
+    team_finish(team);
+}
+
 /* Two frames of contacts: three a rank in the first, two in the second, and one with a wall. */
 static void write_contacts(struct fixture *f) {
     struct team *team = f->team;
@@ -244,6 +266,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(number_may_change, &team),
         cmocka_unit_test_prestate(fixed_number_is_kept, &team),
         cmocka_unit_test_prestate(resume_goes_on, &team),
+        cmocka_unit_test_prestate(fixed_file_is_kept, &team),
         cmocka_unit_test_prestate(contacts_are_listed, &team),
         cmocka_unit_test_prestate(observables_come_along, &team),
         cmocka_unit_test_prestate(xdmf_names_what_is_there, &team),
