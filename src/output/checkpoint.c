@@ -264,7 +264,10 @@ static uint64_t estimate_bytes(const struct writing *w) {
     int64_t bytes = (int64_t)(c->particles->owned * (fields_packed_bytes(c->particles, FIELD_RESTART) + 8) +
                               rows * 8 * (CHECKPOINT_HISTORY + 1));
     comm_sum_int(w->comm, &bytes, 1);
-    return (uint64_t)bytes + strlen(c->scene) + (1 << 16);
+    uint64_t ranks = (uint64_t)w->comm->size, walls = c->walls ? (uint64_t)walls_count(c->walls) : 0;
+    uint64_t of_ranks = ranks * (CHECKPOINT_COUNTERS + CHECKPOINT_CUT + 1) * sizeof(double);
+    uint64_t of_walls = walls * (CHECKPOINT_POSE * sizeof(double) + WALL_NAME_MAX);
+    return (uint64_t)bytes + of_ranks + of_walls + strlen(c->scene) + (1 << 16);
 }
 
 /* STEP of "checkpoint-STEPending"; -1 for other names. */

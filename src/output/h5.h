@@ -33,6 +33,7 @@ struct h5_table {
 struct h5_shape {
     int rank;
     hsize_t size[4];
+    hsize_t chunk[4]; /* what is stored together; 0: all of it */
     H5T_class_t type;
     size_t bytes; /* of one value */
 };

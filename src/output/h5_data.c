@@ -232,6 +232,10 @@ bool h5_get_shape(const struct h5 *h5, const char *dataset, struct h5_shape *sha
         good =
             shape->rank >= 0 && shape->rank <= 4 && H5Sget_simple_extent_dims(space, shape->size, NULL) >= 0;
     }
+    hid_t creation = H5Dget_create_plist(id);
+    if (good && creation >= 0 && H5Pget_layout(creation) == H5D_CHUNKED)
+        good = H5Pget_chunk(creation, 4, shape->chunk) >= 0;
+    H5Pclose(creation);
     H5Tclose(type);
     H5Sclose(space);
     H5Dclose(id);

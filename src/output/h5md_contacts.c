@@ -128,8 +128,8 @@ static bool write_part(const struct h5 *h5, const struct part *part, const struc
     return good;
 }
 
-static bool write_all(const struct h5 *h5, const struct contact_list *list, const struct counts *counts,
-                      struct error *error) {
+static bool write_all(struct h5md *h5md, const struct h5 *h5, const struct contact_list *list,
+                      const struct counts *counts, struct error *error) {
     struct h5_shape shape;
     if (!h5_get_shape(h5, "/connectivity/contacts/step", &shape, error))
         return false;
@@ -146,6 +146,10 @@ static bool write_all(const struct h5 *h5, const struct contact_list *list, cons
         if (!write_part(h5, &parts[k], list, &table, frame, error))
             return false;
     }
+    h5md->lists = frame + 1;
+    for (int k = 0; k < 2; k++)
+        if ((uint64_t)counts->total[k] > h5md->list_rows[k])
+            h5md->list_rows[k] = (uint64_t)counts->total[k];
     int64_t step = (int64_t)list->step;
     return h5_write_series(h5, "/observables/contact_list/count/value", FIELD_INT64, frame, 1,
                            &counts->total[0], error) &&
@@ -155,19 +159,32 @@ static bool write_all(const struct h5 *h5, const struct contact_list *list, cons
            h5_write_series(h5, "/connectivity/contacts/time", FIELD_DOUBLE, frame, 1, &list->time, error);
 }
 
+/* Takes the room for a list, or refuses before anything is touched. */
+static bool reserve_room(const struct h5md *h5md, const struct counts *counts, struct error *error) {
+    uint64_t bytes = H5MD_ROOM_FRAME;
+    for (size_t k = 0; k < PARTS; k++) {
+        const struct part *part = &parts[k];
+        struct h5md_stored stored = {.frames = h5md->lists,
+                                     .rows = h5md->list_rows[part->wall],
+                                     .chunk = CHUNK_CONTACTS,
+                                     .row_bytes = sizeof(double) * (size_t)(part->width ? part->width : 1)};
+        bytes += h5md_room(&stored, (uint64_t)counts->total[part->wall]);
+    }
+    return h5md_reserve(h5md, bytes, error);
+}
+
 bool h5md_write_contacts(struct h5md *h5md, const struct contact_list *list, const struct box *box,
                          struct error *error) {
     struct counts counts = {.total = {(int64_t)list->particle_count, (int64_t)list->wall_count}};
     for (int k = 0; k < 2; k++)
         counts.first[k] = comm_scan(h5md->comm, counts.total[k]);
     comm_sum_int(h5md->comm, counts.total, 2);
-    uint64_t bytes = ((uint64_t)counts.total[0] + (uint64_t)counts.total[1] + 2 * CHUNK_CONTACTS) * 80;
-    if ((!h5md->made && !h5md_make_file(h5md, box, error)) || !h5md_reserve(h5md, bytes, error))
+    if ((!h5md->made && !h5md_make_file(h5md, box, error)) || !reserve_room(h5md, &counts, error))
         return false;
     struct h5 h5;
     if (!h5_open(&h5, h5md->path, h5md->comm, true, error))
         return false;
     if (h5_exists(&h5, contacts_group) || make_all(h5md, &h5, list, &counts, error))
-        write_all(&h5, list, &counts, error);
+        write_all(h5md, &h5, list, &counts, error);
     return h5_close(&h5, error);
 }

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { CHUNK_ROWS_MAX = 65536, CHUNK_ROWS_VARYING = 4096, ROOM_SPARE = 1 << 17 };
+enum { CHUNK_ROWS_MAX = 65536, CHUNK_ROWS_VARYING = 4096 };
 
 static const char frames_group[] = "/parameters/frames", frames_rows[] = "/parameters/frames/rows";
 
@@ -73,7 +73,7 @@ static bool make_element(struct h5md *h5md, const struct h5 *h5, const struct fr
         snprintf(group, sizeof group, "/particles/all/%s", element->name);
         const void *fill = !h5md->varying ? NULL : is_id ? (const void *)&absent : (const void *)nothing;
         if (!h5md_make_element(h5md, h5, group, frames_group, error) ||
-            !h5_make_frames(h5, element->dataset, &table, chunk_rows(h5md, frame->total), fill, error))
+            !h5_make_frames(h5, element->dataset, &table, h5md->chunk, fill, error))
             return false;
     } else if (!h5_write_table(h5, element->dataset, &table, column->data, error)) {
         return false;
@@ -91,6 +91,7 @@ static bool link_species(const struct h5md *h5md, const struct h5 *h5, struct er
 
 static bool make_elements(struct h5md *h5md, const struct h5 *h5, const struct frame *frame,
                           struct error *error) {
+    h5md->chunk = chunk_rows(h5md, frame->total);
     bool good = h5md_make_element(h5md, h5, frames_group, NULL, error) &&
                 h5_make_series(h5, frames_rows, FIELD_INT64, error);
     for (int c = 0; good && c < frame->columns; c++)
@@ -153,9 +154,20 @@ void h5md_remember(struct h5md *h5md, const struct xdmf_frame *frame) {
 
 /* Takes the room for a frame, or refuses before anything is touched. */
 static bool reserve_room(const struct h5md *h5md, const struct frame *frame, struct error *error) {
-    uint64_t bytes = ROOM_SPARE;
-    for (int c = 0; c < frame->columns; c++)
-        bytes += frame->total * frame_column_bytes(&frame->column[c]);
+    bool first = h5md->elements == 0;
+    uint64_t bytes = H5MD_ROOM_FRAME;
+    struct h5md_stored stored = {.frames = h5md->frames,
+                                 .rows = h5md->rows,
+                                 .chunk = first ? chunk_rows(h5md, frame->total) : h5md->chunk};
+    for (int c = 0; c < frame->columns; c++) {
+        const struct frame_column *column = &frame->column[c];
+        size_t value_bytes = frame_column_bytes(column) / (size_t)column->components;
+        stored.row_bytes = value_bytes * (size_t)components_of(column, &frame->box);
+        if (!is_fixed(h5md, column))
+            bytes += h5md_room(&stored, frame->total);
+        else if (first)
+            bytes += H5MD_ROOM_DATASET + frame->total * stored.row_bytes;
+    }
     return h5md_reserve(h5md, bytes, error);
 }
 

@@ -93,6 +93,15 @@ static bool write_parameters(const struct h5md *h5md, const struct h5 *h5, struc
            h5_write_table(h5, "/parameters/seed", &table, &seed, error);
 }
 
+uint64_t h5md_room(const struct h5md_stored *stored, uint64_t rows) {
+    enum { ROOM_CHUNK = 128 }; /* a place in the index of the dataset */
+    uint64_t chunk = stored->chunk > 0 ? stored->chunk : 1,
+             widest = rows > stored->rows ? rows : stored->rows;
+    uint64_t before = (stored->rows + chunk - 1) / chunk, after = (widest + chunk - 1) / chunk;
+    uint64_t chunks = (stored->frames + 1) * after - stored->frames * before;
+    return H5MD_ROOM_DATASET + chunks * (chunk * stored->row_bytes + ROOM_CHUNK);
+}
+
 bool h5md_reserve(const struct h5md *h5md, uint64_t bytes, struct error *error) {
     /* observables that wait: values, and the groups and first pieces of their series */
     uint64_t columns = (uint64_t)h5md->observables + 2;

@@ -26,10 +26,13 @@ struct h5md {
 
     int elements;
     struct h5md_element element[XDMF_COLUMNS_MAX];
-    uint64_t rows; /* of the tables in the file */
+    uint64_t rows;  /* of the tables in the file */
+    uint64_t chunk; /* rows of a table that are stored together */
     uint64_t frames, frame_room;
     struct xdmf_frame *frame; /* owned */
     uint64_t xdmf_frames;     /* in the XDMF file on disk */
+
+    uint64_t lists, list_rows[2]; /* contact lists in the file; rows of the widest: of particles, of walls */
 
     int observables;                                             /* columns; 0: none came yet */
     const char *const *observable_name, *const *observable_unit; /* borrowed */
@@ -44,6 +47,20 @@ bool h5md_make_file(struct h5md *h5md, const struct box *box, struct error *erro
 
 /* Takes room for so many bytes more on the disk. Collective. */
 bool h5md_reserve(const struct h5md *h5md, uint64_t bytes, struct error *error);
+
+/* How a dataset of a table a frame lies in the file. */
+struct h5md_stored {
+    uint64_t frames, rows; /* tables; rows of the widest */
+    uint64_t chunk;        /* rows stored together */
+    uint64_t row_bytes;
+};
+
+/* Bytes for h5md_reserve: what such a dataset takes at most for one more table, of `rows` rows. Chunks are
+ * stored whole, and where a table is wider than those before all of them get chunks. */
+uint64_t h5md_room(const struct h5md_stored *stored, uint64_t rows);
+
+/* Room for a dataset apart from its values, and for all else that comes with a frame. */
+enum { H5MD_ROOM_DATASET = 1 << 13, H5MD_ROOM_FRAME = 1 << 17 };
 
 /* Makes the group of a time-dependent element ("/observables/x") with step and time: new ones, or hard links
  * to those of another group. */

@@ -81,6 +81,8 @@ static bool recall_element(struct h5md *h5md, const struct h5 *h5, const char *n
         return error_set(error, ERROR_USER, "%s: %s: is not a table of particles", h5->path, path);
     h5md_add_element(h5md, name, type, components, frames);
     h5md->rows = shape.size[frames];
+    if (frames)
+        h5md->chunk = shape.chunk[1];
     if (strcmp(name, "id") == 0)
         h5md->varying = frames;
     return true;
@@ -113,6 +115,22 @@ static bool recall_frames(struct h5md *h5md, const struct h5 *h5, struct error *
     memory_free(rows);
     memory_free(time);
     return good || error_set(error, ERROR_USER, "%s: %s: does not list its frames", h5->path, group);
+}
+
+/* How many contact lists there are, and how wide they are. */
+static bool recall_lists(struct h5md *h5md, const struct h5 *h5, struct error *error) {
+    static const char *const datasets[] = {"/connectivity/contacts/value",
+                                           "/connectivity/wall_contacts/value"};
+    for (int k = 0; k < 2; k++) {
+        struct h5_shape shape;
+        if (!h5_exists(h5, datasets[k]))
+            continue;
+        if (!h5_get_shape(h5, datasets[k], &shape, error))
+            return false;
+        h5md->lists = shape.size[0];
+        h5md->list_rows[k] = shape.size[1];
+    }
+    return true;
 }
 
 bool h5md_recall(struct h5md *h5md, const struct h5 *h5, struct error *error) {
@@ -160,7 +178,7 @@ bool h5md_resume(struct h5md *h5md, int64_t step, struct error *error) {
     bool good = check_varying(h5md, &h5, error);
     for (size_t k = 0; good && k < sizeof groups / sizeof groups[0]; k++)
         good = cut_group(&h5, groups[k], step, error);
-    good = good && h5md_recall(h5md, &h5, error);
+    good = good && h5md_recall(h5md, &h5, error) && recall_lists(h5md, &h5, error);
     if (!h5_close(&h5, error) || !good)
         return false;
     h5md->made = true;

@@ -6,7 +6,21 @@
 #include <stdint.h>
 #include <cmocka.h>
 
+#include "output/file.h"
 #include "trajectory.h"
+
+#include <sys/resource.h>
+
+/* New particles, dealt out among the ranks. */
+static void append_particles(struct fixture *f, int64_t first, int64_t last) {
+    for (int64_t id = first; id <= last; id++)
+        if (id % f->team->comm.size == f->team->comm.rank) {
+            size_t i = particles_append(f->particles);
+            f->particles->id[i] = id;
+            f->particles->state[i].radius = 1;
+            f->particles->state[i].inverse_mass = 1;
+        }
+}
 
 /* Frames of a run in which every third particle goes, then new ones come. */
 static void number_may_change(void **state) {
@@ -24,13 +38,7 @@ static void number_may_change(void **state) {
     particles_remove(f.particles, remove);
     memory_free(remove);
     write_frames(&f, h5md, 10, 11);
-    for (int64_t id = PARTICLES + 1; id <= 2 * PARTICLES; id++)
-        if (id % team->comm.size == team->comm.rank) {
-            size_t i = particles_append(f.particles);
-            f.particles->id[i] = id;
-            f.particles->state[i].radius = 1;
-            f.particles->state[i].inverse_mass = 1;
-        }
+    append_particles(&f, PARTICLES + 1, 2 * PARTICLES);
     write_frames(&f, h5md, 20, 21);
     team_expect(team, h5md_close(&h5md, &error), "%s", error.text);
     static const int counts[] = {PARTICLES, PARTICLES - PARTICLES / 3, 2 * PARTICLES - PARTICLES / 3};
@@ -259,6 +267,99 @@ static void xdmf_names_what_is_there(void **state) {
     team_finish(team);
 }
 
+/* Lets the trajectory grow by `more` bytes and no further, as far as rank 0 goes, which asks for room; < 0:
+ * without a limit. */
+static void limit_growth(const struct fixture *f, int64_t more) {
+    struct rlimit limit;
+    if (f->team->comm.rank != 0)
+        return;
+    getrlimit(RLIMIT_FSIZE, &limit);
+    limit.rlim_cur = more < 0 ? limit.rlim_max : (rlim_t)(file_size(f->path) + more);
+    setrlimit(RLIMIT_FSIZE, &limit);
+}
+
+/* A frame for which there is no room is refused before anything is begun. */
+static void expect_no_room(struct fixture *f, struct h5md *h5md, int step, int64_t more) {
+    static const struct output_fields all = {0};
+    struct error error = {0};
+    struct frame frame;
+    f->view.step = (uint64_t)step;
+    frame_create(&frame, &f->view, &all);
+    limit_growth(f, more);
+    bool written = h5md_write_frame(h5md, &frame, &error);
+    limit_growth(f, -1);
+    frame_free(&frame);
+    team_expect(f->team, !written && error.kind == ERROR_SYSTEM && strstr(error.text, "needs"), "step %d: %s",
+                step, error.text);
+}
+
+/* The disk must have room for whole chunks, 96 bytes of 4096 rows; and where a frame is wider than those
+ * before, for chunks of theirs, here seven. */
+static void frames_have_room(void **state) {
+    struct team *team = *state;
+    struct fixture f;
+    struct error error = {0};
+    fixture_make(&f, team, &box_3d, 0);
+    struct h5md_head head = head_of(&f, true);
+    struct h5md *h5md = NULL;
+    team_expect(team, h5md_open(&h5md, &team->comm, f.path, &head, -1, &error), "%s", error.text);
+    write_frames(&f, h5md, 0, 1);
+    expect_no_room(&f, h5md, 10, 300000);
+    write_frames(&f, h5md, 10, 50);
+    append_particles(&f, PARTICLES + 1, PARTICLES + 4000);
+    expect_no_room(&f, h5md, 50, 2000000);
+    team_expect(team, h5md_close(&h5md, &error), "%s", error.text);
+    team_expect(team, h5md_open(&h5md, &team->comm, f.path, &head, 40, &error), "%s", error.text);
+    expect_no_room(&f, h5md, 50, 2000000);
+    write_frames(&f, h5md, 50, 51);
+    team_expect(team, h5md_close(&h5md, &error), "%s", error.text);
+    uint64_t frames = 0;
+    if (team->comm.rank == 0)
+        team_expect(team, h5md_read_frames(f.path, NULL, &frames, &error) && frames == 6, "%d frames",
+                    (int)frames);
+    fixture_free(&f);
+    team_finish(team);
+}
+
+/* A list of so many contacts, all of them of rank 0. */
+static bool write_list(struct fixture *f, struct h5md *h5md, int step, size_t count, struct error *error) {
+    bool mine = f->team->comm.rank == 0;
+    struct force_contact *contact = memory_allocate_zero(count, sizeof *contact, "test");
+    struct contact_list list = {
+        .step = (uint64_t)step, .particle_count = mine ? count : 0, .particle = contact};
+    bool good = h5md_write_contacts(h5md, &list, &f->cloud.box, error);
+    memory_free(contact);
+    return good;
+}
+
+/* As for frames: 72 bytes of 8192 contacts, and eight chunks for the first list that takes two. */
+static void contacts_have_room(void **state) {
+    struct team *team = *state;
+    struct fixture f;
+    struct error error = {0}, why = {0};
+    fixture_make(&f, team, &box_3d, 0);
+    struct h5md_head head = head_of(&f, false);
+    struct h5md *h5md = NULL;
+    h5md_open(&h5md, &team->comm, f.path, &head, -1, &error);
+    for (int step = 0; step < 6; step++)
+        team_expect(team, write_list(&f, h5md, step, 1, &error), "%s", error.text);
+    for (int part = 0; part < 2; part++) { /* the second time after a resume */
+        limit_growth(&f, 3000000);
+        bool written = write_list(&f, h5md, 6, 9000, &why);
+        limit_growth(&f, -1);
+        team_expect(team, !written && why.kind == ERROR_SYSTEM && strstr(why.text, "needs"), "%s", why.text);
+        why = (struct error){0};
+        if (part == 0) {
+            team_expect(team, h5md_close(&h5md, &error), "%s", error.text);
+            team_expect(team, h5md_open(&h5md, &team->comm, f.path, &head, 5, &error), "%s", error.text);
+        }
+    }
+    team_expect(team, write_list(&f, h5md, 6, 9000, &error), "%s", error.text);
+    team_expect(team, h5md_close(&h5md, &error), "%s", error.text);
+    fixture_free(&f);
+    team_finish(team);
+}
+
 int main(int argc, char **argv) {
     struct team team;
     team_start(&team, &argc, &argv);
@@ -270,6 +371,8 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(contacts_are_listed, &team),
         cmocka_unit_test_prestate(observables_come_along, &team),
         cmocka_unit_test_prestate(xdmf_names_what_is_there, &team),
+        cmocka_unit_test_prestate(frames_have_room, &team),
+        cmocka_unit_test_prestate(contacts_have_room, &team),
     };
     int failed = cmocka_run_group_tests_name("h5md_run", tests, NULL, NULL);
     return team_stop(&team) || failed;
