@@ -221,7 +221,14 @@ static bool add_request(struct resolving *r, const struct observable_request *re
     return found || refuse_name(request->name, error);
 }
 
+/* Names are groups of the trajectory, too, so they are not longer than others there. */
 static bool check_columns(const struct observables *o, struct error *error) {
+    for (int c = 0; c < o->columns; c++)
+        if (strlen(o->column[c].name) >= OUTPUT_NAME_MAX)
+            return error_set(error, ERROR_USER,
+                             "observables: a column would be called \"%s\", longer than %d characters; give "
+                             "it a label that is shorter",
+                             o->column[c].name, OUTPUT_NAME_MAX - 1);
     for (int a = 0; a < o->columns; a++)
         for (int b = 0; b < a; b++)
             if (strcmp(o->column[a].name, o->column[b].name) == 0)

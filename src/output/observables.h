@@ -33,9 +33,9 @@ const struct observable_info *observables_get(int k);
 
 struct observables;
 
-/* Resolves the requests (unknown names, walls, regions, particles without label: a user's error that lists
- * what is allowed) and lays out the columns. Every rank alike. `view` is borrowed for the call only. No file
- * is touched. */
+/* Resolves the requests (unknown names, walls, regions, a particle without its id, two columns of one name, a
+ * name of OUTPUT_NAME_MAX characters or more: a user's error that says what is allowed) and lays out the
+ * columns. Every rank alike. `view` is borrowed for the call only. No file is touched. */
 bool observables_create(struct observables **observables, const struct observables_options *options,
                         const struct output_view *view, const struct output_run *run, struct error *error);
 void observables_destroy(struct observables **observables);

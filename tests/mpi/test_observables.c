@@ -191,6 +191,8 @@ static void what_is_unknown_is_refused(void **state) {
         {{.name = "count", .target = "right/wood"}, "glass, steel"},
         {{.name = "momentum", .target = "right"}, "takes no target"},
         {{.name = "contacts"}, "two columns"},
+        {{.name = "momentum", .label = "a_name_of_sixty-two_characters_that_the_component_makes_64_xxx"},
+         "label that is shorter"},
     };
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
         struct fixture f;
