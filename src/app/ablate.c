@@ -34,11 +34,15 @@ struct variants {
     char steps[WORD_MAX];
 };
 
-static bool variants_read(struct variants *v, const struct command_line *line, struct error *error) {
+/* Machines of different size would list different threads: those of rank 0 hold for all. Collective. */
+static bool variants_read(const struct comm *comm, struct variants *v, const struct command_line *line,
+                          struct error *error) {
+    int threads_most = omp_get_max_threads();
+    comm_broadcast(comm, &threads_most, sizeof threads_most);
     *v = (struct variants){0};
     for (int k = 0; k < index_registry_count() && k < WORDS_MAX; k++)
         snprintf(v->index.word[v->index.count++], WORD_MAX, "%s", index_registry_get(k)->name);
-    for (int t = 1; t <= omp_get_max_threads() && v->threads.count < WORDS_MAX; t *= 2)
+    for (int t = 1; t <= threads_most && v->threads.count < WORDS_MAX; t *= 2)
         snprintf(v->threads.word[v->threads.count++], WORD_MAX, "%d", t);
     strcpy(v->newton.word[v->newton.count++], "on");
     strcpy(v->newton.word[v->newton.count++], "off");
@@ -183,7 +187,7 @@ int command_ablate(const struct comm *comm, const struct command_line *line, str
     struct variants *v = memory_allocate(1, sizeof *v, "variants");
     if (line->directory == NULL)
         error_set(error, ERROR_USER, "command line: scree ablate needs -o DIR for its table");
-    if (error->kind == ERROR_NONE && flags_fit(line, error) && variants_read(v, line, error) &&
+    if (error->kind == ERROR_NONE && flags_fit(line, error) && variants_read(comm, v, line, error) &&
         run_directory(comm, &options, error)) {
         if (line->errors)
             ablate_error(comm, line, error);

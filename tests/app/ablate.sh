@@ -94,6 +94,13 @@ check 'a mean beyond the end is refused' refuses 'allowed: numbers' --error -o e
 many=$(for k in $(seq 43); do printf '{name: stress, label: s%d}, ' "$k"; done)
 check 'more columns than can be compared are refused' refuses 'makes 258 columns; scree ablate --error compares up to 256' --error -o nine --duration 0.01 --set "observables.list=[${many%, }]"
 
+unlike() { # ranks that could have different numbers of threads make the same runs: those of rank 0
+    on 2 bash -c 'OMP_NUM_THREADS=$((1 + ${OMPI_COMM_WORLD_RANK:-${PMI_RANK:-0}})) exec "$@"' _ \
+        "$scree" ablate scene.yaml -o unlike --index brute --newton on --steps 3 >said 2>&1 || { cat said; return 1; }
+    [ "$(cut -d, -f1-4 unlike/ablate.csv | tail -n +2)" = brute,on,2,1 ] || { cat unlike/ablate.csv; return 1; }
+}
+check 'ranks with unlike numbers of threads make the same runs' unlike
+
 # takes_signals PID: it is the program, and has its own way with SIGTERM
 takes_signals() {
     [ "$(cat /proc/"$1"/comm 2>/dev/null)" = "$(basename "$scree")" ] &&
