@@ -123,8 +123,7 @@ static void print_fields(const struct simulation *s) {
         if (!fields_present(s->particles, f))
             printf("  %-18s %6s  not needed; it is for %s\n", field->name, "-", why);
     }
-    printf("  stored: %zu bytes a particle (records padded to cache lines, second arrays for sorting "
-           "included)\n",
+    printf("  stored: %zu bytes a particle (all fields, forces and spins padded)\n",
            particles_bytes_each(s->particles));
     if (s->law.history_components)
         printf("  history: %zu bytes a touching pair\n",

@@ -4,8 +4,8 @@
 
 #include "comm/comm.h"
 
-/* Keeps other runs out of a directory until folder_unlock or the end of the program; `handle` is -1 on all
- * ranks but the first, and where the file system knows no locks. Fails (user) if another run has it.
+/* Keeps other runs out of a directory until folder_unlock or the end of the program, but not where the file
+ * system knows no locks; `handle` is -1 on all ranks but the first. Fails (user) if another run has it.
  * Collective. */
 bool folder_lock(const struct comm *comm, const char *directory, int *handle, struct error *error);
 void folder_unlock(int *handle);

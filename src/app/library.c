@@ -47,7 +47,7 @@ static bool spheres_good(const struct scree_spheres *spheres, double margin, cha
     return true;
 }
 
-/* Size classes by factors of two in radius, and the class of each sphere. */
+/* Size classes as the cost model of the index has them best, and the class of each sphere. */
 static void classes_make(const struct scree_spheres *spheres, double margin, struct size_classes *classes,
                          uint8_t *size_class) {
     struct classes_options options = classes_options_default();

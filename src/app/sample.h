@@ -8,7 +8,8 @@
 
 enum { SAMPLE_COLUMNS_MAX = 256, SAMPLE_TRACKED_MAX = 20000 };
 
-/* The record of a run. Every rank holds the same numbers, but for `position`, which rank 0 alone holds. */
+/* The record of a run. Every rank holds the same numbers, but for `present` and `position`, which rank 0
+ * alone holds. */
 struct sample_record {
     int samples;      /* taken, the start included */
     int columns;      /* the scene's own, then those of energies and momentum */

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Set once by error_set_abort before threads exist. */
+/* Set by error_set_abort, while there is one thread. */
 static int fatal_rank = 0;
 static void (*fatal_hook)(int status) = NULL;
 

@@ -39,8 +39,8 @@ bool error_set_errno(struct error *error, const char *format, ...) __attribute__
  * failures that cannot be handed upwards; may be called from any thread. */
 _Noreturn void error_fatal(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Sets the rank named in fatal messages and what ends the program (MPI_Abort, set by comm/). Called once by
- * `comm_start`; without it rank 0 and abort() are used. */
+/* Sets the rank named in fatal messages and what ends the program (NULL: abort()). `comm_start` sets
+ * MPI_Abort, and `comm_stop` takes it away again; before, it is rank 0 and abort(). One thread. */
 void error_set_abort(int rank, void (*abort_hook)(int status));
 
 #endif

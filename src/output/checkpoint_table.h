@@ -40,8 +40,8 @@ bool checkpoint_table_read(struct checkpoint_table *table, const struct comm *co
 bool checkpoint_table_write(struct checkpoint_table *table, const struct comm *comm, const char *path,
                             struct error *error);
 
-/* Compares the bytes of the file with the table. `head_only`: not those of the large datasets, /particles and
- * /history. Collective. */
+/* Compares the bytes of the file with the table. `head_only`: not those of the large datasets, /particles,
+ * /history and /wall_history. Collective. */
 bool checkpoint_table_compare(const struct checkpoint_table *table, const struct comm *comm, const char *path,
                               bool head_only, struct error *error);
 

@@ -21,11 +21,11 @@ struct output_run {
     const struct law_material *material; /* `materials` rows: names */
 };
 
-/* What communication of this rank amounts to, for observables. */
+/* What communication of this rank amounts to, for observables. Sums begin anew with a resume. */
 struct output_load {
     uint64_t ghosts;          /* copies held now */
-    uint64_t messages, bytes; /* sent to other ranks since the start of the run */
-    double work, waiting;     /* seconds of work, and in communication, since then */
+    uint64_t messages, bytes; /* sent to other ranks since this program began */
+    double work, waiting;     /* seconds of work, and in communication, since its first step */
 };
 
 /* The run at the end of a step: positions and forces of this moment, velocities half a step behind. */
