@@ -11,7 +11,6 @@ struct outputs {
     const struct output_options *options; /* borrowed from the scene */
     const struct output_run *run;         /* borrowed */
     struct observables *observables;      /* NULL: not asked for */
-    const char **name, **unit;            /* of the observables' columns */
     struct h5md *h5md;
     struct dump *dump;
 };
@@ -50,16 +49,8 @@ static bool observables_prepare(struct outputs *o, const struct simulation *s, s
     struct output_view view = simulation_view(s);
     if (!observables_check_ids(s, error))
         return false;
-    if (!observables_create(&o->observables, &o->options->observables, &view, o->run, error))
-        return fail_at(s, "observables.list", error);
-    int columns = observables_columns(o->observables);
-    o->name = memory_allocate((size_t)columns, sizeof *o->name, "observables");
-    o->unit = memory_allocate((size_t)columns, sizeof *o->unit, "observables");
-    for (int c = 0; c < columns; c++) {
-        o->name[c] = observables_column_name(o->observables, c);
-        o->unit[c] = observables_column_unit(o->observables, c);
-    }
-    return true;
+    return observables_create(&o->observables, &o->options->observables, &view, o->run, error) ||
+           fail_at(s, "observables.list", error);
 }
 
 static bool files_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
@@ -135,8 +126,8 @@ static bool row_write(struct outputs *o, const struct output_view *view, struct 
     if (!observables_write(o->observables, view, error))
         return false;
     if (o->h5md) {
-        struct h5md_observables row = {observables_columns(o->observables), o->name,    o->unit,
-                                       observables_values(o->observables),  view->step, view->time};
+        struct h5md_observables row;
+        observables_row(o->observables, view, &row);
         h5md_add_observables(o->h5md, &row);
     }
     return true;
@@ -174,10 +165,6 @@ bool outputs_write(struct outputs *o, const struct simulation *s, struct error *
     return good;
 }
 
-const struct observables *outputs_observables(const struct outputs *o) {
-    return o->observables;
-}
-
 bool outputs_flush(struct outputs *o, struct error *error) {
     return o->h5md == NULL || h5md_flush(o->h5md, error);
 }
@@ -198,8 +185,6 @@ bool outputs_close(struct outputs **outputs, const struct comm *comm, struct err
         *error = own;
     if (o->observables)
         observables_destroy(&o->observables);
-    memory_free(o->name);
-    memory_free(o->unit);
     memory_free(o);
     *outputs = NULL;
     return comm_agree(comm, error) && good;

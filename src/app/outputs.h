@@ -31,9 +31,6 @@ bool outputs_sum_each_step(const struct outputs *outputs);
 /* Writes what is due at the present step. Collective. */
 bool outputs_write(struct outputs *outputs, const struct simulation *simulation, struct error *error);
 
-/* The observables, NULL if none. */
-const struct observables *outputs_observables(const struct outputs *outputs);
-
 /* Writes what waits for the next frame. Collective. */
 bool outputs_flush(struct outputs *outputs, struct error *error);
 
