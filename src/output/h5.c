@@ -71,8 +71,7 @@ static hid_t access_list(const struct comm *comm) {
     return access;
 }
 
-/* Makes one rank's error that of all. */
-static bool agree(const struct h5 *h5, struct error *error) {
+bool h5_agree(const struct h5 *h5, struct error *error) {
     return h5->comm ? comm_agree(h5->comm, error) : error->kind == ERROR_NONE;
 }
 
@@ -83,11 +82,11 @@ bool h5_create(struct h5 *h5, const char *path, const struct comm *comm, uint64_
     hid_t list = access_list(comm), creation = H5Pcreate(H5P_FILE_CREATE);
     if (list < 0 || creation < 0 || H5Pset_userblock(creation, user_block) < 0)
         h5_fail(h5, ERROR_SYSTEM, "", "cannot be prepared", error);
-    if (agree(h5, error) && (h5->file = H5Fcreate(path, H5F_ACC_TRUNC, creation, list)) < 0)
+    if (h5_agree(h5, error) && (h5->file = H5Fcreate(path, H5F_ACC_TRUNC, creation, list)) < 0)
         h5_fail(h5, ERROR_SYSTEM, "", "cannot be made", error);
     H5Pclose(list);
     H5Pclose(creation);
-    if (!agree(h5, error)) {
+    if (!h5_agree(h5, error)) {
         h5_close(h5, error);
         return false;
     }
@@ -103,10 +102,10 @@ bool h5_open(struct h5 *h5, const char *path, const struct comm *comm, bool writ
     else if (access(path, write ? R_OK | W_OK : R_OK) != 0)
         error_set(error, ERROR_USER, "%s: cannot be opened: %s", path, strerror(errno));
     /* all ranks open it, or none: the call is collective */
-    if (agree(h5, error) && (h5->file = H5Fopen(path, write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, list)) < 0)
+    if (h5_agree(h5, error) && (h5->file = H5Fopen(path, write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, list)) < 0)
         h5_fail(h5, ERROR_USER, "", "cannot be opened as an HDF5 file", error);
     H5Pclose(list);
-    if (!agree(h5, error)) {
+    if (!h5_agree(h5, error)) {
         h5_close(h5, error);
         return false;
     }
@@ -115,7 +114,7 @@ bool h5_open(struct h5 *h5, const char *path, const struct comm *comm, bool writ
 
 bool h5_close(struct h5 *h5, struct error *error) {
     /* after a failed write ranks no longer stand at one place inside HDF5: its calls would not return */
-    if (h5->file >= 0 && !agree(h5, error) && error->kind == ERROR_SYSTEM)
+    if (h5->file >= 0 && !h5_agree(h5, error) && error->kind == ERROR_SYSTEM)
         h5->file = -1;
     if (h5->file >= 0) {
         if (H5Fflush(h5->file, H5F_SCOPE_GLOBAL) < 0)
@@ -127,7 +126,7 @@ bool h5_close(struct h5 *h5, struct error *error) {
     if (h5->transfer > 0 && h5->transfer != H5P_DEFAULT)
         H5Pclose(h5->transfer);
     h5->transfer = H5P_DEFAULT;
-    bool good = agree(h5, error);
+    bool good = h5_agree(h5, error);
     if (h5->comm)
         h5_watch_end();
     return good;
@@ -287,9 +286,10 @@ static hid_t open_attribute(const struct h5 *h5, const char *object, const char 
     return -1;
 }
 
-/* Reads strings, of fixed or varying length, into n fields of `size` bytes. */
-static bool read_strings(const struct h5 *h5, const char *object, const char *name, char *text, size_t size,
-                         int n) {
+/* Strings are of fixed or varying length. */
+bool h5_read_texts(const struct h5 *h5, const char *object, const char *name, char (*text)[OUTPUT_NAME_MAX],
+                   int n) {
+    size_t most = sizeof *text - 1;
     hid_t id = open_attribute(h5, object, name, H5T_STRING, n);
     if (id < 0)
         return false;
@@ -302,33 +302,16 @@ static bool read_strings(const struct h5 *h5, const char *object, const char *na
         char *one = value + (size_t)k * length;
         if (varying)
             memcpy(&one, value + (size_t)k * length, sizeof one);
-        size_t used = one ? strnlen(one, varying ? size - 1 : length) : 0;
-        used = used < size - 1 ? used : size - 1;
-        memcpy(text + (size_t)k * size, one ? one : "", used);
-        text[(size_t)k * size + used] = '\0';
+        size_t used = one ? strnlen(one, varying ? most : length) : 0;
+        used = used < most ? used : most;
+        memcpy(text[k], one ? one : "", used);
+        text[k][used] = '\0';
         if (varying)
             H5free_memory(one);
     }
     memory_free(value);
     H5Tclose(type);
     H5Aclose(id);
-    return good;
-}
-
-bool h5_read_text(const struct h5 *h5, const char *object, const char *name, char *text, size_t size) {
-    return read_strings(h5, object, name, text, size, 1);
-}
-
-bool h5_read_texts(const struct h5 *h5, const char *object, const char *name, char (*text)[OUTPUT_NAME_MAX],
-                   int n) {
-    return read_strings(h5, object, name, text[0], OUTPUT_NAME_MAX, n);
-}
-
-bool h5_read_ints(const struct h5 *h5, const char *object, const char *name, int *value, int n) {
-    hid_t id = open_attribute(h5, object, name, H5T_INTEGER, n);
-    bool good = id >= 0 && H5Aread(id, H5T_NATIVE_INT, value) >= 0;
-    if (id >= 0)
-        H5Aclose(id);
     return good;
 }
 

@@ -57,6 +57,9 @@ bool h5_close(struct h5 *h5, struct error *error);
 bool h5_fail(const struct h5 *h5, enum error_kind kind, const char *object, const char *what,
              struct error *error);
 
+/* Makes one rank's error that of all; true if there is none. */
+bool h5_agree(const struct h5 *h5, struct error *error);
+
 bool h5_exists(const struct h5 *h5, const char *object);
 bool h5_is_group(const struct h5 *h5, const char *object);
 
@@ -84,10 +87,8 @@ bool h5_write_reference(const struct h5 *h5, const char *object, const char *nam
                         struct error *error);
 
 /* Reads attributes: false without an error where there is none, or not of this form. */
-bool h5_read_text(const struct h5 *h5, const char *object, const char *name, char *text, size_t size);
 bool h5_read_texts(const struct h5 *h5, const char *object, const char *name, char (*text)[OUTPUT_NAME_MAX],
                    int n);
-bool h5_read_ints(const struct h5 *h5, const char *object, const char *name, int *value, int n);
 bool h5_read_doubles(const struct h5 *h5, const char *object, const char *name, double *value, int n);
 
 /* A dataset of one string. */

@@ -21,10 +21,6 @@ hid_t h5_type(enum field_type type) {
     }
 }
 
-static bool agree(const struct h5 *h5, struct error *error) {
-    return h5->comm ? comm_agree(h5->comm, error) : error->kind == ERROR_NONE;
-}
-
 /* Writes a block (start, count; count 0 rows: nothing, but all ranks call) of an open dataset. */
 static bool write_block(const struct h5 *h5, const char *name, hid_t dataset, enum field_type type,
                         const hsize_t *start, const hsize_t *count, const void *data, struct error *error) {
@@ -71,7 +67,7 @@ bool h5_write_string(const struct h5 *h5, const char *dataset, const char *text,
         H5Dclose(id);
     }
     H5Tclose(type);
-    return agree(h5, error);
+    return h5_agree(h5, error);
 }
 
 char *h5_read_string(const struct h5 *h5, const char *dataset, struct error *error) {
@@ -90,7 +86,7 @@ char *h5_read_string(const struct h5 *h5, const char *dataset, struct error *err
     }
     H5Tclose(type);
     H5Dclose(id);
-    if (agree(h5, error))
+    if (h5_agree(h5, error))
         return text;
     memory_free(text);
     return NULL;
@@ -104,7 +100,7 @@ bool h5_write_table(const struct h5 *h5, const char *dataset, const struct h5_ta
     H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER);
     hid_t id = make_dataset(h5, dataset, h5_type(table->type),
                             H5Screate_simple(table->width ? 2 : 1, size, NULL), creation, error);
-    if (!agree(h5, error)) {
+    if (!h5_agree(h5, error)) {
         if (id >= 0)
             H5Dclose(id);
         return false;
@@ -112,7 +108,7 @@ bool h5_write_table(const struct h5 *h5, const char *dataset, const struct h5_ta
     if (table->rows > 0)
         write_block(h5, dataset, id, table->type, start, count, data, error);
     H5Dclose(id);
-    return agree(h5, error);
+    return h5_agree(h5, error);
 }
 
 bool h5_make_frames(const struct h5 *h5, const char *dataset, const struct h5_table *table,
@@ -136,7 +132,7 @@ bool h5_make_frames(const struct h5 *h5, const char *dataset, const struct h5_ta
         h5_fail(h5, ERROR_SYSTEM, dataset, "the dataset cannot be prepared", error);
     if (id >= 0)
         H5Dclose(id);
-    return agree(h5, error);
+    return h5_agree(h5, error);
 }
 
 /* Grows an open dataset so that it holds `wanted` in every direction. */
@@ -164,12 +160,12 @@ bool h5_write_frame(const struct h5 *h5, const char *dataset, const struct h5_ta
         h5_fail(h5, ERROR_SYSTEM, dataset, "the dataset cannot be opened", error);
     else if (!grow(id, wanted, rank))
         h5_fail(h5, ERROR_SYSTEM, dataset, "the dataset cannot be enlarged", error);
-    bool ready = agree(h5, error);
+    bool ready = h5_agree(h5, error);
     if (ready && table->rows > 0)
         write_block(h5, dataset, id, table->type, start, count, data, error);
     if (id >= 0)
         H5Dclose(id);
-    return agree(h5, error);
+    return h5_agree(h5, error);
 }
 
 bool h5_make_series(const struct h5 *h5, const char *dataset, enum field_type type, struct error *error) {
@@ -181,7 +177,7 @@ bool h5_make_series(const struct h5 *h5, const char *dataset, enum field_type ty
         make_dataset(h5, dataset, h5_type(type), H5Screate_simple(1, &none, &unlimited), creation, error);
     if (id >= 0)
         H5Dclose(id);
-    return agree(h5, error);
+    return h5_agree(h5, error);
 }
 
 bool h5_write_series(const struct h5 *h5, const char *dataset, enum field_type type, uint64_t first,
@@ -192,11 +188,11 @@ bool h5_write_series(const struct h5 *h5, const char *dataset, enum field_type t
         h5_fail(h5, ERROR_SYSTEM, dataset, "the dataset cannot be opened", error);
     else if (!grow(id, &wanted, 1))
         h5_fail(h5, ERROR_SYSTEM, dataset, "the dataset cannot be enlarged", error);
-    if (agree(h5, error))
+    if (h5_agree(h5, error))
         write_block(h5, dataset, id, type, &start, &mine, values, error);
     if (id >= 0)
         H5Dclose(id);
-    return agree(h5, error);
+    return h5_agree(h5, error);
 }
 
 bool h5_cut_frames(const struct h5 *h5, const char *dataset, uint64_t frames, struct error *error) {
@@ -263,7 +259,7 @@ bool h5_read_block(const struct h5 *h5, const char *dataset, enum field_type typ
     H5Sclose(memory_space);
     H5Sclose(file_space);
     H5Dclose(id);
-    return agree(h5, error);
+    return h5_agree(h5, error);
 }
 
 bool h5_read_fill(const struct h5 *h5, const char *dataset, int64_t *fill) {
