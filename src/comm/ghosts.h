@@ -98,9 +98,6 @@ struct ghosts_counts {
 };
 void ghosts_count(const struct ghosts *ghosts, struct ghosts_counts *counts);
 
-/* Bytes held by the plan and its buffers. */
-size_t ghosts_memory(const struct ghosts *ghosts);
-
 /* True if the plan fits the particles: numbers, order of the peers, classes and images. For tests and debug
  * builds; not collective. */
 bool ghosts_valid(const struct ghosts *ghosts, const struct particles *particles, char *why, size_t why_size);

@@ -33,14 +33,6 @@ void ghosts_count(const struct ghosts *ghosts, struct ghosts_counts *counts) {
     memcpy(counts->ghosts_class, ghosts->class_count, sizeof counts->ghosts_class);
 }
 
-size_t ghosts_memory(const struct ghosts *ghosts) {
-    return sizeof *ghosts + ghosts->to_room + ghosts->from_room +
-           ghosts->sent * (sizeof *ghosts->original + sizeof *ghosts->border) +
-           ghosts->held * (sizeof *ghosts->number + sizeof *ghosts->image +
-                           (ghosts->place ? sizeof *ghosts->place : 0)) +
-           (ghosts->to_count + ghosts->from_count) * (sizeof(struct peer) + sizeof(struct exchange_message));
-}
-
 static bool peers_valid(const struct peer *peer, size_t peers, size_t total) {
     size_t at = 0;
     for (size_t k = 0; k < peers; k++) {

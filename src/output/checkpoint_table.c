@@ -17,13 +17,6 @@ enum { PIECE = 1 << 20, REST_ROW = 4096 };
 
 static const char magic[] = "scree checkpoint ";
 
-const struct checkpoint_entry *checkpoint_table_find(const struct checkpoint_table *table, const char *name) {
-    for (int k = 0; k < table->entries; k++)
-        if (strcmp(table->entry[k].name, name) == 0)
-            return &table->entry[k];
-    return NULL;
-}
-
 /* Reads exactly `bytes` bytes at `offset`; short files are errors. */
 static bool read_exactly(int handle, void *buffer, uint64_t bytes, uint64_t offset) {
     char *next = buffer;

@@ -45,7 +45,4 @@ bool checkpoint_table_write(struct checkpoint_table *table, const struct comm *c
 bool checkpoint_table_compare(const struct checkpoint_table *table, const struct comm *comm, const char *path,
                               bool head_only, struct error *error);
 
-/* The entry of a name, or NULL. */
-const struct checkpoint_entry *checkpoint_table_find(const struct checkpoint_table *table, const char *name);
-
 #endif

@@ -36,7 +36,6 @@ void progress_start(struct progress *progress, const struct progress_options *op
                                   .first = first,
                                   .last = last,
                                   .step = first,
-                                  .step_shown = first,
                                   .began = timer_now()};
 }
 
@@ -67,7 +66,6 @@ static void draw_bar(struct progress *progress, double now, double time) {
     fprintf(progress->file, "\r\033[K[%s] %3d %% %s", bar, (int)(100 * fraction), text);
     fflush(progress->file);
     progress->shown = now;
-    progress->step_shown = progress->step;
 }
 
 static void print_line(struct progress *progress, double now, double time) {

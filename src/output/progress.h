@@ -11,7 +11,6 @@ struct progress {
     FILE *file;              /* borrowed */
     enum progress_mode mode; /* never AUTO */
     uint64_t first, last;    /* steps of this run */
-    uint64_t step_shown;     /* step of the last output */
     double began, shown;     /* seconds (timer_now) */
     double work;             /* particle-steps so far */
     uint64_t step;           /* last one told */
