@@ -158,10 +158,37 @@ static void test_degenerate(void **state) {
     }
 }
 
+/* As many contacts as there is room for records: what the last batch writes behind them has room, too. */
+static void test_history_padding(void **state) {
+    (void)state;
+    struct law law = law_number(13, 1);
+    struct rig rig;
+    rig_make(&rig, &law, (struct layout){1, 0.0, NULL});
+    history_reserve(rig.history, 0, 1);
+    size_t pairs = rig.history->part[1 - rig.history->now][0].capacity;
+    uint32_t *i = memory_allocate_zero(pairs + INDEX_SINK_PAD, sizeof *i, "pairs");
+    uint32_t *j = memory_allocate_zero(pairs + INDEX_SINK_PAD, sizeof *j, "pairs");
+    for (size_t k = 0; k < pairs; k++)
+        j[k] = 1;
+    struct pair_block block = {.one_sided = pairs, .slotted = pairs, .end_pair = pairs};
+    rig.list = (struct pairlist){
+        .i = i, .j = j, .blocks = &block, .block_count = 1, .threads = 1, .thread_block = (int[]){0, 1}};
+    struct particle_state *s = rig.particles->state;
+    memcpy(s[1].x, s[0].x, sizeof s[1].x);
+    s[1].x[0] += s[0].radius;
+    force_loop_run(rig.loop, &rig.context, &rig.sums);
+    const struct history_part *part = &rig.history->part[rig.history->now][0];
+    assert_int_equal(part->count, pairs);
+    assert_true(part->count + HISTORY_PAD <= part->capacity);
+    memory_free(i);
+    memory_free(j);
+    rig_free(&rig);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kernels_agree),
-                                       cmocka_unit_test(test_conservation),
-                                       cmocka_unit_test(test_mirrored_springs),
-                                       cmocka_unit_test(test_contacts), cmocka_unit_test(test_degenerate)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_kernels_agree),    cmocka_unit_test(test_conservation),
+        cmocka_unit_test(test_mirrored_springs), cmocka_unit_test(test_contacts),
+        cmocka_unit_test(test_degenerate),       cmocka_unit_test(test_history_padding)};
     return cmocka_run_group_tests(tests, make_lists, free_lists);
 }

@@ -108,9 +108,7 @@ void force_loop_block(struct force_loop *loop, const struct force_context *conte
     if (history) {
         task.old = &history->part[history->now][thread];
         task.new = &history->part[1 - history->now][thread];
-        size_t room = task.new->count + (work->end_pair - work->first_pair);
-        if (room > task.new->capacity)
-            history_reserve(history, thread, room);
+        history_reserve(history, thread, task.new->count + (work->end_pair - work->first_pair));
     }
     loop->kernel->block(&task);
 }
