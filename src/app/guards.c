@@ -73,10 +73,13 @@ static size_t fastest_find(const struct simulation *s, double *speed) {
  * that is no number shows here at once. */
 static void guard_speed(struct simulation *s) {
     double fastest = 0;
+    bool finite = true;
     for (int t = 0; t < s->threads; t++)
-        for (int c = 0; c < s->classes.count; c++)
-            fastest = s->speed[t][c] <= fastest ? fastest : s->speed[t][c];
-    if (!isfinite(fastest)) {
+        for (int c = 0; c < s->classes.count; c++) {
+            finite = finite && isfinite(s->speed[t][c]);
+            fastest = fmax(fastest, s->speed[t][c]);
+        }
+    if (!finite) {
         guards_check_positions(s);
         return;
     }

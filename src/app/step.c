@@ -40,11 +40,12 @@ static void servo_run(struct simulation *s) {
     comm_sum(s->comm, s->servo_force[0], 3 * walls_count(s->walls));
 }
 
-/* Moves a range of particles of one class. */
+/* Moves a range of particles of one class. A speed that is no number stays: the guards look for it. */
 static void advance(struct simulation *s, int thread, size_t first, size_t last, int size_class) {
     double v2 = integrator_advance(s->particles, &s->motion, first, last);
-    if (!(v2 <= s->speed[thread][size_class]))
-        s->speed[thread][size_class] = v2;
+    double *largest = &s->speed[thread][size_class];
+    if (!isnan(*largest) && !(v2 <= *largest))
+        *largest = v2;
 }
 
 static void advance_run(struct simulation *s) {

@@ -93,4 +93,25 @@ rough_floor() {
     [ "$1" = 1 ] && within "$2" 0.0878 0.005 && within "$3" -41.9 4
 }
 check 'spheres that are fixed to each other and to a wall have no contacts' rough_floor
+
+# A speed whose square is no number, of the first of more particles than one block holds
+cat >thrown.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [14, 14, 20]}
+step: {dt: 0.001, count: 10}
+contact: {law: hooke, tangential: none}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.6, k_n: 10000}]
+groups: [{name: thrown, motion: moving, velocity: [1.5e308, 1.5e308, 0]}]
+particles:
+  sources:
+    - {from: single, position: [7, 7, 1], radius: 0.4, group: thrown}
+    - {from: lattice, lattice: sc, spacing: 1, sizes: 0.4, region: {shape: box, lower: [0, 0, 3], upper: [14, 14, 15]}}
+EOF
+thrown() { # THREADS
+    on 1 "$scree" run thrown.yaml -o thrown$1 --quiet --set threads="$1" >said 2>&1
+    [ $? = 3 ] && holds said 'guards.nan: position or velocity of particle 1 at' && holds said 'at step 1, '
+}
+check 'a speed that is no number shows at once, whoever moves after it' thrown 1
+check 'and on whatever thread' thrown 2
 finish
