@@ -144,6 +144,7 @@ check_PROGRAMS += \
 	tests/test_mesh \
 	tests/test_wall \
 	tests/test_wall_history \
+	tests/test_wall_images \
 	tests/test_wall_mesh \
 	tests/test_wall_motion \
 	tests/test_wall_moving \
@@ -159,6 +160,8 @@ tests_test_wall_motion_SOURCES = tests/test_wall_motion.c
 tests_test_wall_motion_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_wall_history_SOURCES = tests/test_wall_history.c
 tests_test_wall_history_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
+tests_test_wall_images_SOURCES = tests/test_wall_images.c
+tests_test_wall_images_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_wall_moving_SOURCES = tests/test_wall_moving.c
 tests_test_wall_moving_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_wall_touch_SOURCES = tests/test_wall_touch.c

@@ -10,9 +10,11 @@
  *
  * A contact with a wall belongs to a *feature* of it: the plane; the shell of a cylinder (0) or a rim (1, 2);
  * of a mesh a flat patch, an edge between patches or a vertex of one (numbered in this order). The history of
- * a contact is keyed by particle, wall and feature. Where a contact appears and another one of the same
- * particle and wall vanishes in the same step, and they point the same way within 60 degrees, the sphere has
- * crossed an edge: the history is carried over, turned with the normal.
+ * a contact is keyed by particle, wall and feature; between rebuilds also by the periodic image of the wall,
+ * and over a rebuild contacts with one feature through several images go on in the order of these. Where a
+ * contact appears and another one of the same particle and wall vanishes in the same step, and they point the
+ * same way within 60 degrees, the sphere has crossed an edge: the history is carried over, turned with the
+ * normal.
  *
  * Every rank holds all walls (meshes are small beside particles) and moves them alike, so wall poses are
  * never sent; only the forces on walls are summed over ranks, where an observable or a servo wants them.
@@ -176,10 +178,11 @@ struct wall_rows {
     struct wall_row *row;
     size_t count;
 };
-/* Before and after a rebuild: detach allocates `rows` (also when there is no history: then no row), attach
- * hands them to the new candidates; rows of walls or features that no longer exist, and of walls that the
- * particle is no longer near, are dropped. */
-void walls_detach(const struct walls *walls, const struct particles *particles, struct wall_rows *rows);
+/* Before and after a rebuild: detach allocates `rows` (also when there is no history: then no row) and
+ * forgets through which images contacts were, as the rows do, so that a run that goes on without a rebuild
+ * goes on as one from the rows; attach hands them to the new candidates; rows of walls or features that no
+ * longer exist, and of walls that the particle is no longer near, are dropped. */
+void walls_detach(struct walls *walls, const struct particles *particles, struct wall_rows *rows);
 void walls_attach(struct walls *walls, const struct wall_rows *rows, const struct particles *particles);
 void wall_rows_reorder(struct wall_rows *rows, const uint32_t *order, size_t owned);
 void wall_rows_remove(struct wall_rows *rows, const uint8_t *remove, size_t owned);

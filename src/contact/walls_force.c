@@ -78,8 +78,13 @@ static void collect(const struct wall_task *task, int w, const struct wall_touch
     double overlap = state->radius - touch->distance;
     double lever = law_max(law_lever(task->law, state->radius, overlap), 0.0);
     struct law_vector at = law_add(sphere.x, lever, touch->normal);
-    *entry =
-        (struct wall_entry){task->candidate, task->particle, {w, touch->feature}, at, lever, state->radius};
+    *entry = (struct wall_entry){
+        .candidate = task->candidate,
+        .particle = task->particle,
+        .key = {.wall = (int16_t)w, .image = (int16_t)touch->image, .feature = touch->feature},
+        .at = at,
+        .lever = lever,
+        .radius = state->radius};
     b->overlap[k] = overlap;
     b->mass[k] = state->inverse_mass > 0.0 ? 1.0 / state->inverse_mass : 0.0;
     b->effective[k] = state->radius;
@@ -225,6 +230,8 @@ static size_t find_contacts(const struct walls *walls, size_t k, size_t first, s
     while (*last < walls->first[k + 1] && walls->piece[*last].wall == w)
         ++*last;
     size_t count = walls_touch(walls, walls->piece + first, *last - first, x, radius, scratch);
+    if (count > 1 && walls->wall[w].image_count > 1)
+        walls_sort_images(scratch->touch, count);
     if (walls->law->history_components > 0 && count > 0)
         walls_recall(walls, k, w, count, x, radius, scratch);
     else

@@ -42,23 +42,53 @@ static int32_t find_vanished(const struct walls *walls, size_t k, int w, const s
     return found;
 }
 
+/* Where an image comes if they are sorted by z, y and x. */
+static unsigned image_place(int code) {
+    return ((unsigned)code + 13) % BOX_IMAGE_CODES;
+}
+
+void walls_sort_images(struct wall_touch *touch, size_t count) {
+    for (size_t a = 0; a + 1 < count; a++)
+        for (size_t b = a + 1; b < count; b++)
+            if (touch[a].feature == touch[b].feature &&
+                image_place(touch[a].image) > image_place(touch[b].image)) {
+                struct wall_touch other = touch[a];
+                touch[a] = touch[b];
+                touch[b] = other;
+            }
+}
+
+/* Gives the contacts with wall w that have no record yet those of their feature; with `images` only where the
+ * image is the same, too. Returns how many got one. */
+static size_t recall_feature(const struct wall_key *key, size_t records, int w, size_t count, bool images,
+                             struct wall_scratch *scratch) {
+    size_t found = 0;
+    for (size_t c = 0; c < count; c++) {
+        const struct wall_touch *touch = &scratch->touch[c];
+        for (size_t r = 0; r < records && scratch->from[c] < 0; r++) {
+            if (scratch->taken[r] || key[r].wall != w || key[r].feature != touch->feature ||
+                (images && key[r].image != touch->image))
+                continue;
+            scratch->taken[r] = 1;
+            scratch->from[c] = (int32_t)r;
+            found++;
+        }
+    }
+    return found;
+}
+
 void walls_recall(const struct walls *walls, size_t k, int w, size_t count, struct law_vector x,
                   double radius, struct wall_scratch *scratch) {
     const struct wall_records *old = &walls->records[walls->now];
-    size_t records = (size_t)old->count[k], known = 0;
+    const struct wall_key *key = old->key + walls->first[k];
+    size_t records = (size_t)old->count[k];
     if (records > 0)
         memset(scratch->taken, 0, records);
-    for (size_t c = 0; c < count; c++) {
+    for (size_t c = 0; c < count; c++)
         scratch->from[c] = -1;
-        for (size_t r = 0; r < records && scratch->from[c] < 0; r++) {
-            const struct wall_key *key = &old->key[walls->first[k] + r];
-            if (!scratch->taken[r] && key->wall == w && key->feature == scratch->touch[c].feature) {
-                scratch->taken[r] = 1;
-                scratch->from[c] = (int32_t)r;
-                known++;
-            }
-        }
-    }
+    size_t known = recall_feature(key, records, w, count, true, scratch);
+    if (known < count && known < records)
+        known += recall_feature(key, records, w, count, false, scratch);
     if (known == count || known == records)
         return;
     for (size_t c = 0; c < count; c++) {
@@ -71,8 +101,8 @@ void walls_recall(const struct walls *walls, size_t k, int w, size_t count, stru
     }
 }
 
-void walls_detach(const struct walls *walls, const struct particles *particles, struct wall_rows *rows) {
-    const struct wall_records *now = &walls->records[walls->now];
+void walls_detach(struct walls *walls, const struct particles *particles, struct wall_rows *rows) {
+    struct wall_records *now = &walls->records[walls->now];
     size_t components = (size_t)walls->law->history_components, at = 0, k = 0;
     size_t candidates = components > 0 ? walls->candidates : 0;
     *rows = (struct wall_rows){
@@ -86,6 +116,7 @@ void walls_detach(const struct walls *walls, const struct particles *particles, 
             continue;
         for (size_t r = walls->first[k]; r < walls->first[k] + (size_t)now->count[k]; r++) {
             struct wall_row *row = &rows->row[at++];
+            now->key[r].image = WALL_IMAGE_LOST; /* here as in the rows */
             *row = (struct wall_row){
                 .id = particles->id[i], .wall = now->key[r].wall, .patch = now->key[r].feature};
             memcpy(row->value, now->value + r * components, components * sizeof *row->value);
@@ -136,7 +167,8 @@ static void attach_rows(struct walls *walls, size_t k, const struct wall_row *fi
     for (const struct wall_row *row = first; row < last && at < walls->first[k + 1]; row++) {
         if (!row_exists(walls, row) || row_place(walls, k, row) != place)
             continue;
-        now->key[at] = (struct wall_key){row->wall, row->patch};
+        now->key[at] =
+            (struct wall_key){.wall = (int16_t)row->wall, .image = WALL_IMAGE_LOST, .feature = row->patch};
         memcpy(now->value + at * components, row->value, components * sizeof *row->value);
         at++;
     }

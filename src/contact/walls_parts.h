@@ -47,9 +47,12 @@ struct wall_piece {
     uint8_t wall, image;
 };
 
-/* A record's contact. */
+/* A record's contact. WALL_IMAGE_LOST: through which image is no longer known, as a rebuild may have wrapped
+ * the particle. */
+enum { WALL_IMAGE_LOST = -1 };
 struct wall_key {
-    int32_t wall, feature;
+    int16_t wall, image;
+    int32_t feature;
 };
 
 struct wall_records {
@@ -156,6 +159,10 @@ void walls_scratch_free(struct wall_scratch *scratch);
  * with, in scratch->from. (walls_history.c) */
 void walls_recall(const struct walls *walls, size_t k, int w, size_t count, struct law_vector x,
                   double radius, struct wall_scratch *scratch);
+
+/* Sorts contacts with one feature through several images of its wall by image, each among the places that
+ * they have. A wrapped particle changes the images, not their order. */
+void walls_sort_images(struct wall_touch *touch, size_t count);
 
 /* Turns a spring from one normal to another. */
 struct law_vector walls_carry(struct law_vector spring, struct law_vector from, struct law_vector to);

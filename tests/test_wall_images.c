@@ -1,0 +1,61 @@
+/* Walls felt through periodic images: springs of contacts with several of them. */
+#include "contact/wall.h"
+#include "contact/law_kernel.h"
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+#include "near.h"
+#include "walls_by_hand.h"
+
+static const double radius = 0.52, load = 1e-4;
+
+/* A sphere between two images of a post, which are 1 away from each other: at x the springs along y are these
+ * on its lower and on its upper side, in units of the load. */
+static void assert_springs(struct world *w, double x, double lower, double upper) {
+    double k_t = 2e4 / 7.0;
+    w->particles->state[0].x[0] = x;
+    world_forces(w, load);
+    const double *force = world_force(w, 0);
+    assert_int_equal(w->sums.contacts, (lower != 0.0) + (upper != 0.0));
+    assert_near(force[1], -k_t * load * (lower + upper), 1e-9);
+    assert_near(force[6], -k_t * load * (upper - lower) * radius, 1e-9);
+}
+
+/* Springs stay on their sides whichever image is nearer, over a rebuild that wraps the sphere, after rows
+ * have been taken for a checkpoint, and where one of the contacts ends. */
+static void test_springs_of_two_images(void **state) {
+    (void)state;
+    struct wall_options post = {.name = "post", .shape = WALL_CYLINDER, .axis = {0, 1, 0}, .radius = 0.5};
+    struct box box = hand_box(4.0);
+    struct world w;
+    struct wall_rows rows;
+    box.edge[0] = 2.0;
+    box.periodic[0] = true;
+    post.point[0] = 1.0;
+    post.point[2] = 2.0;
+    world_open(&w, box, hand_law(LAW_HOOKE, 1.0, 1e6), &post, 1, 1);
+    struct particle_state *s = world_add(&w, 1.999, 2.0, 2.0, radius, 1.0);
+    world_rebuild(&w, NULL);
+    s->v[1] = 1.0;
+    w.particles->omega[0][2] = 0.5 / radius;
+    assert_springs(&w, 1.999, 0.5, 1.5);
+    s->v[1] = w.particles->omega[0][2] = 0.0;
+    assert_springs(&w, 2.001, 0.5, 1.5);
+    assert_springs(&w, 1.999, 0.5, 1.5);
+    world_rebuild(&w, NULL);
+    assert_springs(&w, 2.001, 0.5, 1.5);
+    world_rebuild(&w, NULL);
+    assert_near(w.particles->state[0].x[0], 0.001, 1e-12);
+    assert_springs(&w, -0.001, 0.5, 1.5);
+    walls_detach(w.walls, w.particles, &rows);
+    wall_rows_free(&rows);
+    assert_springs(&w, 0.001, 0.5, 1.5);
+    assert_springs(&w, 0.03, 0.0, 1.5); /* parted from the lower one */
+    world_close(&w);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_springs_of_two_images)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
