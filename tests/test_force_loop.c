@@ -158,6 +158,46 @@ static void test_degenerate(void **state) {
     }
 }
 
+/* How many contacts the loop and the list find. */
+static size_t contacts_of(struct rig *rig) {
+    struct force_contact *contacts;
+    force_loop_run(rig->loop, &rig->context, &rig->sums);
+    size_t listed = force_loop_contacts(&rig->context, &contacts);
+    memory_free(contacts);
+    assert_int_equal(rig->sums.contacts, listed);
+    return listed;
+}
+
+/* Two prescribed particles that overlap have a contact where they move or turn differently, and else none. */
+static void test_fixed(void **state) {
+    (void)state;
+    for (int k = 1; k < 5; k += 3) {
+        struct law law = law_number(k, 1);
+        struct rig rig;
+        rig_make(&rig, &law, (struct layout){1, 0.0, NULL});
+        rig.particles->group = memory_allocate_zero(COUNT, 1, "groups");
+        uint32_t i[1 + INDEX_SINK_PAD] = {0}, j[1 + INDEX_SINK_PAD] = {1};
+        struct pair_block block = {.one_sided = 1, .slotted = 1, .end_pair = 1};
+        rig.list = (struct pairlist){
+            .i = i, .j = j, .blocks = &block, .block_count = 1, .threads = 1, .thread_block = (int[]){0, 1}};
+        struct particle_state *s = rig.particles->state;
+        s[0].inverse_mass = 0.0;
+        s[1] = s[0];
+        s[1].x[0] += 0.5;
+        if (law.spin)
+            memcpy(rig.particles->omega[1], rig.particles->omega[0], sizeof rig.particles->omega[1]);
+        assert_int_equal(contacts_of(&rig), 0);
+        if (law.spin) {
+            rig.particles->omega[1][2] += 1.0;
+            assert_int_equal(contacts_of(&rig), 1);
+            rig.particles->omega[1][2] = rig.particles->omega[0][2];
+        }
+        s[1].v[1] += 1.0;
+        assert_int_equal(contacts_of(&rig), 1);
+        rig_free(&rig);
+    }
+}
+
 /* As many contacts as there is room for records: what the last batch writes behind them has room, too. */
 static void test_history_padding(void **state) {
     (void)state;
@@ -189,6 +229,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_kernels_agree),    cmocka_unit_test(test_conservation),
         cmocka_unit_test(test_mirrored_springs), cmocka_unit_test(test_contacts),
-        cmocka_unit_test(test_degenerate),       cmocka_unit_test(test_history_padding)};
+        cmocka_unit_test(test_degenerate),       cmocka_unit_test(test_fixed),
+        cmocka_unit_test(test_history_padding)};
     return cmocka_run_group_tests(tests, make_lists, free_lists);
 }

@@ -107,6 +107,10 @@ static void test_prescribed(void **state) {
         p->group[k] = (uint8_t)k;
         p->state[k].inverse_mass = k ? 0.0 : 0.5;
     }
+    p->state[0].v[1] = p->state[1].v[1] = p->omega[1][2] = 3.0; /* of no consequence where it is prescribed */
+    integrator_prescribe(p, &context);
+    assert_true(p->state[0].v[1] == 3.0 && p->state[1].v[1] == 0.0 && p->omega[1][2] == 0.0);
+    assert_true(p->state[2].v[0] == 1.0 && p->state[2].v[2] == -2.0 && p->omega[2][1] == 5.0);
     integrator_stagger(p, &context, 0, 3);
     for (int n = 0; n < 10; n++) {
         for (size_t k = 0; k < 3; k++)

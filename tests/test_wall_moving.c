@@ -167,6 +167,27 @@ static void test_conveyor(void **state) {
     world_close(&w);
 }
 
+/* A sphere whose motion is prescribed rubs on a wall at rest if it turns, and only then. */
+static void test_turns_on_the_spot(void **state) {
+    (void)state;
+    struct wall_options plane = hand_plane(0, 0, 1, 0, 0, 1);
+    struct world w;
+    double force[1][6];
+    world_open(&w, hand_box(4.0), hand_law(LAW_HOOKE, 0.5, 0.5), &plane, 1, 1);
+    world_add(&w, 2, 2, 1.45, 0.5, 1.0)->inverse_mass = 0.0;
+    world_rebuild(&w, NULL);
+    world_forces(&w, 1e-3);
+    assert_int_equal(w.sums.contacts, 0);
+    w.particles->omega[0][1] = 2.0;
+    world_rebuild(&w, NULL);
+    world_forces(&w, 1e-3);
+    assert_int_equal(w.sums.contacts, 1);
+    walls_forces(w.walls, force);
+    assert_near(force[0][0], -2e4 / 7.0 * 1e-3 * 0.5 * 2.0, 1e-12);
+    assert_near(force[0][2], -1e4 * 0.05, 1e-9);
+    world_close(&w);
+}
+
 /* How far walls have moved, for the decision to rebuild. */
 static void test_displacement(void **state) {
     (void)state;
@@ -265,10 +286,13 @@ static void test_offset(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_piston),       cmocka_unit_test(test_servo),
-        cmocka_unit_test(test_drum),         cmocka_unit_test(test_conveyor),
-        cmocka_unit_test(test_displacement), cmocka_unit_test(test_displacement_outside),
-        cmocka_unit_test(test_offset)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_piston),
+                                       cmocka_unit_test(test_servo),
+                                       cmocka_unit_test(test_drum),
+                                       cmocka_unit_test(test_conveyor),
+                                       cmocka_unit_test(test_turns_on_the_spot),
+                                       cmocka_unit_test(test_displacement),
+                                       cmocka_unit_test(test_displacement_outside),
+                                       cmocka_unit_test(test_offset)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

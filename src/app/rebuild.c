@@ -187,6 +187,7 @@ void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
     if (!particles_wrap(s->particles, &s->scene->box))
         guards_check_positions(s);
     sources_run(s, rows);
+    integrator_prescribe(s->particles, &s->motion); /* whom walls will meet depends on it */
     load_begin(s);
     if (!s->alone && rows->keep)
         part_with_leavers(s, rows);

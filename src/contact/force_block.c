@@ -73,19 +73,22 @@ static inline void force_filter(const struct force_view view, struct force_threa
     thread->candidates = (size_t)(out - thread->candidate);
 }
 
-/* True of two particles that are both prescribed and move alike: what they overlap by stays, and is no
- * contact. */
-static inline bool force_fixed(const double record[8]) {
-    return record[7] == 0.0 && record[4] == 0.0 && record[5] == 0.0 && record[6] == 0.0;
+/* True of two particles that are both prescribed and move and turn alike: what they overlap by stays, and is
+ * no contact. */
+static inline bool force_fixed(const struct force_batch *restrict b, int k, bool spin) {
+    const double *record = b->record[k], *omega = b->omega[k];
+    if (record[7] != 0.0 || record[4] != 0.0 || record[5] != 0.0 || record[6] != 0.0)
+        return false;
+    return !spin || (omega[0] == omega[4] && omega[1] == omega[5] && omega[2] == omega[6]);
 }
 
 /* Takes contacts of particles that are fixed to each other out of the batch. */
-static __attribute__((noinline)) void force_drop_fixed(struct force_batch *restrict b) {
+static __attribute__((noinline)) void force_drop_fixed(struct force_batch *restrict b, bool spin) {
     int kept = 0;
-    while (kept < b->count && !force_fixed(b->record[kept]))
+    while (kept < b->count && !force_fixed(b, kept, spin))
         kept++;
     for (int k = kept + 1; k < b->count; k++) {
-        if (force_fixed(b->record[k]))
+        if (force_fixed(b, k, spin))
             continue;
         memcpy(b->record[kept], b->record[k], sizeof b->record[k]);
         memcpy(b->omega[kept], b->omega[k], sizeof b->omega[k]);
@@ -126,7 +129,7 @@ static inline void force_gather(const struct force_view view, struct force_threa
     }
     b->count = count;
     if (view.prescribed)
-        force_drop_fixed(b);
+        force_drop_fixed(b, view.omega != NULL);
     b->padded = (b->count + FORCE_LANES - 1) / FORCE_LANES * FORCE_LANES;
 }
 

@@ -2,7 +2,6 @@
 #include "contact/force.h"
 #include "contact/law_kernel.h"
 #include "core/memory.h"
-#include <string.h>
 
 /* A walk over the records of one thread, in the order of its pairs. */
 struct force_walk {
@@ -26,6 +25,17 @@ static struct law_vector force_difference(const double a[3], const double b[3]) 
     return (struct law_vector){a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
+static bool force_same(const double a[3], const double b[3]) {
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
+
+/* True of two particles that are fixed to each other, as the force loop has it. */
+static bool force_pair_fixed(const struct particles *p, bool spin, size_t i, size_t j) {
+    const struct particle_state *si = &p->state[i], *sj = &p->state[j];
+    return si->inverse_mass + sj->inverse_mass == 0.0 && force_same(si->v, sj->v) &&
+           (!spin || force_same(p->omega[i], p->omega[j]));
+}
+
 /* What two spheres bring to the law; false if they do not touch. `separation` is x_j - x_i. */
 static bool force_pair_contact(const struct force_context *context, size_t k, const double *record,
                                struct law_contact *in, struct law_vector *separation) {
@@ -39,9 +49,9 @@ static bool force_pair_contact(const struct force_context *context, size_t k, co
     double reach = si->radius + sj->radius, square = law_dot(d, d);
     if (!(square < reach * reach))
         return false;
+    if (force_pair_fixed(p, context->law->spin, i, j))
+        return false;
     double distance = sqrt(square), inertia = si->inverse_mass + sj->inverse_mass;
-    if (inertia == 0.0 && memcmp(si->v, sj->v, sizeof si->v) == 0)
-        return false; /* as force_fixed */
     struct law_case law = law_case_of(&context->law->options, false);
     *in = (struct law_contact){.overlap = reach - distance,
                                .mass = inertia > 0.0 ? 1.0 / inertia : 0.0,

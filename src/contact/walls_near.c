@@ -73,10 +73,16 @@ size_t walls_near(const struct walls *walls, int w, struct law_vector x, double 
     return count;
 }
 
-/* True of a particle that nothing moves: at a wall that does not move either it has no contact, whatever they
- * overlap by. */
-static bool at_rest(const struct particle_state *state) {
-    return state->inverse_mass == 0 && state->v[0] == 0 && state->v[1] == 0 && state->v[2] == 0;
+static bool is_zero(const double a[3]) {
+    return a[0] == 0 && a[1] == 0 && a[2] == 0;
+}
+
+/* True of a particle that nothing moves or turns: at a wall that does not move either it has no contact,
+ * whatever they overlap by. */
+static bool at_rest(const struct particles *particles, size_t i) {
+    const struct particle_state *state = &particles->state[i];
+    return state->inverse_mass == 0 && is_zero(state->v) &&
+           (particles->omega == NULL || is_zero(particles->omega[i]));
 }
 
 /* All pieces near particle i; counts only without `out`. */
@@ -86,7 +92,7 @@ static size_t near_particle(const struct walls *walls, const struct particles *p
     const struct particle_state *state = &particles->state[i];
     double reach = state->radius + classes->margin[particles->size_class[i]][classes->count];
     size_t count = 0;
-    bool fixed = at_rest(state);
+    bool fixed = at_rest(particles, i);
     for (int w = 0; w < walls->count; w++)
         if (!fixed || walls->wall[w].options.motions > 0)
             count += walls_near(walls, w, wall_vector(state->x), reach, out ? out + count : NULL, number);

@@ -106,6 +106,16 @@ static inline double integrator_move(struct particle_state *state, const double 
     return v[0] * v[0] + v[1] * v[1] + v_z * v_z;
 }
 
+void integrator_prescribe(struct particles *particles, const struct integrator_context *context) {
+    const struct integrator_pass pass = integrator_pass_of(particles, context, 0.0);
+    if (pass.group == NULL)
+        return;
+#pragma omp parallel for schedule(static)
+    for (size_t i = 0; i < particles->owned; i++)
+        if (integrator_motion_of(&pass, i))
+            integrator_kick(pass, i);
+}
+
 double integrator_advance(struct particles *particles, const struct integrator_context *context, size_t first,
                           size_t last) {
     const struct integrator_pass pass = integrator_pass_of(particles, context, context->dt);

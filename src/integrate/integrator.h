@@ -40,6 +40,10 @@ struct integrator_context {
     struct integrator_motion motion[INTEGRATOR_GROUPS_MAX];
 };
 
+/* Gives the owned particles whose motion is prescribed their velocity and spin, as the passes below do:
+ * before anything looks at these that no pass has moved yet. Opens its own thread team. */
+void integrator_prescribe(struct particles *particles, const struct integrator_context *context);
+
 /* Kicks and drifts the owned particles [first, last): v += dt (f/m + g), omega += dt torque/I, x += dt v;
  * sets their force record to zero; sets prescribed motion. In 2D z stays. Returns the largest |v|^2 of the
  * range (speed for the skin), NaN if one is not finite. Any thread, disjoint ranges. */

@@ -93,6 +93,14 @@ rough_floor() {
     [ "$1" = 1 ] && within "$2" 0.0878 0.005 && within "$3" -41.9 4
 }
 check 'spheres that are fixed to each other and to a wall have no contacts' rough_floor
+turning() { # KIND SPEED: a sphere that its group moves feels the plane from the start
+    run_scene 1 rough.yaml "turning-$1" --set "groups=[{name: rough, motion: moving, $1: [0, $2, 0]}]" --set step.count=1 \
+        --set observables.every=1 --set 'particles.sources=[{from: single, position: [5, 5, 0.99], radius: 1, group: rough}]' || return 1
+    set -- $(awk -F, 'END { print $2, $4 }' "turning-$1/observables.csv")
+    [ "$1" = 1 ] && within "$2" -100 1e-6
+}
+check 'but for one that turns' turning omega 1
+check 'and one that moves' turning velocity 1
 
 # A speed whose square is no number, of the first of more particles than one block holds
 cat >thrown.yaml <<'EOF'
