@@ -64,19 +64,17 @@ static bool variants_read(const struct comm *comm, struct variants *v, const str
 
 static void table_head(FILE *table) {
     fprintf(table, "index,newton,ranks,threads,particles,steps,seconds,particle_steps_per_second,pairs,"
-                   "contacts,rebuilds,"
-                   "dangerous_rebuilds,bytes_per_particle,peak_bytes");
+                   "contacts,rebuilds,bytes_per_particle,peak_bytes");
     for (int k = 0; k < TIMER_STAGES; k++)
         fprintf(table, ",%s[s]", timer_stage_name(k));
     fprintf(table, "\n");
 }
 
 static void table_row(FILE *table, const struct report *r) {
-    fprintf(table, "%s,%s,%d,%d,%llu,%llu,%.6g,%.6g,%llu,%llu,%llu,%llu,%.1f,%llu", r->index,
+    fprintf(table, "%s,%s,%d,%d,%llu,%llu,%.6g,%.6g,%llu,%llu,%llu,%.1f,%llu", r->index,
             r->newton ? "on" : "off", r->ranks, r->threads, (unsigned long long)r->particles,
             (unsigned long long)r->steps, r->seconds, report_speed(r), (unsigned long long)r->pairs,
-            (unsigned long long)r->contacts, (unsigned long long)r->rebuilds,
-            (unsigned long long)r->dangerous_rebuilds, r->bytes_per_particle,
+            (unsigned long long)r->contacts, (unsigned long long)r->rebuilds, r->bytes_per_particle,
             (unsigned long long)(r->bytes_per_particle * (double)r->particles));
     for (int k = 0; k < TIMER_STAGES; k++)
         fprintf(table, ",%.6g", r->stage[k].mean);

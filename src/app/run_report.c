@@ -144,7 +144,6 @@ void run_report_fill(const struct simulation *s, const struct run_record *run, s
     report->pairs = (uint64_t)sums[0] / 2;
     report->contacts = (uint64_t)sums[1] / 2;
     report->rebuilds = s->skin->rebuilds > 0 ? s->skin->rebuilds - 1 : 0;
-    report->dangerous_rebuilds = s->skin->dangerous;
     report->bytes_per_particle = s->total ? (double)sums[2] / (double)s->total : 0;
     report->memory_held = (uint64_t)sums[3];
     report->rebuild_messages = (uint64_t)sums[4];

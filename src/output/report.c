@@ -157,8 +157,7 @@ void report_print(const struct report *report, FILE *file) {
             report->reproducible ? ", reproducible" : "", report->ranks, report->ranks == 1 ? "" : "s",
             report->threads, report->threads == 1 ? "" : "s");
     fprintf(file, "  %s pairs, %s contacts", grouped(report->pairs, a), grouped(report->contacts, b));
-    fprintf(file, ", %s rebuilds (%s dangerous)\n", grouped(report->rebuilds, a),
-            grouped(report->dangerous_rebuilds, b));
+    fprintf(file, ", %s rebuilds\n", grouped(report->rebuilds, a));
     fprintf(file, "  %.0f bytes a particle, peak memory of a rank %.1f MB\n", report->bytes_per_particle,
             (double)report->memory_peak / 1e6);
     if (report->ranks > 1)

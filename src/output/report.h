@@ -68,7 +68,7 @@ struct report {
     double seconds_setup;
     uint64_t pairs;    /* in the last list */
     uint64_t contacts; /* at the end */
-    uint64_t rebuilds, dangerous_rebuilds;
+    uint64_t rebuilds;
     double bytes_per_particle; /* counted memory of all ranks / particles */
     uint64_t memory_held;      /* counted memory of all ranks at the end, bytes */
     uint64_t memory_peak;      /* largest peak resident set of a rank, bytes */

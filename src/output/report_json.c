@@ -156,7 +156,6 @@ static void put_counts(FILE *file, const struct report *report) {
     key_count(file, "pairs", report->pairs);
     key_count(file, "contacts", report->contacts);
     key_count(file, "rebuilds", report->rebuilds);
-    key_count(file, "dangerous_rebuilds", report->dangerous_rebuilds);
     key_real(file, "bytes_per_particle", report->bytes_per_particle);
     key_count(file, "memory_peak", report->memory_peak);
     key_count(file, "memory_held", report->memory_held);

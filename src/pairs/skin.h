@@ -17,8 +17,7 @@ struct skin {
     double growth[CLASS_MAX + 1]; /* of the bound in the last step */
     double (*anchor)[3];          /* position at the rebuild, owned particles */
     size_t capacity;
-    uint64_t rebuilds,
-        dangerous;     /* dangerous: a force evaluation used a list that could have missed a pair */
+    uint64_t rebuilds;
     uint64_t measured; /* exact measurements */
     unsigned moves;    /* drifts since the rebuild */
 };

@@ -44,7 +44,7 @@ reference() {
 layout() {
     local dir=$1-other
     run_scene "$2" "$1.yaml" "$dir" --overwrite --set threads=1 --set domain="${3/bisection/$bisection}" --set sync="$4" --set newton="$5" \
-        --set ghosts="$6" && same_forces "$1" "$dir" 8 particles contacts pairs dangerous_rebuilds && momentum_kept "$dir"
+        --set ghosts="$6" && same_forces "$1" "$dir" 8 particles contacts pairs && momentum_kept "$dir"
 }
 
 # refused CASE RANKS [FLAG...]: next-neighbour synchronisation says which particle does not fit

@@ -186,7 +186,6 @@ static void json_holds_all_keys(void **state) {
                                            "\"pairs\": 123456789,",
                                            "\"contacts\": ",
                                            "\"rebuilds\": ",
-                                           "\"dangerous_rebuilds\": ",
                                            "\"bytes_per_particle\": ",
                                            "\"seed\": 18446744073709551615,",
                                            "\"version\": \"",
