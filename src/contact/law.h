@@ -4,12 +4,20 @@
  * loops call are the `static inline` ones of law_kernel.h, specialised by constant arguments; this header
  * holds what is prepared once: options and the table of coefficients for each pair of materials.
  *
- * Normal force (overlap d > 0, approach speed v_n, effective mass m*, effective radius R*, n from i to j):
- *   hooke   F_n = k_n d + c v_n                      c = gamma_n m*   (coefficients given)  or  from the
- * restitution e hertz   F_n = K d^(3/2) + c v_n, K = 4/3 E* sqrt(R*)   c = alpha sqrt(m* K) d^(1/4)  (Antypov
- * and Elliott 2011) Tangential spring xi with history, F_t = -k_t xi - c_t v_t, |F_t| <= mu |F_n|: hooke k_t
- * given as a ratio to k_n ;  hertz   Mindlin, k_t = 8 G* sqrt(R* d) Sources: references named in
- * docs/physics.md. */
+ * With the overlap d > 0, the approach speed v_n, the effective mass m* and radius R*, and the effective
+ * moduli E* and G* of the two materials, the normal force is
+ *
+ *   hooke   F_n = k_n d + c v_n          c = gamma_n m*, or 2 zeta sqrt(k_n m*) from the restitution
+ *   hertz   F_n = K d^(3/2) + c v_n      K = 4/3 E* sqrt(R*),  c = alpha sqrt(m* K) d^(1/4)
+ *
+ * and with the tangential spring xi, whose history a contact keeps, and the slip velocity v_t the tangential
+ * one
+ *
+ *   both    F_t = -k_t xi - c_t v_t      |F_t| <= mu |F_n|
+ *   hooke   k_t                          a stiffness, given like k_n
+ *   hertz   k_t = 8 G* sqrt(R* d)        Mindlin
+ *
+ * docs/physics.md has the other terms, and where all of this comes from. */
 #ifndef SCREE_CONTACT_LAW_H
 #define SCREE_CONTACT_LAW_H
 
