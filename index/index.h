@@ -25,7 +25,7 @@
  *                                                    pointer into the view
  *   visit        by pairs/, to count and to fill     its state read-only;         many at once
  *                                                    the thread's own sink
- *   check        debug builds and tests              nothing                      one
+ *   check        tests                               nothing                      one
  *   describe     start of a run, `scree check`       nothing                      one
  *   memory       the report                          nothing                      one
  *   trials       after a build                       nothing                      one

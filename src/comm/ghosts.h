@@ -98,8 +98,9 @@ struct ghosts_counts {
 };
 void ghosts_count(const struct ghosts *ghosts, struct ghosts_counts *counts);
 
-/* True if the plan fits the particles: numbers, order of the peers, classes and images. For tests and debug
- * builds; not collective. */
+/* True if the plan fits the particles: how many copies there are, the order of the peers, that the originals
+ * are owned and that no copy of this rank's own particles stands where its original does; else `why` gets one
+ * line. Not collective. Tests call it. */
 bool ghosts_valid(const struct ghosts *ghosts, const struct particles *particles, char *why, size_t why_size);
 
 #endif

@@ -58,7 +58,7 @@ void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned,
 size_t sweep_memory(const struct sweep *sweep);
 
 /* True if every particle moves exactly once, and none after a block of its thread that reads it or while
- * another thread may. For tests and debug builds. */
+ * another thread may; else `why` gets one line. Tests call it. */
 bool sweep_valid(const struct sweep *sweep, const struct pairlist *list, size_t owned, char *why,
                  size_t why_size);
 

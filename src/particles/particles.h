@@ -104,8 +104,9 @@ double particles_mass(const struct particles *particles, size_t i);
 /* Bytes that one particle takes in all allocated fields. */
 size_t particles_bytes_each(const struct particles *particles);
 
-/* True if the set's invariants hold (sizes, unique positive ids, finite positions, positive radii); else
- * `why` gets one line. For tests and debug builds. */
+/* True if there is room for all particles, and each has a finite position and velocity, a radius above 0, no
+ * negative mass and a positive id; whether ids are unique is not looked at. Else `why` gets one line. Tests
+ * call it. */
 bool particles_valid(const struct particles *particles, char *why, size_t why_size);
 
 #endif
