@@ -320,6 +320,8 @@ void cells_fill(struct cells *cells, const struct cells_source *source, uint32_t
             put_slots(&mine, source->frame, k, &located);
             number_members(cells->particle + k, source, k, located.count);
         }
+        /* every thread has its copy of the bounds by then */
+#pragma omp barrier
         merge_bounds(cells, &mine, true);
     }
     set_slots(cells, source->view->threads, slot_of);
