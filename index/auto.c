@@ -140,6 +140,7 @@ static struct levels_plan make_plan(struct auto_index *index, const struct index
     plan.grids = chosen->levels;
     for (int g = 0; g < plan.grids; g++) {
         plan.edge[g] = chosen->edge[g] * factor;
+        plan.fixed[g] = index->base.params.cell_factor > 0;
         for (int c = g > 0 ? chosen->last[g - 1] + 1 : 0; c <= chosen->last[g]; c++) {
             plan.grid_of[c] = g;
         }

@@ -173,11 +173,32 @@ static void variants_find_the_same(void **state) {
     cloud_free(&cloud);
 }
 
+/* Cells are the user's multiple of what was chosen, also where larger ones would keep the grid dense. */
+static void cell_factors_are_kept(void **state) {
+    (void)state;
+    static const double factors[] = {1, 0.7, 0.6, 0.5, 0.4, 0.3};
+    struct cloud cloud;
+    double edge = 0;
+    cloud_make(&cloud, &(struct cloud_spec){
+                           .count = 4000, .sizes = CLOUD_MONO, .ratio = 1, .fraction = 0.5, .dimension = 3});
+    for (size_t k = 0; k < sizeof factors / sizeof factors[0]; k++) {
+        struct index_params params = {.cell_factor = factors[k]};
+        struct index *index = cloud_index(&cloud, "auto", &params);
+        struct index_description description;
+        index_describe(index, &description);
+        edge = k == 0 ? description.level[0].cell : edge;
+        assert_true(fabs(description.level[0].cell - factors[k] * edge) < 1e-5 * edge);
+        index_destroy(&index);
+    }
+    cloud_free(&cloud);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(equal_sizes_share_a_level),  cmocka_unit_test(sizes_far_apart_do_not),
         cmocka_unit_test(wide_laws_get_a_few_levels), cmocka_unit_test(equal_levels_have_equal_occupancy),
         cmocka_unit_test(choices_have_no_memory),     cmocka_unit_test(variants_find_the_same),
+        cmocka_unit_test(cell_factors_are_kept),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
