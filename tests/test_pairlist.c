@@ -59,7 +59,7 @@ static void cloud_search(struct cloud *c, int threads, bool newton) {
     index_build(c->index, &c->view);
     struct pairlist_options options = {.threads = threads, .block_rows = 100, .busy_bound = 20};
     c->list = pairlist_create(&options);
-    pairlist_build(c->list, c->index, &c->view, c->particles, &c->box);
+    pairlist_build(c->list, c->index, &c->view, &c->box);
 }
 
 static void cloud_free(struct cloud *c) {
@@ -104,7 +104,7 @@ static void check_layouts(size_t ghosts, bool newton) {
         assert_memory_equal(share, reference, counted * sizeof *share);
         memory_free(share);
         /* A second build goes into the regions of the first */
-        pairlist_build(c.list, c.index, &c.view, c.particles, &c.box);
+        pairlist_build(c.list, c.index, &c.view, &c.box);
         share = shares(&c);
         assert_memory_equal(share, reference, counted * sizeof *share);
         memory_free(share);

@@ -308,7 +308,6 @@ static void test_deep(void **state) {
     assert_near(w.sums.overlap_max, 2.6, 1e-14);
     assert_int_equal(w.sums.overlap_id[0], 1);
     assert_int_equal(w.sums.overlap_id[1], -1);
-    assert_true(walls_memory(w.walls) > 0);
     assert_string_equal(walls_options(w.walls, 0)->name, "plane");
     assert_int_equal(walls_count(w.walls), 1);
     world_close(&w);

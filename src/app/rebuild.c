@@ -140,7 +140,7 @@ static void search(struct simulation *s) {
     timer_stop(&s->timers, TIMER_INDEX);
     timer_start(&s->timers, TIMER_PAIRS);
     double start = timer_now();
-    pairlist_build(s->list, s->index, &s->view, s->particles, &s->scene->box);
+    pairlist_build(s->list, s->index, &s->view, &s->scene->box);
     if (s->scene->ghosts.in_place && !s->alone)
         pairlist_add_images(s->list, s->particles->owned, ghosts_unshift(s->ghosts, s->particles));
     s->pairs_seconds += timer_now() - start;

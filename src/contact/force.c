@@ -37,11 +37,6 @@ void force_loop_destroy(struct force_loop **loop) {
     *loop = NULL;
 }
 
-size_t force_loop_memory(const struct force_loop *loop) {
-    return (size_t)loop->threads * (sizeof *loop->thread[0] + loop->slot_capacity * sizeof(double)) +
-           (loop->ordered ? force_ordered_memory(loop->ordered) : 0);
-}
-
 const char *force_loop_kernel(const struct force_loop *loop) {
     return loop->kernel->name;
 }

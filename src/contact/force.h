@@ -49,7 +49,6 @@ struct force_context {
 struct force_loop;
 struct force_loop *force_loop_create(int threads);
 void force_loop_destroy(struct force_loop **loop);
-size_t force_loop_memory(const struct force_loop *loop);
 
 /* The name of the kernel in use: "x86-64-v4", "x86-64-v3" or "baseline". force_loop_choose takes another one,
  * for tests and measurements; false if there is none of that name or the CPU cannot run it. */

@@ -185,13 +185,3 @@ void force_ordered_clear(struct force_ordered *o) {
     for (int t = 0; t < o->threads; t++)
         o->ledger[t]->count = 0;
 }
-
-size_t force_ordered_memory(const struct force_ordered *o) {
-    size_t bytes = 0;
-    for (int t = 0; t < o->threads; t++)
-        bytes += o->ledger[t]->capacity *
-                     (sizeof(uint32_t) + sizeof(struct force_source) + o->stride * sizeof(double)) +
-                 o->range[t]->start_room * sizeof(size_t) +
-                 o->range[t]->place_room * sizeof(struct force_place);
-    return bytes;
-}

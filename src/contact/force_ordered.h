@@ -41,6 +41,4 @@ void force_ordered_add(struct force_ordered *ordered, size_t owned, double *forc
 /* Forgets all entries. */
 void force_ordered_clear(struct force_ordered *ordered);
 
-size_t force_ordered_memory(const struct force_ordered *ordered);
-
 #endif

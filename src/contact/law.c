@@ -161,9 +161,6 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
                 return false;
             law->pair[a][b] = law_combine(options, &material[a], &material[b], &pair[a][b]);
             law->pair[b][a] = law->pair[a][b];
-            if (options->normal == LAW_HERTZ)
-                law->young_effective[a][b] = law->young_effective[b][a] =
-                    law_young_effective(&material[a], &material[b]);
         }
     law->options = *options;
     law->materials = materials;

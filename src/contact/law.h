@@ -91,7 +91,6 @@ struct law {
     int materials;
     bool uniform; /* all pairs of materials have the same coefficients */
     struct law_coefficients pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX]; /* symmetric */
-    double young_effective[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];       /* E*, hertz */
     double range;           /* how far beyond touch the law acts: 0 here */
     int history_components; /* doubles of history a contact: 0, 3 or 6 */
     bool spin;              /* particles need angular velocity and torque */

@@ -199,6 +199,5 @@ void walls_offset(const struct walls *walls, int wall, double offset[3]);
 /* Triangles of a mesh wall at its present pose, user's coordinates, 9 doubles each, for output; 0 for other
  * shapes. */
 size_t walls_triangles(const struct walls *walls, int wall, double (**triangles)[9]);
-size_t walls_memory(const struct walls *walls);
 
 #endif

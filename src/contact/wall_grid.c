@@ -112,12 +112,6 @@ void wall_grid_destroy(struct wall_grid **grid) {
     *grid = NULL;
 }
 
-size_t wall_grid_memory(const struct wall_grid *grid) {
-    size_t cells = grid_cells(grid);
-    return sizeof *grid + (cells + 1) * sizeof *grid->start + grid->start[cells] * sizeof *grid->triangle +
-           grid->mesh->triangles * sizeof *grid->range;
-}
-
 /* True in the first cell that a query and a triangle share: there the triangle is looked at. */
 static bool first_shared(const struct cell_range *query, const struct cell_range *triangle,
                          const int cell[3]) {

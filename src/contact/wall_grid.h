@@ -10,7 +10,6 @@ struct wall_grid;
 /* Bins the triangles of a mesh, which must live as long as the grid. One thread. Destroy frees and nulls. */
 struct wall_grid *wall_grid_create(const struct wall_mesh *mesh);
 void wall_grid_destroy(struct wall_grid **grid);
-size_t wall_grid_memory(const struct wall_grid *grid);
 
 /* The triangles that come nearer than `reach` to x (body's frame), each once, in no order: writes their
  * numbers to `out`, or only counts them where that is NULL. Returns how many. Any thread. */

@@ -251,8 +251,3 @@ void wall_mesh_destroy(struct wall_mesh **mesh) {
     memory_free(*mesh);
     *mesh = NULL;
 }
-
-size_t wall_mesh_memory(const struct wall_mesh *mesh) {
-    return sizeof *mesh + mesh->triangles * sizeof *mesh->triangle + mesh->patches * sizeof *mesh->patch +
-           mesh->edges * sizeof *mesh->edge + mesh->vertices * sizeof *mesh->vertex;
-}

@@ -57,7 +57,6 @@ struct wall_mesh_place {
 bool wall_mesh_create(struct wall_mesh **mesh, const struct mesh *file, const char *path,
                       const struct wall_mesh_place *place, FILE *notes, struct error *error);
 void wall_mesh_destroy(struct wall_mesh **mesh);
-size_t wall_mesh_memory(const struct wall_mesh *mesh);
 
 static inline size_t wall_mesh_features(const struct wall_mesh *mesh) {
     return mesh->patches + mesh->edges + mesh->vertices;

@@ -350,16 +350,3 @@ size_t walls_triangles(const struct walls *walls, int wall, double (**triangles)
         }
     return count;
 }
-
-size_t walls_memory(const struct walls *walls) {
-    size_t record = sizeof(struct wall_key) + (size_t)walls->law->history_components * sizeof(double);
-    size_t bytes = sizeof *walls + (size_t)walls->count * (sizeof *walls->wall + sizeof *walls->force);
-    bytes +=
-        walls->candidate_capacity * (sizeof *walls->particle + sizeof *walls->first + 2 * sizeof(int32_t));
-    bytes += walls->piece_capacity * (sizeof *walls->piece + 2 * record);
-    bytes += walls->near_capacity * sizeof *walls->near_count;
-    for (int w = 0; w < walls->count; w++)
-        if (walls->wall[w].mesh)
-            bytes += wall_mesh_memory(walls->wall[w].mesh) + wall_grid_memory(walls->wall[w].grid);
-    return bytes;
-}

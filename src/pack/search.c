@@ -84,7 +84,7 @@ void pack_search_run(struct pack_search *search) {
     memory_free(order);
     view_fill(search, &view);
     index_build(search->index, &view);
-    pairlist_build(search->list, search->index, &view, particles, search->box);
+    pairlist_build(search->list, search->index, &view, search->box);
     memset(search->moved, 0, sizeof search->moved);
     search->searches++;
 }

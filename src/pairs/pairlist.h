@@ -64,7 +64,6 @@ struct pairlist {
     size_t slot_count; /* 0 with one thread */
     int32_t *slot_of;  /* slot of particle k (owned or ghost), -1: none; NULL if slot_count is 0 */
     double shift[BOX_IMAGE_CODES][4]; /* image code -> vector added to x_j */
-    uint64_t revision;                /* of the particles it was built for */
     struct pairlist_build *build;
 };
 
@@ -86,7 +85,7 @@ void pairlist_view(struct index_view *view, const struct particles *particles,
 
 /* Rebuilds the list from an index that was built for `view`: count, scan, fill. Opens its own thread team. */
 void pairlist_build(struct pairlist *list, const struct index *index, const struct index_view *view,
-                    const struct particles *particles, const struct box *box);
+                    const struct box *box);
 
 /* Adds the image under which each ghost stands (`image[k]`: image code of ghost k, of particle owned + k) to
  * the image codes of its pairs: from then on they are those from the original, whose position the ghost must

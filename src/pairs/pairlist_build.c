@@ -374,7 +374,7 @@ static void slots_make(struct pairlist *list, const struct index_view *view) {
 }
 
 void pairlist_build(struct pairlist *list, const struct index *index, const struct index_view *view,
-                    const struct particles *particles, const struct box *box) {
+                    const struct box *box) {
     assert(view->total < (size_t)1 << PARTICLE_INDEX_BITS);
     struct pass pass = {list, index, view};
     box_image_shifts(box, list->shift);
@@ -391,5 +391,4 @@ void pairlist_build(struct pairlist *list, const struct index *index, const stru
         list->pair_count += list->build->worker[t].used;
         list->primary_count += list->build->worker[t].primary;
     }
-    list->revision = particles->revision;
 }

@@ -84,7 +84,6 @@ void skin_measure(struct skin *skin, const struct particles *particles, int clas
         skin->bound[c] = sqrt(all.first[c]);
         skin->second[c] = sqrt(all.second[c]);
     }
-    skin->measured++;
 }
 
 /* Do the bounds, each grown by `more` x its last growth, exceed a skin? */
@@ -121,8 +120,4 @@ bool skin_surely_due(const struct skin *skin, const struct size_classes *classes
 
 bool skin_nearly_due(const struct skin *skin, const struct size_classes *classes) {
     return exceeded(skin, classes, 1);
-}
-
-size_t skin_memory(const struct skin *skin) {
-    return skin->capacity * sizeof *skin->anchor;
 }

@@ -18,8 +18,7 @@ struct skin {
     double (*anchor)[3];          /* position at the rebuild, owned particles */
     size_t capacity;
     uint64_t rebuilds;
-    uint64_t measured; /* exact measurements */
-    unsigned moves;    /* drifts since the rebuild */
+    unsigned moves; /* drifts since the rebuild */
 };
 
 struct skin *skin_create(void);
@@ -48,7 +47,5 @@ bool skin_surely_due(const struct skin *skin, const struct size_classes *classes
 
 /* True if the skin is to be expected used up after one more step like the last. */
 bool skin_nearly_due(const struct skin *skin, const struct size_classes *classes);
-
-size_t skin_memory(const struct skin *skin);
 
 #endif

@@ -29,16 +29,6 @@ void sweep_destroy(struct sweep **sweep) {
     *sweep = NULL;
 }
 
-size_t sweep_memory(const struct sweep *sweep) {
-    size_t bytes = sweep->early_capacity;
-    for (int t = 0; t < sweep->threads; t++) {
-        const struct sweep_thread *thread = &sweep->thread[t];
-        bytes += (thread->early_capacity + 2 * thread->late_capacity) * sizeof *thread->late +
-                 thread->start_capacity * sizeof *thread->start + thread->use_capacity * sizeof *thread->use;
-    }
-    return bytes;
-}
-
 /* Marks what other threads read in a block of kind MIRROR or GHOST. */
 static void early_mark_block(struct sweep *sweep, const struct pairlist *list, const struct pair_block *block,
                              size_t owned) {

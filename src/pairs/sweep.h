@@ -54,9 +54,6 @@ void sweep_destroy(struct sweep **sweep);
 void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned, const uint32_t *originals,
                  size_t originals_count);
 
-/* Bytes held. */
-size_t sweep_memory(const struct sweep *sweep);
-
 /* True if every particle moves exactly once, and none after a block of its thread that reads it or while
  * another thread may; else `why` gets one line. Tests call it. */
 bool sweep_valid(const struct sweep *sweep, const struct pairlist *list, size_t owned, char *why,
