@@ -119,14 +119,14 @@ static void force_loop_add_slots(const struct force_loop *loop, const struct for
     }
 }
 
-/* Adds a thread's sums to the total. */
-static void force_sums_add(struct force_sums *total, const struct force_sums *part) {
+void force_sums_add(struct force_sums *total, const struct force_sums *part) {
     total->elastic_normal += part->elastic_normal;
     total->elastic_tangential += part->elastic_tangential;
     total->taken += part->taken;
     for (int c = 0; c < 6; c++)
         total->virial[c] += part->virial[c];
     total->contact_sides += part->contact_sides;
+    total->contacts = total->contact_sides / 2;
     if (part->overlap_max > total->overlap_max) {
         total->overlap_max = part->overlap_max;
         total->overlap_id[0] = part->overlap_id[0];
@@ -144,7 +144,6 @@ void force_loop_finish(struct force_loop *loop, const struct force_context *cont
     *sums = (struct force_sums){0};
     for (int t = 0; t < loop->threads; t++)
         force_sums_add(sums, &loop->thread[t]->sums);
-    sums->contacts = sums->contact_sides / 2;
     if (context->history)
         history_flip(context->history);
     force_loop_reset(loop, context->history);

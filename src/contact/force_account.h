@@ -72,15 +72,8 @@ static inline void force_account(const struct force_task *task, const double *we
 static void force_account_virial(const struct force_task *task, const double *weight) {
     const struct force_batch *b = &task->thread->batch;
     struct force_sums *sums = &task->thread->sums;
-    for (int k = 0; k < b->count; k++) {
-        const double *d = b->record[k], *f = b->share[k];
-        sums->virial[0] += weight[k] * d[0] * f[0];
-        sums->virial[1] += weight[k] * d[1] * f[1];
-        sums->virial[2] += weight[k] * d[2] * f[2];
-        sums->virial[3] += weight[k] * 0.5 * (d[0] * f[1] + d[1] * f[0]);
-        sums->virial[4] += weight[k] * 0.5 * (d[0] * f[2] + d[2] * f[0]);
-        sums->virial[5] += weight[k] * 0.5 * (d[1] * f[2] + d[2] * f[1]);
-    }
+    for (int k = 0; k < b->count; k++)
+        force_add_virial(sums->virial, weight[k], b->record[k], b->share[k]);
 }
 
 static inline void force_sum(const struct force_task *task) {

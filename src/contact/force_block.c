@@ -199,15 +199,8 @@ static inline void force_mix(const struct force_task *task) {
     const struct law *law = task->context->law;
     const uint8_t *material = task->context->particles->material;
     struct force_batch *restrict b = &task->thread->batch;
-    for (int k = 0; k < b->count; k++) {
-        const struct law_coefficients *c = &law->pair[material[b->i[k]]][material[b->j[k]]];
-        b->coefficient[0][k] = c->k_n;
-        b->coefficient[1][k] = c->k_t;
-        b->coefficient[2][k] = c->c_n;
-        b->coefficient[3][k] = c->c_t;
-        b->coefficient[4][k] = c->friction;
-        b->coefficient[5][k] = c->rolling_friction;
-    }
+    for (int k = 0; k < b->count; k++)
+        force_set_coefficients(b, k, &law->pair[material[b->i[k]]][material[b->j[k]]]);
 }
 
 /* The same coefficients for all. */

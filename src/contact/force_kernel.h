@@ -61,6 +61,30 @@ struct force_batch {
 
 typedef void force_physics(struct force_batch *batch, struct law_step step);
 
+/* Writes the coefficients of contact k into a batch. */
+static inline void force_set_coefficients(struct force_batch *restrict b, int k,
+                                          const struct law_coefficients *c) {
+    b->coefficient[0][k] = c->k_n;
+    b->coefficient[1][k] = c->k_t;
+    b->coefficient[2][k] = c->c_n;
+    b->coefficient[3][k] = c->c_t;
+    b->coefficient[4][k] = c->friction;
+    b->coefficient[5][k] = c->rolling_friction;
+}
+
+/* Adds a contact with the branch d and the force f on its far end to a virial, `weight` times. */
+static inline void force_add_virial(double virial[6], double weight, const double d[3], const double f[3]) {
+    virial[0] += weight * d[0] * f[0];
+    virial[1] += weight * d[1] * f[1];
+    virial[2] += weight * d[2] * f[2];
+    virial[3] += weight * 0.5 * (d[0] * f[1] + d[1] * f[0]);
+    virial[4] += weight * 0.5 * (d[0] * f[2] + d[2] * f[0]);
+    virial[5] += weight * 0.5 * (d[1] * f[2] + d[2] * f[1]);
+}
+
+/* Adds a thread's sums to the total; largest overlaps are compared. */
+void force_sums_add(struct force_sums *total, const struct force_sums *part);
+
 /* A thread's own memory. */
 struct force_thread {
     struct force_batch batch;

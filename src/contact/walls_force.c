@@ -51,18 +51,6 @@ static void recall_springs(const struct wall_task *task, int w, const struct wal
     put(b->spring + 3, k, roll);
 }
 
-/* Coefficients of the particle's and the wall's material. */
-static void set_coefficients(const struct wall_task *task, int w, struct force_batch *b, int k) {
-    int mine = particles_material(task->context->particles, task->particle);
-    const struct law_coefficients *c = &task->context->law->pair[mine][task->walls->wall[w].options.material];
-    b->coefficient[0][k] = c->k_n;
-    b->coefficient[1][k] = c->k_t;
-    b->coefficient[2][k] = c->c_n;
-    b->coefficient[3][k] = c->c_t;
-    b->coefficient[4][k] = c->friction;
-    b->coefficient[5][k] = c->rolling_friction;
-}
-
 /* Puts the contact `touch` of the task's particle with wall w into the batch; `from` is its old record. */
 static void collect(const struct wall_task *task, int w, const struct wall_touch *touch, int32_t from) {
     struct force_batch *b = &task->scratch->batch->contact;
@@ -90,7 +78,8 @@ static void collect(const struct wall_task *task, int w, const struct wall_touch
     b->effective[k] = state->radius;
     put(b->normal, k, touch->normal);
     put(b->velocity, k, law_add(wall_twist_at(&wall->twist, at), -1.0, sphere.v));
-    set_coefficients(task, w, b, k);
+    int material = particles_material(p, task->particle);
+    force_set_coefficients(b, k, &task->context->law->pair[material][wall->options.material]);
     if (!task->law.friction)
         return;
     struct law_vector omega = wall_vector(p->omega[task->particle]);
@@ -145,15 +134,6 @@ static void apply(const struct wall_task *task, int k) {
     apply_to_wall(task, k);
 }
 
-static void account_virial(struct force_sums *sums, struct law_vector d, struct law_vector f) {
-    sums->virial[0] += d.x * f.x;
-    sums->virial[1] += d.y * f.y;
-    sums->virial[2] += d.z * f.z;
-    sums->virial[3] += 0.5 * (d.x * f.y + d.y * f.x);
-    sums->virial[4] += 0.5 * (d.x * f.z + d.z * f.x);
-    sums->virial[5] += 0.5 * (d.y * f.z + d.z * f.y);
-}
-
 static void account(const struct wall_task *task, int k) {
     struct force_sums *sums = &task->scratch->sums;
     struct force_batch *b = &task->scratch->batch->contact;
@@ -170,8 +150,10 @@ static void account(const struct wall_task *task, int k) {
     sums->elastic_normal += b->energy[0][k];
     sums->elastic_tangential += b->energy[1][k];
     sums->taken += b->energy[2][k];
-    if (task->context->want_virial)
-        account_virial(sums, law_scale(entry->lever, get(b->normal, k)), get(b->force, k));
+    if (!task->context->want_virial)
+        return;
+    struct law_vector d = law_scale(entry->lever, get(b->normal, k)), f = get(b->force, k);
+    force_add_virial(sums->virial, 1.0, (double[3]){d.x, d.y, d.z}, (double[3]){f.x, f.y, f.z});
 }
 
 /* Writes the record that follows: the springs of contact k. */
@@ -274,21 +256,6 @@ void walls_force_share(struct walls *walls, const struct force_context *context,
     flush(&task);
 }
 
-/* Adds one thread's sums; largest overlaps are compared. */
-static void add_sums(struct force_sums *total, const struct force_sums *part) {
-    total->elastic_normal += part->elastic_normal;
-    total->elastic_tangential += part->elastic_tangential;
-    total->taken += part->taken;
-    for (int c = 0; c < 6; c++)
-        total->virial[c] += part->virial[c];
-    total->contact_sides += part->contact_sides;
-    total->contacts = total->contact_sides / 2;
-    if (part->overlap_max > total->overlap_max) {
-        total->overlap_max = part->overlap_max;
-        memcpy(total->overlap_id, part->overlap_id, sizeof total->overlap_id);
-    }
-}
-
 /* Work on the particles in this step, with the mean of the forces before and after it. */
 static double wall_work(const struct wall *wall, const double before[6], const double now[6], double dt) {
     struct law_vector velocity = wall_twist_at(&wall->twist, wall->centre_now);
@@ -348,7 +315,7 @@ void walls_finish(struct walls *walls, const struct force_context *context, stru
         set_force(walls, w, force, context->dt);
     }
     for (int t = 0; t < walls->threads; t++) {
-        add_sums(sums, &walls->scratch[t]->sums);
+        force_sums_add(sums, &walls->scratch[t]->sums);
         walls->scratch[t]->sums = (struct force_sums){0};
         memset(walls->scratch[t]->force, 0, (size_t)walls->count * sizeof *walls->force);
     }
