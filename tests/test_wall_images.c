@@ -1,4 +1,5 @@
-/* Walls felt through periodic images: springs of contacts with several of them. */
+/* Walls felt through periodic images: springs of contacts with several of them, and walls far outside of the
+ * box. */
 #include "contact/wall.h"
 #include "contact/law_kernel.h"
 #include <setjmp.h>
@@ -6,7 +7,7 @@
 #include <stddef.h>
 #include <cmocka.h>
 #include "near.h"
-#include "walls_by_hand.h"
+#include "mesh_by_hand.h"
 
 static const double radius = 0.52, load = 1e-4;
 
@@ -55,7 +56,54 @@ static void test_springs_of_two_images(void **state) {
     world_close(&w);
 }
 
+/* A mesh at rest is felt however many periods it lies outside of the box, and also before the first rebuild.
+ */
+static void test_far_outside(void **state) {
+    (void)state;
+    struct box box = hand_box(4.0);
+    box.periodic[0] = true;
+    for (int periods = -3; periods <= 3; periods++) {
+        char file[64];
+        struct hand_text t = text_new();
+        double o[3] = {1.0 + 4.0 * periods, -5.0, 1.0}, a[3] = {1, 0, 0}, b[3] = {0, 12, 0};
+        text_plate(&t, o, a, b, 1, 1, 0.0);
+        struct wall_options mesh = hand_mesh(text_file(&t, file, "far"));
+        struct world w;
+        world_open(&w, box, hand_law(LAW_HOOKE, 1.0, 0.0), &mesh, 1, 1);
+        remove(file);
+        struct particle_state *s = world_add(&w, 1.5, 1.4, 1.45, 0.5, 1.0);
+        assert_true(walls_overlap(w.walls, s->x, s->radius));
+        world_rebuild(&w, NULL);
+        world_forces(&w, 0.0);
+        assert_int_equal(w.sums.contacts, 1);
+        assert_near(world_force(&w, 0)[2], 1e4 * 0.05, 1e-8);
+        world_close(&w);
+    }
+}
+
+/* And one that reaches into the box where it is, however far its middle lies outside. */
+static void test_long_mesh(void **state) {
+    (void)state;
+    char file[64];
+    struct hand_text t = text_new();
+    struct box box = hand_box(4.0);
+    box.periodic[0] = true;
+    double o[3] = {1, 1, 1}, far[3] = {30, 1, 3}, a[3] = {1, 0, 0}, b[3] = {0, 1, 0};
+    text_plate(&t, o, a, b, 1, 1, 0.0);
+    text_plate(&t, far, a, b, 1, 1, 0.0);
+    struct wall_options mesh = hand_mesh(text_file(&t, file, "long"));
+    struct world w;
+    world_open(&w, box, hand_law(LAW_HOOKE, 1.0, 0.0), &mesh, 1, 1);
+    remove(file);
+    world_add(&w, 1.5, 1.4, 1.45, 0.5, 1.0);
+    world_rebuild(&w, NULL);
+    world_forces(&w, 0.0);
+    assert_int_equal(w.sums.contacts, 1);
+    world_close(&w);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_springs_of_two_images)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_springs_of_two_images),
+                                       cmocka_unit_test(test_far_outside), cmocka_unit_test(test_long_mesh)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -64,6 +64,22 @@ static void wall_find_images(struct wall *wall, const struct box *box) {
                 wall->image[wall->image_count++] = (int)box_image_code(x, y, z);
 }
 
+static void wall_find_reach(struct wall *wall) {
+    const struct wall_options *o = &wall->options;
+    const double axis[3] = {wall->axis.x, wall->axis.y, wall->axis.z};
+    for (int d = 0; d < 3 && o->shape == WALL_CYLINDER; d++) {
+        double along = o->length > 0.0 || axis[d] == 0.0 ? 0.5 * o->length * fabs(axis[d]) : INFINITY;
+        wall->reach[d] = along + o->radius * sqrt(law_max(0.0, 1.0 - axis[d] * axis[d]));
+    }
+    for (size_t t = 0; wall->mesh && t < wall->mesh->triangles; t++)
+        for (int c = 0; c < 3; c++) {
+            double from[3];
+            put(from, law_add(wall->mesh->triangle[t].corner[c], -1.0, wall->mesh->centre));
+            for (int d = 0; d < 3; d++)
+                wall->reach[d] = law_max(wall->reach[d], fabs(from[d]));
+        }
+}
+
 /* Follows from the pose. */
 static void wall_update(struct wall *wall) {
     wall->point_now = wall_transform_point(&wall->pose, wall->point);
@@ -90,6 +106,7 @@ static bool wall_create(struct wall *wall, const struct wall_options *options, c
         wall->centre = wall->mesh ? wall->mesh->centre : wall->point;
     wall->moving = options->motions > 0;
     wall_find_images(wall, box);
+    wall_find_reach(wall);
     wall_place(wall, 0.0);
     return true;
 }
@@ -125,6 +142,7 @@ bool walls_create(struct walls **walls, const struct wall_options *options, int 
             walls_destroy(walls);
             return false;
         }
+    walls_wrap(w);
     return true;
 }
 

@@ -99,20 +99,28 @@ static size_t near_particle(const struct walls *walls, const struct particles *p
     return count;
 }
 
-/* Poses at this moment: where displacements start, and which image of a wall that has travelled is looked at.
- */
-static void anchor(struct walls *walls) {
+/* A wall at rest stays where it reaches into the box: its images there may be all that is felt of it. */
+void walls_wrap(struct walls *walls) {
     for (int w = 0; w < walls->count; w++) {
         struct wall *wall = &walls->wall[w];
         struct law_vector centre =
             wall_transform_point(&wall->pose, wall->mesh ? wall->mesh->centre : wall->point);
         const double at[3] = {centre.x, centre.y, centre.z};
-        wall->built = wall->pose;
-        for (int d = 0; d < 3; d++)
-            wall->wrap[d] = wall->images && walls->box.periodic[d] && wall->moving
-                                ? -walls->box.edge[d] * floor(at[d] / walls->box.edge[d])
-                                : 0.0;
+        for (int d = 0; d < 3; d++) {
+            double edge = walls->box.edge[d], reach = wall->reach[d];
+            bool outside = at[d] + reach < 0.0 || at[d] - reach > edge;
+            bool wraps = wall->images && walls->box.periodic[d] && (wall->moving || outside);
+            wall->wrap[d] = wraps ? -edge * floor(at[d] / edge) : 0.0;
+        }
     }
+}
+
+/* Poses at this moment: where displacements start, and which image of a wall that has travelled is looked at.
+ */
+static void anchor(struct walls *walls) {
+    for (int w = 0; w < walls->count; w++)
+        walls->wall[w].built = walls->wall[w].pose;
+    walls_wrap(walls);
 }
 
 /* What one thread found in its range of particles. */

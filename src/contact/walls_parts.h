@@ -26,6 +26,7 @@ struct wall {
     struct wall_grid *grid;
     struct wall_mover *mover;
     struct law_vector centre; /* at rest, see struct wall_pose */
+    double reach[3]; /* of cylinder and mesh at rest: how far from the middle along x, y, z, at most */
 
     struct wall_transform pose, base; /* now; what the motions act upon */
     struct wall_twist twist;          /* of the half step */
@@ -37,7 +38,7 @@ struct wall {
     struct law_vector centre_now;          /* and the centre */
     struct wall_transform built;           /* the pose at the last walls_build */
     bool images;                           /* felt through periodic images */
-    double wrap[3];                        /* brings the centre into the box, at the last walls_build */
+    double wrap[3];                        /* brings the centre into the box, by walls_wrap */
     int image_count;
     int image[BOX_IMAGE_CODES]; /* codes of the images to look at */
 };
@@ -134,6 +135,11 @@ static inline struct law_vector walls_into_body(const struct wall *wall, struct 
  * for the triangles; both may be NULL: counts only. (walls_near.c) */
 size_t walls_near(const struct walls *walls, int w, struct law_vector x, double reach, struct wall_piece *out,
                   int32_t *number);
+
+/* Says by how many periods the images that are looked at are away: of walls that move, wherever they are now,
+ * and of those at rest that lie wholly outside of the box. When walls are made and at each walls_build.
+ * (walls_near.c) */
+void walls_wrap(struct walls *walls);
 
 /* The contacts of a sphere at x with one wall, whose pieces these are; written to scratch->touch, normals in
  * space. Returns how many. (walls_touch.c) */
