@@ -108,6 +108,37 @@ static void selects_and_maps(void **state) {
     particles_destroy(&p);
 }
 
+/* A first row that begins with a text is no header; the units of a header hold where the scene gives none. */
+static void tells_headers_from_rows(void **state) {
+    (void)state;
+    static const char *const material[] = {"particles.columns=[material, radius, x, y, z]", NULL};
+    struct particles *p = good_source("steel .01 .1 .2 .3\nglass .02 .4 .5 .6\n", material, NULL);
+    assert_int_equal(p->owned, 2);
+    assert_true(p->material[0] == 1 && p->state[0].radius == 0.01 && p->material[1] == 0);
+    particles_destroy(&p);
+    static const char *const skipped[] = {"particles.columns=[skip, radius, x, y, z]",
+                                          "particles.material=glass", NULL};
+    p = good_source("a .01 .1 .2 .3\nb .02 .4 .5 .6\n", skipped, NULL);
+    assert_int_equal(p->owned, 2);
+    particles_destroy(&p);
+    static const char *const named[] = {"particles.columns=[skip, diameter, x, y(cm), z]",
+                                        "particles.material=glass", NULL};
+    static const char *const files[] = {"Number Width[mm] East(mm) North[mm] Up\n1 20 250 50 .125\n",
+                                        "# id d[mm] x[mm] y[mm] z\n1 20 250 50 .125\n"};
+    for (int k = 0; k < 2; k++) {
+        p = good_source(files[k], named, NULL);
+        assert_int_equal(p->owned, 1);
+        assert_true(p->state[0].radius == 0.01 && p->state[0].x[0] == 0.25 && p->state[0].x[1] == 0.5 &&
+                    p->state[0].x[2] == 0.125);
+        particles_destroy(&p);
+    }
+    static const char *const whole[] = {"particles.columns=[radius(mm), x(m), y(m), z(m)]",
+                                        "particles.material=glass", NULL};
+    p = good_source("Radius [mm] X [m] Y [m] Z [m]\n2 .1 .2 .3\n", whole, NULL);
+    assert_true(p->owned == 1 && p->state[0].radius == 0.002);
+    particles_destroy(&p);
+}
+
 /* Periodic directions wrap and count; ids of a second file follow those of the first. */
 static void wraps_and_numbers(void **state) {
     (void)state;
@@ -200,6 +231,18 @@ static const struct bad_data bad[] = {
      "test_source.txt:2: ",
      "4 values where there are 5 columns"},
     {HEAD, {"particles.columns=[radius, x, y, q]"}, "test_source.txt:1: ", "'q' is not a column"},
+    {"radius[kg] x y z\n.01 .1 .1 .1\n",
+     {"particles.columns=[radius, x, y, z]"},
+     "test_source.txt:1: ",
+     "column 'radius[kg]': not a unit of it"},
+    {"radius [mm] x y z\n.01 .1 .1 .1\n",
+     {"particles.columns=[radius, x, y, z]"},
+     "test_source.txt:1: ",
+     "header '[mm]': not a word for each column"},
+    {"radius x y 7\n.01 .1 .1 .1\n",
+     {"particles.columns=[radius, x, y, z]"},
+     "test_source.txt:1: ",
+     "column 1 (radius): 'radius' is not a number"},
     {HEAD, {"particles.file=absent.txt"}, "absent.txt: cannot be read", "No such file"},
     {HEAD, {"particles.file=."}, ".: cannot be read", "directory"},
     {HEAD, {"box.periodic=true"}, NULL, NULL},
@@ -249,6 +292,10 @@ static void refuses_types(void **state) {
     static const char *const none[] = {"units=none", "particles.material=glass", NULL};
     assert_null(read_source(&error, "radius[m] x y z\n.01 .1 .1 .1\n", none, NULL));
     assert_non_null(strstr(error.text, "test_source.txt:1: column 'radius[m]' has a unit"));
+    static const char *const named[] = {"units=none", "particles.material=glass",
+                                        "particles.columns=[radius, x, y, z]", NULL};
+    assert_null(read_source(&error, "radius[m] x y z\n.01 .1 .1 .1\n", named, NULL));
+    assert_non_null(strstr(error.text, "test_source.txt:1: column 'radius[m]' has a unit"));
 }
 
 static void lammps_data(void **state) {
@@ -288,9 +335,10 @@ static void lammps_data(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(reads_headers),    cmocka_unit_test(reads_columns),
-        cmocka_unit_test(selects_and_maps), cmocka_unit_test(wraps_and_numbers),
-        cmocka_unit_test(keeps_what_left),  cmocka_unit_test(refuses),
-        cmocka_unit_test(refuses_types),    cmocka_unit_test(lammps_data)};
+        cmocka_unit_test(reads_headers),     cmocka_unit_test(reads_columns),
+        cmocka_unit_test(selects_and_maps),  cmocka_unit_test(tells_headers_from_rows),
+        cmocka_unit_test(wraps_and_numbers), cmocka_unit_test(keeps_what_left),
+        cmocka_unit_test(refuses),           cmocka_unit_test(refuses_types),
+        cmocka_unit_test(lammps_data)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -112,7 +112,7 @@ static const struct schema_row source_rows[] = {
     {.key = "columns", .type = SCHEMA_TEXTS, .when = "format=table",
      ARRAY_AT(struct source_options, column, column_count),
      .help = "what the columns hold: id radius diameter density x y z vx vy vz omega_x omega_y omega_z "
-           "material skip; left out: as the header line says", .example = "[radius, x, y, z]"},
+           "material skip; a unit may follow, as in radius(mm), or the header's holds; left out: as the header line says", .example = "[radius, x, y, z]"},
     {.key = "skip_rows", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", .when = "format=table",
      SOURCE(skip_rows), .help = "rows left out after the header"},
     {.key = "rows", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", .when = "format=table",

@@ -1,7 +1,7 @@
 /* Plain tables: a row of numbers a particle, columns apart by blanks, tabs, commas or semicolons; `#` begins
  * a comment. The columns are named by the scene or by a header line ("Radius[m] PosX[m] PosY[m] PosZ[m]"),
- * whose units are obeyed. A row with more or fewer numbers than there are columns is refused: it is not a row
- * of this list. */
+ * which has no number in it; units of the header hold where the scene gives none. A row with more or fewer
+ * numbers than there are columns is refused: it is not a row of this list. */
 #include "scene/source_parts.h"
 
 #include "core/memory.h"
@@ -71,12 +71,15 @@ static bool fail(const struct table *table, const char *format, const char *what
     return error_set(table->error, ERROR_USER, "%.700s:%ld: %s", table->source->file, table->line, text);
 }
 
+/* What stands between words. */
+static const char between[] = " \t\r,;";
+
 /* Cuts the next word off a line; NULL at its end. */
 static char *next_word(char **line) {
-    char *word = *line + strspn(*line, " \t\r,;");
+    char *word = *line + strspn(*line, between);
     if (*word == '\0')
         return NULL;
-    *line = word + strcspn(word, " \t\r,;");
+    *line = word + strcspn(word, between);
     if (**line)
         *(*line)++ = '\0';
     return word;
@@ -98,7 +101,7 @@ static bool next_line(struct table *table, char *line, size_t room, char *commen
             memmove(comment, hash + 1, strlen(hash + 1) + 1);
         if (hash)
             *hash = '\0';
-        if (line[strspn(line, " \t\r,;")])
+        if (line[strspn(line, between)])
             return true;
     }
     return false;
@@ -114,6 +117,16 @@ static bool name_matches(const char *names, const char *word, size_t length) {
     return false;
 }
 
+/* The unit of a column in brackets: "[mm]", "(mm)". False if it is not one of the column. */
+static bool parse_unit(const char *brackets, enum column column, struct units_scale *scale) {
+    char unit[64];
+    struct units_dimension given, wanted;
+    struct units_scale si;
+    snprintf(unit, sizeof(unit), "%.*s", (int)strcspn(brackets + 1, "])"), brackets + 1);
+    return units_parse(unit, scale, &given) && units_parse(columns[column].unit, &si, &wanted) &&
+           units_same(&given, &wanted);
+}
+
 /* "PosX[mm]": the column and its unit. 0: no such column, -1: wrong unit. */
 static int parse_column(const char *word, enum column *column, struct units_scale *scale) {
     size_t length = strcspn(word, "[(");
@@ -124,16 +137,12 @@ static int parse_column(const char *word, enum column *column, struct units_scal
         *column = (enum column)c;
         if (word[length] == '\0')
             return 1;
-        char unit[64];
-        struct units_dimension given, wanted;
-        struct units_scale si;
-        snprintf(unit, sizeof(unit), "%.*s", (int)strcspn(word + length + 1, "])"), word + length + 1);
-        bool good = units_parse(unit, scale, &given) && units_parse(columns[c].unit, &si, &wanted) &&
-                    units_same(&given, &wanted);
-        return good ? 1 : -1;
+        return parse_unit(word + length, *column, scale) ? 1 : -1;
     }
     return 0;
 }
+
+static const char unit_of_nothing[] = "column '%s' has a unit, but the scene is dimensionless (units: none)";
 
 static bool add_column(struct table *table, const char *word) {
     static const char known[] =
@@ -149,7 +158,7 @@ static bool add_column(struct table *table, const char *word) {
         return fail(table, "%s", text);
     }
     if (strpbrk(word, "[(") && table->scene->units == SCENE_UNITS_NONE && column != COLUMN_SKIP)
-        return fail(table, "column '%s' has a unit, but the scene is dimensionless (units: none)", word);
+        return fail(table, unit_of_nothing, word);
     for (int k = 0; k < table->width; k++)
         if (column != COLUMN_SKIP && table->column[k] == column)
             return fail(table, "column '%s' is there twice", word);
@@ -167,12 +176,27 @@ static bool has_column(const struct table *table, enum column column) {
     return false;
 }
 
-static bool is_number(const char *text) {
-    char word[64], *end;
-    text += strspn(text, " \t\r,;");
-    snprintf(word, sizeof(word), "%.*s", (int)strcspn(text, " \t\r,;"), text);
-    strtod(word, &end);
-    return end != word && *end == '\0';
+static int count_words(const char *line) {
+    int count = 0;
+    for (line += strspn(line, between); *line; line += strspn(line, between)) {
+        line += strcspn(line, between);
+        count++;
+    }
+    return count;
+}
+
+/* A header: a line without a number among its words, or a comment whose words all name columns. */
+static bool is_header(const char *line, bool comment) {
+    char copy[1024], *rest = copy, *word, *end;
+    enum column column;
+    struct units_scale scale;
+    snprintf(copy, sizeof(copy), "%s", line);
+    while ((word = next_word(&rest))) {
+        strtod(word, &end);
+        if (comment ? parse_column(word, &column, &scale) == 0 : *end == '\0')
+            return false;
+    }
+    return true;
 }
 
 /* Names the columns from words in a line. */
@@ -182,6 +206,30 @@ static bool columns_from(struct table *table, const char *line) {
     while ((word = next_word(&rest)))
         if (!add_column(table, word))
             return false;
+    return true;
+}
+
+/* Takes the units of a header for the columns that the scene names without one. */
+static bool units_from(struct table *table, const char *header) {
+    char copy[1024], *rest = copy, *word;
+    snprintf(copy, sizeof(copy), "%s", header);
+    bool matched = count_words(header) == table->width, open = false, open_at[SOURCE_COLUMNS_MAX];
+    for (int k = 0; k < table->width; k++) {
+        open_at[k] = columns[table->column[k]].unit[0] && !strpbrk(table->source->column[k], "[(");
+        open = open || open_at[k];
+    }
+    for (int k = 0; (word = next_word(&rest)); k++) {
+        const char *brackets = strpbrk(word, "[(");
+        if (!brackets || !(matched ? open_at[k] : open))
+            continue;
+        if (table->scene->units == SCENE_UNITS_NONE)
+            return fail(table, unit_of_nothing, word);
+        if (!matched)
+            return fail(table, "header '%s': not a word for each column; give units in `columns`: radius(mm)",
+                        word);
+        if (!parse_unit(brackets, table->column[k], &table->scale[k]))
+            return fail(table, "column '%s': not a unit of it; `columns` may give one: radius(mm)", word);
+    }
     return true;
 }
 
@@ -198,7 +246,7 @@ static bool find_columns(struct table *table) {
             table,
             "this is a LAMMPS dump, not a table; `scree convert %s OUT.data` makes a lammps-data file of it",
             source->file);
-    bool header = !is_number(line);
+    bool header = is_header(line, false);
     if (!header) {
         table->at = start;
         table->line = 0;
@@ -215,6 +263,9 @@ static bool find_columns(struct table *table) {
                          "holds, as in [radius, x, y, z]",
                          place, key, source->file);
     if (source->column_count == 0 && !columns_from(table, header ? line : comment))
+        return false;
+    if (source->column_count > 0 && (header || is_header(comment, true)) &&
+        !units_from(table, header ? line : comment))
         return false;
     if (has_column(table, COLUMN_RADIUS) == has_column(table, COLUMN_DIAMETER))
         return fail(table, "%s", "one column must be the radius (or the diameter)");
@@ -271,12 +322,7 @@ static bool store(const struct table *table, struct source_batch *batch, size_t 
 
 static bool read_row(const struct table *table, struct source_batch *batch, size_t row, char *line) {
     char *word, what[200], *rest = line;
-    int width = 0;
-    for (const char *c = line; *c;) {
-        c += strspn(c, " \t\r,;");
-        width += *c != '\0';
-        c += strcspn(c, " \t\r,;");
-    }
+    int width = count_words(line);
     snprintf(what, sizeof(what),
              "%d values where there are %d columns; this is not a row of the list (`rows` ends the list "
              "before it)",
