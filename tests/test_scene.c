@@ -166,7 +166,7 @@ static void settings_take_out(void **state) {
     "  - {name: still, motion: frozen, select: {region: {shape: sphere, centre: [0, 0, 0], radius: 10 cm}, " \
     "radius_upto: 1 cm}}\n"                                                                                  \
     "walls:\n"                                                                                               \
-    "  - {shape: cylinder, point: [0, 0, 0], axis: [3, 0, 4], radius: 0.5, material: steel, inside: no,\n"   \
+    "  - {shape: cylinder, point: [0, 0, 0], axis: [0, 3, 4], radius: 0.5, material: steel, inside: no,\n"   \
     "     motion: [{kind: rotate, direction: [1, 1, 1], rate: 20 rpm, stop: 4 s},\n"                         \
     "              {kind: oscillate, direction: [0, 0, 7], amplitude: 1 mm, frequency: 50 Hz, phase: 90 "    \
     "deg},\n"                                                                                                \
@@ -237,7 +237,7 @@ static void rich_values(void **state) {
     assert_string_equal(scene->wall[1].motion[0].table, "/t.txt");
     assert_string_equal(scene->source[0].file, "case/../p.txt");
     assert_string_equal(scene->wall[0].name, "wall1");
-    assert_true(scene->wall[0].axis[0] == 0.6 && scene->wall[0].axis[2] == 0.8);
+    assert_true(scene->wall[0].axis[1] == 0.6 && scene->wall[0].axis[2] == 0.8);
     assert_true(fabs(scene->wall[0].motion[0].rate - 20 * 2 * M_PI / 60) < 1e-14);
     assert_true(isinf(scene->wall[0].motion[1].stop) && scene->wall[0].motion[0].stop == 4);
     assert_true(scene->wall[0].motion[1].direction[2] == 1);

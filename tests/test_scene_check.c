@@ -220,6 +220,14 @@ static const struct bad_setting settings[] = {
       "walls[0]={shape: cylinder, point: [5 mm, 5 mm, 0], axis: [0, 0, 1], radius: 6 mm}"},
      "command line: walls[0].radius: ",
      {"crosses the ends of the periodic direction x"}},
+    {{"box.periodic=[true, false, false]",
+      "walls[0]={shape: cylinder, point: [5 mm, 5 mm, 10 mm], axis: [1, 0, 1], radius: 1 mm}"},
+     "command line: walls[0].axis: ",
+     {"slants across the periodic direction x", "allowed: an axis along x, or without"}},
+    {{"box.periodic=[true, false, false]",
+      "walls[0]={shape: cylinder, point: [5 mm, 5 mm, 10 mm], axis: [1, 0, 1], radius: 1 mm, length: 16 mm}"},
+     "command line: walls[0].length: ",
+     {"crosses the ends of the periodic direction x (0 to 0.01)"}},
     {{"box.leave=vanish"}, "command line: box.leave.all: ", {"keep, delete, error"}},
     {{"materials=[]"}, "command line: materials: ", {"the list is empty"}},
     {{"materials[0]={name: a, density: 1}"}, "command line: materials[0].young: ", {"is missing", "in Pa"}},
@@ -360,8 +368,24 @@ static void good_planes(void **state) {
     scene_free(&scene);
 }
 
+/* Cylinders that a periodic box does not cut. */
+static void good_cylinders(void **state) {
+    (void)state;
+    const char *const set[] = {
+        "box.periodic=[true, false, true]",
+        "walls[0]={shape: cylinder, point: [5 mm, 5 mm, 10 mm], axis: [0, 1, 0], radius: 4 mm}",
+        "walls[1]={shape: cylinder, point: [5 mm, 5 mm, 0], axis: [1e-14, 0, 3], radius: 4 mm}",
+        "walls[2]={shape: cylinder, point: [5 mm, 5 mm, 0], axis: [0, 0, 1], radius: 4 mm, length: 20 mm}",
+        "walls[3]={shape: cylinder, point: [5 mm, 5 mm, 10 mm], axis: [1, 1, 1], radius: 1 mm, length: 9 mm}",
+        NULL};
+    struct scene *scene = good_scene(GOOD_SCENE, set);
+    assert_int_equal(scene->walls, 4);
+    scene_free(&scene);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(bad_lines), cmocka_unit_test(bad_settings),
-                                       cmocka_unit_test(bad_wholes), cmocka_unit_test(good_planes)};
+                                       cmocka_unit_test(bad_wholes), cmocka_unit_test(good_planes),
+                                       cmocka_unit_test(good_cylinders)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

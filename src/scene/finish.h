@@ -14,6 +14,9 @@ bool finish_scene(struct scene *scene, struct error *error);
 /* Combinations that cannot be. Fails (user) on the first. */
 bool scene_check(const struct scene *scene, struct error *error);
 
+/* Of these, walls that a periodic box would cut, and their motions. */
+bool scene_check_walls(const struct scene *scene, struct error *error);
+
 /* Fills `error` with "PLACE: KEY: TEXT"; returns false. */
 bool finish_fail(const struct scene *scene, struct error *error, const char *key, const char *format, ...)
     __attribute__((format(printf, 4, 5)));

@@ -13,6 +13,7 @@ libscene_la_SOURCES = \
 	src/scene/scene.c \
 	src/scene/scene.h \
 	src/scene/scene_check.c \
+	src/scene/scene_check_walls.c \
 	src/scene/schema.c \
 	src/scene/schema.h \
 	src/scene/schema_help.c \

@@ -106,50 +106,6 @@ static bool check_plane(const struct scene *scene, struct error *error) {
     return true;
 }
 
-/* A wall that a periodic direction would have to repeat. */
-static bool check_periodic_walls(const struct scene *scene, struct error *error) {
-    for (int w = 0; w < scene->walls; w++)
-        for (int d = 0; d < 3; d++) {
-            const struct wall_options *wall = &scene->wall[w];
-            char key[80];
-            if (!scene->box.periodic[d])
-                continue;
-            snprintf(key, sizeof(key), "walls[%d].%s", w, wall->shape == WALL_PLANE ? "normal" : "radius");
-            if (wall->shape == WALL_PLANE && wall->normal[d] != 0)
-                return finish_fail(
-                    scene, error, key,
-                    "the plane crosses the periodic direction %c; its normal must have no component along it",
-                    "xyz"[d]);
-            double reach = wall->radius * sqrt(fmax(0, 1 - wall->axis[d] * wall->axis[d]));
-            if (wall->shape == WALL_CYLINDER && fabs(wall->axis[d]) < 1 &&
-                (wall->point[d] - reach < scene->box_lower[d] ||
-                 wall->point[d] + reach > scene->box_upper[d]))
-                return finish_fail(scene, error, key,
-                                   "the cylinder crosses the ends of the periodic direction %c (%g to %g)",
-                                   "xyz"[d], scene -> box_lower[d], scene -> box_upper[d]);
-        }
-    return true;
-}
-
-static bool check_motions(const struct scene *scene, struct error *error) {
-    for (int w = 0; w < scene->walls; w++) {
-        int servos = 0;
-        for (int m = 0; m < scene->wall[w].motions; m++) {
-            const struct wall_motion *motion = &scene->wall[w].motion[m];
-            char key[80];
-            snprintf(key, sizeof(key), "walls[%d].motion[%d].stop", w, m);
-            if (!(motion->stop > motion->start))
-                return finish_fail(scene, error, key, "%g is not after start (%g)", motion->stop,
-                                   motion->start);
-            snprintf(key, sizeof(key), "walls[%d].motion[%d].kind", w, m);
-            servos += motion->kind == WALL_SERVO;
-            if (servos > 1)
-                return finish_fail(scene, error, key, "a second servo; a wall can follow one force only");
-        }
-    }
-    return true;
-}
-
 /* A region must meet the box; in two dimensions a cylinder stands upright. */
 static bool check_region(const struct scene *scene, const struct region *region, const char *section,
                          struct error *error) {
@@ -395,7 +351,6 @@ static bool check_output(const struct scene *scene, struct error *error) {
 
 bool scene_check(const struct scene *scene, struct error *error) {
     return check_law(scene, error) && check_step(scene, error) && check_plane(scene, error) &&
-           check_periodic_walls(scene, error) && check_motions(scene, error) && check_search(scene, error) &&
-           check_groups(scene, error) && check_sources(scene, error) && check_insertions(scene, error) &&
-           check_output(scene, error);
+           scene_check_walls(scene, error) && check_search(scene, error) && check_groups(scene, error) &&
+           check_sources(scene, error) && check_insertions(scene, error) && check_output(scene, error);
 }

@@ -1,0 +1,78 @@
+/* Walls that cannot be: their places in a periodic box, and their motions. */
+#include "scene/finish.h"
+
+#include <math.h>
+
+/* What rounding leaves of a component of a unit vector that is meant to be 0. */
+static const double rounding = 1e-12;
+
+static bool check_periodic_plane(const struct scene *scene, int w, int d, struct error *error) {
+    char key[80];
+    snprintf(key, sizeof(key), "walls[%d].normal", w);
+    return scene->wall[w].normal[d] == 0 ||
+           finish_fail(
+               scene, error, key,
+               "the plane crosses the periodic direction %c; its normal must have no component along it",
+               "xyz"[d]);
+}
+
+/* Along a periodic direction a cylinder goes on in its images; else it must end where the box does. */
+static bool check_periodic_cylinder(const struct scene *scene, int w, int d, struct error *error) {
+    const struct wall_options *wall = &scene->wall[w];
+    double along = fabs(wall->axis[d]), across = hypot(wall->axis[(d + 1) % 3], wall->axis[(d + 2) % 3]);
+    char key[80];
+    if (across <= rounding)
+        return true;
+    snprintf(key, sizeof(key), "walls[%d].axis", w);
+    if (wall->length == 0 && along > rounding)
+        return finish_fail(scene, error, key,
+                           "the endless cylinder slants across the periodic direction %c, where it would not "
+                           "meet its images; allowed: an axis along %c, or without a component along it",
+                           "xyz"[d], "xyz"[d]);
+    double girth = wall->radius * sqrt(fmax(0, 1 - along * along));
+    double reach = girth + along * wall->length / 2;
+    double lower = scene->box_lower[d], upper = scene->box_upper[d], middle = wall->point[d];
+    bool wide = middle - girth < lower || middle + girth > upper;
+    snprintf(key, sizeof(key), "walls[%d].%s", w, wide ? "radius" : "length");
+    return (middle - reach >= lower && middle + reach <= upper) ||
+           finish_fail(scene, error, key,
+                       "the cylinder crosses the ends of the periodic direction %c (%g to %g)", "xyz"[d],
+                       lower, upper);
+}
+
+/* Walls that a periodic direction would have to repeat. */
+static bool check_periodic(const struct scene *scene, struct error *error) {
+    for (int w = 0; w < scene->walls; w++)
+        for (int d = 0; d < 3; d++) {
+            enum wall_shape shape = scene->wall[w].shape;
+            if (!scene->box.periodic[d])
+                continue;
+            if ((shape == WALL_PLANE && !check_periodic_plane(scene, w, d, error)) ||
+                (shape == WALL_CYLINDER && !check_periodic_cylinder(scene, w, d, error)))
+                return false;
+        }
+    return true;
+}
+
+static bool check_motions(const struct scene *scene, struct error *error) {
+    for (int w = 0; w < scene->walls; w++) {
+        int servos = 0;
+        for (int m = 0; m < scene->wall[w].motions; m++) {
+            const struct wall_motion *motion = &scene->wall[w].motion[m];
+            char key[80];
+            snprintf(key, sizeof(key), "walls[%d].motion[%d].stop", w, m);
+            if (!(motion->stop > motion->start))
+                return finish_fail(scene, error, key, "%g is not after start (%g)", motion->stop,
+                                   motion->start);
+            snprintf(key, sizeof(key), "walls[%d].motion[%d].kind", w, m);
+            servos += motion->kind == WALL_SERVO;
+            if (servos > 1)
+                return finish_fail(scene, error, key, "a second servo; a wall can follow one force only");
+        }
+    }
+    return true;
+}
+
+bool scene_check_walls(const struct scene *scene, struct error *error) {
+    return check_periodic(scene, error) && check_motions(scene, error);
+}
