@@ -321,13 +321,12 @@ static void box_from_data_file(void **state) {
         "test_scene.data",
         "comment\n\n2 atoms\n1 atom types\n\n-1 3 xlo xhi\n0 4 ylo yhi\n0 5 zlo zhi\n\nAtoms # sphere\n\n"
         "1 1 2 1.5 0.5 1 1\n2 1 1 1.5 2.5 2 2\n\nVelocities\n\n1 1 2 3 4 5 6\n2 0 0 0 0 0 0\n");
+    static const char text[] =
+        "units: none\nbox: {periodic: true}\nstep: {count: 1}\ncontact: {law: hooke}\n"
+        "materials: [{name: a, density: 1}]\nmaterial_pairs: [{restitution: 1, k_n: 1}]\n"
+        "particles: {file: test_scene.data, format: lammps-data}\n";
     struct error error = {0};
-    struct scene *scene =
-        scene_parse("test_scene.yaml",
-                    "units: none\nbox: {periodic: true}\nstep: {count: 1}\ncontact: {law: hooke}\n"
-                    "materials: [{name: a, density: 1}]\nmaterial_pairs: [{restitution: 1, k_n: 1}]\n"
-                    "particles: {file: test_scene.data, format: lammps-data}\n",
-                    NULL, 0, &error);
+    struct scene *scene = scene_parse("test_scene.yaml", text, NULL, 0, &error);
     if (!scene)
         fail_msg("%s", error.text);
     assert_true(scene->box.origin[0] == -1 && scene->box.edge[0] == 4 && scene->box.edge[2] == 5);
@@ -338,6 +337,14 @@ static void box_from_data_file(void **state) {
     assert_true(particles->state[0].v[2] == 3 && particles->omega[0][0] == 4);
     particles_destroy(&particles);
     scene_free(&scene);
+    static const struct scene_setting one_corner[] = {{"box.lower=[-9, -9, -9]"}, {"box.upper=[9, 9, 9]"}};
+    for (int k = 0; k < 2; k++) {
+        error = (struct error){0};
+        assert_null(scene_parse("test_scene.yaml", text, &one_corner[k], 1, &error));
+        assert_int_equal(error.kind, ERROR_USER);
+        assert_non_null(strstr(error.text, k == 0 ? "box.upper: is missing beside box.lower"
+                                                  : "box.lower: is missing beside box.upper"));
+    }
     remove("test_scene.data");
 }
 

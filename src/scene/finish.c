@@ -42,13 +42,12 @@ static bool unit_vector(const struct scene *scene, double v[3], struct error *er
     return normalise(v) || finish_fail(scene, error, key, "[%g, %g, %g] has no direction", v[0], v[1], v[2]);
 }
 
-/* The box of the first source's file. */
+/* The box of the first source's file; what the scene says of periodic directions stays. */
 static bool box_from_file(struct scene *scene, struct error *error) {
     const struct source_options *source = &scene->source[0];
     bool file = scene->sources > 0 && source->kind == SOURCE_FILE && source->format != SOURCE_TABLE;
     if (!file)
-        return finish_fail(scene, error, isnan(scene->box_lower[0]) ? "box.lower" : "box.upper",
-                           "is missing; needed: three numbers [x, y, z], in m");
+        return finish_fail(scene, error, "box.lower", "is missing; needed: three numbers [x, y, z], in m");
     struct rows rows = {0};
     struct h5md_read_options options = {.frame = source->frame};
     if (source->format == SOURCE_LAMMPS_DATA ? !lammps_data_read(source->file, &rows, error)
@@ -56,19 +55,26 @@ static bool box_from_file(struct scene *scene, struct error *error) {
         return false;
     bool good = rows.box_given ||
                 finish_fail(scene, error, "box.lower", "is missing, and %s has no box", source->file);
+    bool take_periodic = rows.periodic_given && !scene_gives(scene, "box", "periodic");
     for (int d = 0; good && d < 3; d++) {
         scene->box_lower[d] = rows.lower[d] * source->scale + source->offset[d];
         scene->box_upper[d] = rows.upper[d] * source->scale + source->offset[d];
-        if (rows.periodic_given)
-            scene->box.periodic[d] = scene->box.periodic[d] || rows.periodic[d];
+        if (take_periodic)
+            scene->box.periodic[d] = rows.periodic[d];
     }
     rows_free(&rows);
     return good;
 }
 
 static bool finish_box(struct scene *scene, struct error *error) {
-    scene->box_given = !isnan(scene->box_lower[0]) && !isnan(scene->box_upper[0]);
-    if (!scene->box_given && !box_from_file(scene, error))
+    bool lower = !isnan(scene->box_lower[0]), upper = !isnan(scene->box_upper[0]);
+    if (lower != upper)
+        return finish_fail(
+            scene, error, lower ? "box.upper" : "box.lower",
+            "is missing beside box.%s; needed: three numbers [x, y, z], in m (or neither, where "
+            "the first particle file has a box)",
+            lower ? "lower" : "upper");
+    if (!lower && !box_from_file(scene, error))
         return false;
     struct box *box = &scene->box;
     if (box->dimension == 2 && scene->box_lower[2] == scene->box_upper[2]) {

@@ -17,6 +17,9 @@ bool scene_check(const struct scene *scene, struct error *error);
 /* Of these, walls that a periodic box would cut, and their motions. */
 bool scene_check_walls(const struct scene *scene, struct error *error);
 
+/* True if the scene itself gives `key` in a section ("box"), be it its default. */
+bool scene_gives(const struct scene *scene, const char *section, const char *key);
+
 /* Fills `error` with "PLACE: KEY: TEXT"; returns false. */
 bool finish_fail(const struct scene *scene, struct error *error, const char *key, const char *format, ...)
     __attribute__((format(printf, 4, 5)));

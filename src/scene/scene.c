@@ -118,6 +118,10 @@ const char *scene_place(const struct scene *scene, const char *key, char *place,
     return tree_place(tree_nearest(scene->tree->root, key), scene->file, place, room);
 }
 
+bool scene_gives(const struct scene *scene, const char *section, const char *key) {
+    return tree_get(tree_nearest(scene->tree->root, section), key) != NULL;
+}
+
 unsigned scene_features(const struct scene *scene, const struct law *law) {
     unsigned features = 0;
     if (law->spin)

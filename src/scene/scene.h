@@ -102,7 +102,6 @@ struct scene {
     uint64_t seed;
     struct box box;
     double box_lower[3], box_upper[3];
-    bool box_given; /* false: the box came from the first particle file */
     int leave_all;
     int leave_side[3][2];
     double gravity[3];

@@ -43,7 +43,8 @@ static const struct schema_row box_rows[] = {
     {.key = "upper", .type = SCHEMA_VECTOR, .unit = "m", AT(struct scene, box_upper), .help = "upper corner",
      .example = "[10 cm, 10 cm, 20 cm]"},
     {.key = "periodic", .type = SCHEMA_BOOLS, .fallback = "false", AT(struct scene, box.periodic),
-     .help = "periodic directions; the others are open", .example = "[true, true, false]"},
+     .help = "periodic directions; the others are open. Left out, with lower and upper: those of the file",
+     .example = "[true, true, false]"},
     {.key = "leave", .type = SCHEMA_SECTION, .sub = &leave_table, .main = "all",
      .help = "what happens to a particle whose centre leaves through an open side"},
 };

@@ -28,6 +28,21 @@ check "the data are the same again" same_numbers b.data t3.data
 check "H5MD reads back" "$scree" convert b.h5 back.data
 check "and holds the same atoms" same_numbers <(sed -n '/^Atoms/,/^Velocities/p' b.data | awk 'NF == 7 { print $1, $2, $5, $6, $7 }') \
     <(sed -n '/^Atoms/,/^Velocities/p' back.data | awk 'NF >= 7 { print $1, $2, $5, $6, $7 }')
+cat >packed.yaml <<'EOF'
+units: none
+step: {count: 1}
+contact: {law: hooke}
+materials: [{name: a, density: 1}]
+material_pairs: [{restitution: 0.5, k_n: 1000}]
+particles: {file: b.h5, format: h5md, material: a}
+EOF
+# sides WORDS FLAG...: what brings images in this scene
+sides() {
+    "$scree" check packed.yaml "${@:2}" >said 2>&1 || { cat said; return 1; }
+    [ "$(grep -o 'a periodic direction: .*' said)" = "$1" ] || { cat said; return 1; }
+}
+check "a scene takes the periodic sides of the file" sides 'a periodic direction: x, y, z'
+check "unless it says itself" sides '' --set box.periodic=false
 check "H5MD of three ranks reads back" "$scree" convert b3.h5 back3.data
 check "and is the same" same_numbers back.data back3.data
 
