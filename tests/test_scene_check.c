@@ -228,6 +228,20 @@ static const struct bad_setting settings[] = {
       "walls[0]={shape: cylinder, point: [5 mm, 5 mm, 10 mm], axis: [1, 0, 1], radius: 1 mm, length: 16 mm}"},
      "command line: walls[0].length: ",
      {"crosses the ends of the periodic direction x (0 to 0.01)"}},
+    {{"box.periodic=[true, false, false]", "particles={from: random, sizes: 1 mm, count: 3, region: {shape: "
+                                           "box, lower: [-5 mm, 0, 0], upper: [10 mm, "
+                                           "10 mm, 20 mm]}}"},
+     "command line: particles.sources[0].region: ",
+     {"reaches from -0.005 to 0.01 in the periodic direction x", "at most the edge of the box, 0.01"}},
+    {{"box.periodic=[true, false, false]", "particles={from: lattice, lattice: sc, spacing: 2 mm, sizes: 1 "
+                                           "mm, region: {shape: sphere, centre: [5 mm, 5 "
+                                           "mm, 5 mm], radius: 6 mm}}"},
+     "command line: particles.sources[0].region: ",
+     {"overlaps itself"}},
+    {{"box.periodic=[false, true, false]", "insertions=[{sizes: 1 mm, rate: 3, region: {shape: box, lower: "
+                                           "[0, 0, 0], upper: [10 mm, 10.1 mm, 5 mm]}}]"},
+     "command line: insertions[0].region: ",
+     {"in the periodic direction y"}},
     {{"box.leave=vanish"}, "command line: box.leave.all: ", {"keep, delete, error"}},
     {{"materials=[]"}, "command line: materials: ", {"the list is empty"}},
     {{"materials[0]={name: a, density: 1}"}, "command line: materials[0].young: ", {"is missing", "in Pa"}},
@@ -368,6 +382,21 @@ static void good_planes(void **state) {
     scene_free(&scene);
 }
 
+/* Spheres may be placed in a region as long as a periodic edge, and in any where the box is open; what is
+ * selected may lie in any. */
+static void good_regions(void **state) {
+    (void)state;
+    const char *const set[] = {
+        "box.periodic=[true, false, false]",
+        "particles={from: random, sizes: 1 mm, count: 3, region: {shape: box, lower: [2.1 mm, -10 mm, 0], "
+        "upper: [12.1 mm, 20 mm, 20 mm]}}",
+        "groups=[{name: low, select: {region: {shape: box, lower: [-1, 0, 0], upper: [1, 1, 1 mm]}}}]",
+        "deletions=[{region: {shape: sphere, centre: [0, 0, 0], radius: 1}}]", NULL};
+    struct scene *scene = good_scene(GOOD_SCENE, set);
+    assert_int_equal(scene->deletions, 1);
+    scene_free(&scene);
+}
+
 /* Cylinders that a periodic box does not cut. */
 static void good_cylinders(void **state) {
     (void)state;
@@ -384,8 +413,8 @@ static void good_cylinders(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(bad_lines), cmocka_unit_test(bad_settings),
-                                       cmocka_unit_test(bad_wholes), cmocka_unit_test(good_planes),
-                                       cmocka_unit_test(good_cylinders)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(bad_lines),    cmocka_unit_test(bad_settings),
+                                       cmocka_unit_test(bad_wholes),   cmocka_unit_test(good_planes),
+                                       cmocka_unit_test(good_regions), cmocka_unit_test(good_cylinders)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

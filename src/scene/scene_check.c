@@ -131,6 +131,24 @@ static bool check_region(const struct scene *scene, const struct region *region,
     return true;
 }
 
+/* A region for spheres to be placed in: longer than a periodic edge, it would overlap itself. */
+static bool check_room(const struct scene *scene, const struct region *region, const char *section,
+                       struct error *error) {
+    char key[96];
+    double lower[3], upper[3];
+    if (!check_region(scene, region, section, error))
+        return false;
+    region_bounds(region, lower, upper);
+    snprintf(key, sizeof(key), "%s.region", section);
+    for (int d = 0; region->shape != REGION_ALL && d < scene->box.dimension; d++)
+        if (scene->box.periodic[d] && upper[d] - lower[d] > scene->box.edge[d] * (1 + 1e-12))
+            return finish_fail(scene, error, key,
+                               "reaches from %g to %g in the periodic direction %c and overlaps itself; "
+                               "allowed: at most the edge of the box, %g",
+                               lower[d], upper[d], "xyz"[d], scene -> box.edge[d]);
+    return true;
+}
+
 static bool check_sizes(const struct scene *scene, const struct sizes_options *sizes, const char *section,
                         struct error *error) {
     struct sizes_sampler sampler;
@@ -208,7 +226,7 @@ static bool check_sources(const struct scene *scene, struct error *error) {
         char section[64];
         snprintf(section, sizeof(section), "particles.sources[%d]", s);
         bool generated = source->kind == SOURCE_LATTICE || source->kind == SOURCE_RANDOM;
-        if (generated && (!check_region(scene, &source->region, section, error) ||
+        if (generated && (!check_room(scene, &source->region, section, error) ||
                           !check_sizes(scene, &source->sizes, section, error)))
             return false;
         if ((source->kind == SOURCE_LATTICE && !check_lattice(scene, source, section, error)) ||
@@ -234,7 +252,7 @@ static bool check_insertions(const struct scene *scene, struct error *error) {
         if (!(insertion->stop > insertion->start))
             return finish_fail(scene, error, key, "%g is not after start (%g)", insertion->stop,
                                insertion->start);
-        if (!check_region(scene, &insertion->region, section, error) ||
+        if (!check_room(scene, &insertion->region, section, error) ||
             !check_sizes(scene, &insertion->sizes, section, error) ||
             !check_spin(scene, insertion->omega, section, error))
             return false;
