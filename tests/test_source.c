@@ -161,6 +161,20 @@ static void wraps_and_numbers(void **state) {
     particles_destroy(&p);
 }
 
+/* A group selects by the place to which a centre is wrapped. */
+static void selects_where_it_wraps(void **state) {
+    (void)state;
+    static const char *const set[] = {
+        "box={lower: [-1, 0, 0], upper: [1, 1, 1], periodic: [true, false, false]}",
+        "particles.material=glass",
+        "groups=[{name: left, select: {region: {shape: box, lower: [-1, 0, 0], upper: [0, 1, 1]}}}]", NULL};
+    struct particles *p = good_source(
+        "radius x y z\n.01 1.25 .1 .1\n.01 -.25 .2 .1\n.01 -1.25 .3 .1\n.01 0 .4 .1\n", set, NULL);
+    assert_int_equal(p->owned, 4);
+    assert_true(p->group[0] == 1 && p->group[1] == 1 && p->group[2] == 0 && p->group[3] == 0);
+    particles_destroy(&p);
+}
+
 static void keeps_what_left(void **state) {
     (void)state;
     static const char *const set[] = {"box.leave=keep", "particles.material=glass", NULL};
@@ -337,8 +351,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(reads_headers),     cmocka_unit_test(reads_columns),
         cmocka_unit_test(selects_and_maps),  cmocka_unit_test(tells_headers_from_rows),
-        cmocka_unit_test(wraps_and_numbers), cmocka_unit_test(keeps_what_left),
-        cmocka_unit_test(refuses),           cmocka_unit_test(refuses_types),
-        cmocka_unit_test(lammps_data)};
+        cmocka_unit_test(wraps_and_numbers), cmocka_unit_test(selects_where_it_wraps),
+        cmocka_unit_test(keeps_what_left),   cmocka_unit_test(refuses),
+        cmocka_unit_test(refuses_types),     cmocka_unit_test(lammps_data)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

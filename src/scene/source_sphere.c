@@ -97,14 +97,21 @@ static bool choose_material(const struct subject *at, const struct source_batch 
     return true;
 }
 
-static int select_group(const struct scene *scene, const struct source_sphere *sphere) {
+/* The group that a sphere at x, box-relative and wrapped, is selected by. A centre that was not moved by
+ * wrapping is asked about with the digits that were given. */
+static int select_group(const struct scene *scene, const struct source_sphere *sphere, const double x[3]) {
     int chosen = 0;
     struct region_space space = {.dimension = scene->box.dimension};
+    double centre[3];
+    for (int d = 0; d < 3; d++) {
+        bool moved = x[d] != sphere->x[d] - scene->box.origin[d];
+        centre[d] = moved ? x[d] + scene->box.origin[d] : sphere->x[d];
+    }
     for (int g = 1; g < scene->groups; g++) {
         const struct scene_group *group = &scene->group[g];
         bool in = group->selects && (group->material < 0 || group->material == sphere->material) &&
                   sphere->radius > group->radius_above && sphere->radius <= group->radius_upto &&
-                  (!group->by_region || region_contains(&group->region, &space, sphere->x, 0));
+                  (!group->by_region || region_contains(&group->region, &space, centre, 0));
         bool listed = group->id_count == 0;
         for (int k = 0; k < group->id_count && !listed; k++)
             listed = group->id[k] == sphere->id;
@@ -114,7 +121,7 @@ static int select_group(const struct scene *scene, const struct source_sphere *s
     return chosen;
 }
 
-/* Density, velocity and group, once the material is known. */
+/* Density and velocity, once the material is known. */
 static bool complete(const struct subject *at, struct source_sphere *sphere) {
     const struct scene *scene = at->scene;
     const struct source_options *options = &scene->source[at->source];
@@ -132,7 +139,6 @@ static bool complete(const struct subject *at, struct source_sphere *sphere) {
     }
     if (scene->box.dimension == 2 && (sphere->v[2] != 0 || sphere->omega[0] != 0 || sphere->omega[1] != 0))
         return fail(at, "moves out of the plane of a two-dimensional scene");
-    sphere->group = options->group >= 0 ? options->group : select_group(scene, sphere);
     return true;
 }
 
@@ -190,6 +196,10 @@ static bool check_range(const struct subject *at, const double x[3]) {
 bool source_sphere_complete(const struct scene *scene, int source, const struct source_batch *batch,
                             struct source_sphere *sphere, double x[3], struct error *error) {
     const struct subject at = {scene, source, sphere, error};
-    return check_given(&at) && choose_material(&at, batch, sphere) && complete(&at, sphere) &&
-           place_in_box(&at, sphere, x) && check_range(&at, x);
+    if (!check_given(&at) || !choose_material(&at, batch, sphere) || !complete(&at, sphere) ||
+        !place_in_box(&at, sphere, x))
+        return false;
+    int group = scene->source[source].group;
+    sphere->group = group >= 0 ? group : select_group(scene, sphere, x);
+    return check_range(&at, x);
 }
