@@ -55,6 +55,7 @@ struct schema_row {
     const struct schema_name *names;                 /* NAME: ended by a NULL name */
     const char *(*choice)(int k, const char **help); /* CHOICE: the k-th name, NULL after the last */
     const char *target;                              /* REF, REFS: a list at the top level */
+    bool in_column;   /* TEXT: part of a column's name in observables.csv, so without what would break that */
     const char *when; /* "shape=cylinder|plane": the key exists only then; "/contact.law=hooke" from the top;
                          "a=b & c=d" */
     const struct schema_table *sub; /* SECTION, LIST */

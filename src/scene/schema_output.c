@@ -101,7 +101,7 @@ static const struct schema_name component_names[] = {
 static const struct schema_row request_rows[] = {
     {.key = "name", .type = SCHEMA_CHOICE, .choice = observable_choice, .required = true,
      AT(struct observable_request, name), .help = "what is observed", .example = "position"},
-    {.key = "label", .type = SCHEMA_TEXT, .fallback = "", AT(struct observable_request, label),
+    {.key = "label", .type = SCHEMA_TEXT, .fallback = "", .in_column = true, AT(struct observable_request, label),
      .help = "first part of the column's name; left out: the target's name", .example = "ball"},
     {.key = "target", .type = SCHEMA_TEXT, .fallback = "", AT(struct observable_request, target),
      .help = "wall or region, `region/material` for one material; left out: all, of a stress the whole box",
@@ -118,7 +118,7 @@ static const struct schema_name region_shape_names[] = {{"box", OUTPUT_REGION_BO
                                                         {"cylinder", OUTPUT_REGION_CYLINDER, NULL},
                                                         {0}};
 static const struct schema_row region_rows[] = {
-    {.key = "name", .type = SCHEMA_TEXT, .required = true, AT(struct output_region, name),
+    {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = true, AT(struct output_region, name),
      .help = "by which observables refer to it", .example = "upper_right"},
     {.key = "shape", .type = SCHEMA_NAME, .names = region_shape_names, .required = true,
      AT(struct output_region, shape), .help = "the shape", .example = "box"},

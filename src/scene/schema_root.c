@@ -76,7 +76,7 @@ static const struct schema_row step_rows[] = {
 static const struct schema_table step_table = TABLE(step_rows);
 
 static const struct schema_row material_rows[] = {
-    {.key = "name", .type = SCHEMA_TEXT, .required = true, AT(struct law_material, name),
+    {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = true, AT(struct law_material, name),
      .help = "by which others refer to it", .example = "glass"},
     {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "(0, inf)", .required = true,
      AT(struct law_material, density), .help = "mass of a sphere by its volume, in two dimensions too",

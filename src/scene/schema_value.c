@@ -162,12 +162,22 @@ static bool read_bool(struct schema_reader *reader, const struct schema_row *row
     return refuse(reader, row, node, key, why);
 }
 
+/* True if a text does not break a line of observables.csv, nor hide where a column's unit begins. */
+static bool fits_column(const char *text) {
+    for (; *text; text++)
+        if ((unsigned char)*text < ' ' || *text == 127 || strchr(",\"[]", *text))
+            return false;
+    return true;
+}
+
 static bool read_text(struct schema_reader *reader, const struct schema_row *row,
                       const struct tree_node *node, const char *key, char *value) {
     if (!want_scalar(reader, row, node, key))
         return false;
     if (row->required && !node->text[0])
         return refuse(reader, row, node, key, "the text is empty");
+    if (row->in_column && !fits_column(node->text))
+        return refuse(reader, row, node, key, "cannot be part of a column's name");
     if (strlen(node->text) >= row->size) {
         char why[80];
         snprintf(why, sizeof(why), "longer than %zu bytes", row->size - 1);
