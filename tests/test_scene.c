@@ -97,7 +97,6 @@ static void settings_override(void **state) {
     assert_string_equal(scene_place(scene, "materials[0].young", place, sizeof(place)), "case/scene.yaml:5");
     assert_int_equal(scene_wall(scene, "ground"), 0);
     assert_int_equal(scene_material(scene, "glass"), 0);
-    assert_int_equal(scene_group(scene, "free"), 0);
     assert_int_equal(scene_wall(scene, "none"), -1);
     scene_free(&scene);
 }

@@ -6,10 +6,6 @@
 /* How far a sweep goes of what brings the stiffest direction to rest. */
 static const double step_factor = 2;
 
-struct relax_options relax_options_default(void) {
-    return (struct relax_options){.gap = 1e-3, .sweeps = 20000, .threads = 1};
-}
-
 struct relaxing {
     const struct relax_options *options;
     struct pack_search *search;

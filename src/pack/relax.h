@@ -31,9 +31,6 @@ struct relax_options {
     void *context;
 };
 
-/* Gap 1e-3, bound 0, 20,000 sweeps, one thread. */
-struct relax_options relax_options_default(void);
-
 /* Relaxes the particles. Where the box is not periodic it is a hard wall, and must be wider than the largest
  * particle; where it is, wider than 1.25 times its diameter. The largest radius may be 1000 times the
  * smallest. The order of the particles changes. Fails (user) if `sweeps` sweeps leave larger overlaps.

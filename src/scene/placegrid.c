@@ -56,10 +56,6 @@ void placegrid_destroy(struct placegrid **grid) {
     *grid = NULL;
 }
 
-size_t placegrid_count(const struct placegrid *grid) {
-    return grid->count;
-}
-
 static int level_of(const struct placegrid *grid, double radius) {
     int exponent;
     frexp(radius / grid->radius_min, &exponent); /* radius < radius_min 2^exponent */

@@ -5,7 +5,6 @@
 #define SCREE_SCENE_PLACEGRID_H
 
 #include "particles/box.h"
-#include <stddef.h>
 
 struct placegrid;
 
@@ -18,7 +17,5 @@ void placegrid_add(struct placegrid *grid, const double x[3], double radius);
 
 /* True if a sphere here would overlap one of the grid (touching is allowed). */
 bool placegrid_touches(const struct placegrid *grid, const double x[3], double radius);
-
-size_t placegrid_count(const struct placegrid *grid);
 
 #endif

@@ -160,10 +160,6 @@ int scene_material(const struct scene *scene, const char *name) {
     return find_name(scene, "materials", name);
 }
 
-int scene_group(const struct scene *scene, const char *name) {
-    return find_name(scene, "groups", name);
-}
-
 int scene_wall(const struct scene *scene, const char *name) {
     return find_name(scene, "walls", name);
 }

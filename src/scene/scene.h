@@ -175,9 +175,8 @@ void scene_integrator(const struct scene *scene, struct integrator_context *cont
 /* Sets `reproducible` in a scene that was read, and what follows from it. */
 void scene_make_reproducible(struct scene *scene);
 
-/* Number of a material, group or wall by name, or -1. */
+/* Number of a material or wall by name, or -1. */
 int scene_material(const struct scene *scene, const char *name);
-int scene_group(const struct scene *scene, const char *name);
 int scene_wall(const struct scene *scene, const char *name);
 
 /* Which particles this rank keeps: those with mine(context, x) true (x box-relative, wrapped), or, where
