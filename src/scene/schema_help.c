@@ -182,8 +182,9 @@ void scene_document(FILE *out) {
                  "way.\n"
                  "- Paths are relative to the folder of the scene file.\n"
                  "- In two dimensions vectors may have two components.\n"
-                 "- The effective scene, defaults included, is written into every output file; it can be run "
-                 "again.\n");
+                 "- The effective scene, defaults included, is written into `trajectory.h5` (as "
+                 "`/parameters/scene`) and into checkpoints; it can be run\n"
+                 "  again.\n");
     print_section(out, &schema_root, "Top level", "The sections, and the keys outside of any");
     schema_walk(print_subsection, out);
 }

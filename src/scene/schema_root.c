@@ -306,7 +306,8 @@ static const struct schema_table guards_table = TABLE(guards_rows);
 
 static const struct schema_row root_rows[] = {
     {.key = "title", .type = SCHEMA_TEXT, .fallback = "", AT(struct scene, title),
-     .help = "for people; copied into every output", .example = "ball into glass beads"},
+     .help = "for people; trajectory.h5 and checkpoints hold it, in their copy of the scene",
+     .example = "ball into glass beads"},
     {.key = "units", .type = SCHEMA_NAME, .names = units_names, .fallback = "si", AT(struct scene, units),
      .help = "what numbers mean"},
     {.key = "seed", .type = SCHEMA_SEED, .fallback = "1", AT(struct scene, seed),
