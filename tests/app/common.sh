@@ -1,6 +1,7 @@
 # Sourced by the tests of the whole program (bash): finds it, gives a folder that is removed at the end, and counts checks.
 #
-# Environment: top_builddir, LAUNCH (tests/launch sets both; started by hand: top_builddir=BUILD tests/launch SCRIPT).
+# Environment: top_builddir (absolute), top_srcdir, LAUNCH (tests/launch sets these two; by hand, in the build folder:
+# top_builddir=$PWD ../tests/launch ../tests/app/SCRIPT).
 
 scree=${SCREE:-$top_builddir/scree}
 out=$(mktemp -d)
