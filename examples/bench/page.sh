@@ -11,14 +11,25 @@ mkdir -p "$data" "$documents/images"
 . "$here/tables.sh"
 
 conditions() {
-    echo "| benchmark | mode | machine | cores | load before | revision | when | seconds |"
+    echo "| benchmark | mode | machine | cores | busy before (or load) | revision | when | seconds |"
     echo "|---|---|---|---|---|---|---|---|"
     for file in "$results"/*.jsonl; do
         sed -n 's/^{"conditions": "\(.*\)"}$/\1/p' "$file" | head -n 1
     done >"$data/conditions"
     cat "$data/conditions"
-    awk -F'|' '{ cores = $5; sub(/.* of /, "", cores); if ($6 > 0.5 * cores + 1) { names = names (n++ ? ", " : "") $2 } }
-        END { gsub(/ +,/, ",", names); gsub(/  +/, " ", names); sub(/ +$/, "", names); if (n) printf "\nThe machine was busy with other work while these ran, and their times by wall clock mean little:%s. Run them again on a free one.\n", names }' "$data/conditions"
+    awk -F'|' '
+        {
+            gsub(/^ +| +$/, "", $2)
+            gsub(/^ +| +$/, "", $6)
+            share = $6 ~ /%$/
+            loads = loads || (!share && $6 != "")
+            if (share && $6 + 0 > 25) names = names (names == "" ? "" : ", ") $2
+        }
+        END {
+            print "\nBusy: the share of all cores that other work took in the two seconds before."
+            if (loads) print "A number without % is the load average of the minute before, in which the benchmark before it may have run; it tells nothing."
+            if (names != "") printf "\nThe machine was busy with other work before these, and their times by wall clock mean little: %s. Run them again on a free one.\n", names
+        }' "$data/conditions"
 }
 
 bidisperse() {

@@ -76,11 +76,26 @@ command_of() {
     esac
 }
 
+# busy: the share of all cores that is in use, in per cent, over two seconds
+busy() {
+    { grep '^cpu ' /proc/stat; sleep 2; grep '^cpu ' /proc/stat; } | awk '
+        {
+            all = 0
+            for (k = 2; k <= 9 && k <= NF; k++) all += $k
+            idle = $5 + $6
+            if (NR == 1) { all_before = all; idle_before = idle }
+        }
+        END {
+            share = NR == 2 && all > all_before ? 1 - (idle - idle_before) / (all - all_before) : 0
+            printf "%.0f %%", 100 * (share > 0 ? share : 0)
+        }'
+}
+
 conditions() {
     cpu=$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)
     memory=$(awk '/^MemTotal/ { printf "%.0f GiB", $2 / 1048576 }' /proc/meminfo)
     revision=$("$SCREE" --version 2>/dev/null | sed -n 's/.*(\([0-9a-f][^)]*\)).*/\1/p' | head -n 1)
-    echo "{\"conditions\": \"| $1 | $2 | ${cpu:-?}, $memory | ${CORES:+$CORES of }$(env -u OMP_NUM_THREADS nproc) | $(cut -d ' ' -f 1 /proc/loadavg) | ${revision:-?} | $(date -u +%Y-%m-%d) | @SECONDS@ |\"}"
+    echo "{\"conditions\": \"| $1 | $2 | ${cpu:-?}, $memory | ${CORES:+$CORES of }$(env -u OMP_NUM_THREADS nproc) | $(busy) | ${revision:-?} | $(date -u +%Y-%m-%d) | @SECONDS@ |\"}"
 }
 
 failed=
@@ -98,9 +113,9 @@ if [ -n "$run" ]; then
             fi
             ;;
         esac
-        began=$(date +%s)
         echo "report.sh: $name" >&2
         conditions "$name" "${quick:+quick}" | sed 's/|  |/| full |/' >"$results/$name.part"
+        began=$(date +%s)
         if command_of "$name" >>"$results/$name.part" 2>"$results/$name.log"; then
             sed "s/@SECONDS@/$(($(date +%s) - began))/" "$results/$name.part" >"$results/$name.jsonl"
             rm -f "$results/$name.part"

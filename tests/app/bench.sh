@@ -99,6 +99,14 @@ pictures() {
     done
 }
 if command -v gnuplot >/dev/null; then check 'and its pictures' pictures; fi
+conditions() { # NAME SHARE_OR_LOAD
+    sed -i "1s/.*/{\"conditions\": \"| $1 | test | a machine | 1 | $2 | a revision | a day | 1 |\"}/" "results/$1.jsonl"
+}
+busy() { # a share of the cores is judged, a load average of an older row is not
+    conditions growth '90 %' && conditions roofline '3 %' && conditions auto 158.36 && page &&
+        holds documents/performance.md 'wall clock mean little: growth. Run them again'
+}
+check 'a machine that was busy is told' busy
 unknown() {
     RESULTS=$out/results DOCUMENTS=$out/documents "$bench/report.sh" --only nothing >said 2>&1
     [ $? = 1 ] && holds said 'no benchmark nothing'
