@@ -5,13 +5,13 @@
 #   compare.sh "" "index=linkcell classes.method=one"
 #   SCREE_B=../before/scree compare.sh "" ""     the program as it was
 #
-# Runs the bidisperse packing R = 10 (96 steps, a rebuild every 16) with A and with B, PAIRS (11) times in turns, A first in one
+# Runs the bidisperse packing R = 10 (96 steps, a rebuild every 16) with A and with B, PAIRS (11; 6 at least) times in turns, A first in one
 # pair and B in the next. One JSON line a run; the last line is the summary: gain is the median over the pairs of B's loop
 # time over A's, with the interval that holds the median with a probability of at least 95 % (from the order of the pairs);
 # the same for step and rebuild alone.
 #
 # SCREE (A's program), SCREE_B (B's; the same), THREADS (all cores), PAIRS, SCENE_LAW (another law and keys of scree pack), WORK may
-# be set. --quick: a cube of edge 80, 5 pairs.
+# be set. --quick: a cube of edge 80, 6 pairs.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/packing.sh"
@@ -26,7 +26,8 @@ second=$2
 program_a=$SCREE
 program_b=${SCREE_B:-$SCREE}
 threads=${THREADS:-$cores}
-pairs=${PAIRS:-$(by_mode 5 11)}
+pairs=${PAIRS:-$(by_mode 6 11)}
+test "$pairs" -ge 6 2>/dev/null || { echo "compare.sh: PAIRS=$pairs; needed: 6 or more, or no interval holds the median with 95 %" >&2; exit 2; }
 steps=96
 law=${SCENE_LAW:-bidisperse ratio=10 velocity=1}
 test -z "$quick" || law=${SCENE_LAW:-bidisperse ratio=10 box=80 large=15 small=41744 velocity=1}

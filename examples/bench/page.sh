@@ -283,7 +283,7 @@ needs() {
 ablation() {
     printf '\n## Ablation\n\n'
     echo 'Measured here by `compare.sh`, the bidisperse packing R = 10: the setting in the first column instead of the default, in turns; how much longer it takes'
-    echo '(median over the pairs, interval of at least 95 % by their order), the whole loop, the step and the rebuild.'
+    echo '(median over the pairs, interval of at least 95 % by their order, if no less is said), the whole loop, the step and the rebuild.'
     echo
     if grep -q '"summary": true' "$results/ablation.jsonl" 2>/dev/null; then
         awk '
@@ -306,6 +306,7 @@ ablation() {
                 pairs = substr($0, RSTART + 9, RLENGTH - 9)
                 match($0, /"threads": [0-9]*/)
                 threads = substr($0, RSTART + 11, RLENGTH - 11)
+                if (pairs + 0 < 6) pairs = sprintf("%d (interval of %.0f %%)", pairs, 100 * (1 - 2 * 0.5 ^ pairs))
                 print "`" b "`|" pairs "|" threads "|" number("gain", "\"ns_per_particle\"") "|" number("gain", "\"step\": {") "|" number("gain", "\"rebuild\": {")
             }' "$results/ablation.jsonl" | table setting pairs threads loop step rebuild
     else
