@@ -79,8 +79,20 @@ quietly() {
     }
 }
 
-# best FILE: what follows the five figures on the line with the smallest loop time
+# try FILE WORDS COMMAND...: the five figures that the command prints, and the words, as a line of FILE; one that fails is told, and left out
+try() {
+    tried=$1 words=$2
+    shift 2
+    if figures=$("$@") && [ "$(echo "$figures" | wc -w)" -eq 5 ]; then
+        echo "$figures $words" >>"$tried"
+    else
+        echo "a trial failed and is left out: $*" >&2
+    fi
+}
+
+# best FILE: what follows the five figures on the line with the smallest loop time; fails if no trial succeeded
 best() {
+    test -s "$1" || { echo "all trials failed: $(basename "$1")" >&2; return 1; }
     sort -g "$1" | head -n 1 | cut -d ' ' -f 6-
 }
 

@@ -59,18 +59,20 @@ line() {
 for _ in 1 2; do # twice, as other load may spoil one try
     for newton in on off; do
         for cell in 1 2; do
-            echo "$(run_lammps $newton $cell $((every * 2))) $newton $cell" >>"$work/lammps.tried"
+            try "$work/lammps.tried" "$newton $cell" run_lammps $newton $cell $((every * 2))
         done
     done
     for index in ${INDEXES:-bytype hgrid}; do
         for layout in "1 $cores" "$cores 1"; do
             # shellcheck disable=SC2086
-            echo "$(run_scree $index $layout $((every * 2))) $index $layout" >>"$work/scree.tried"
+            try "$work/scree.tried" "$index $layout" run_scree $index $layout $((every * 2))
         done
     done
 done
-# shellcheck disable=SC2046
-set -- $(best "$work/lammps.tried") $(best "$work/scree.tried")
+theirs=$(best "$work/lammps.tried")
+mine=$(best "$work/scree.tried")
+# shellcheck disable=SC2086
+set -- $theirs $mine
 newton=$1 cell=$2 index=$3 ranks=$4 threads=$5
 
 : >"$work/lammps.runs"

@@ -67,7 +67,7 @@ compare() {
     : >"$work/lammps.tried"
     for newton in on off; do
         for skin in 0.1 0.2; do
-            echo "$(run_lammps "$1" $newton $skin $((steps / 2))) $newton $skin" >>"$work/lammps.tried"
+            try "$work/lammps.tried" "$newton $skin" run_lammps "$1" $newton $skin $((steps / 2))
         done
     done
     : >"$work/scree.tried"
@@ -76,13 +76,15 @@ compare() {
     for layout in $layouts; do
         for index in linkcell hgrid; do
             for skin in 0.1 0.2; do
-                echo "$(run_scree "${layout%:*}" "${layout#*:}" $index $skin $((steps / 2))) ${layout%:*} ${layout#*:} $index $skin" \
-                    >>"$work/scree.tried"
+                try "$work/scree.tried" "${layout%:*} ${layout#*:} $index $skin" \
+                    run_scree "${layout%:*}" "${layout#*:}" $index $skin $((steps / 2))
             done
         done
     done
-    # shellcheck disable=SC2046
-    set -- "$1" $(best "$work/lammps.tried") $(best "$work/scree.tried")
+    theirs=$(best "$work/lammps.tried")
+    mine=$(best "$work/scree.tried")
+    # shellcheck disable=SC2086
+    set -- "$1" $theirs $mine
     : >"$work/lammps.runs.$1"
     : >"$work/scree.runs.$1"
     run=0

@@ -34,7 +34,10 @@ declare -A best
 TIMEFORMAT='%U %S'
 least() { # NAME STEPS: the processor's seconds of a run with the flags at hand, where they are the least so far
     local spent
-    spent=$({ time "$SCREE" run "$here/needs.yaml" -o "$out/$1" --overwrite --quiet --set step.count="$2" --set output.checkpoint.at_end=false "${flags[@]}" >/dev/null 2>&1; } 2>&1) || exit 1
+    spent=$({ time "$SCREE" run "$here/needs.yaml" -o "$out/$1" --overwrite --quiet --set step.count="$2" --set output.checkpoint.at_end=false "${flags[@]}" >"$out/said" 2>&1; } 2>&1) || {
+        cat "$out/said" >&2
+        exit 1
+    }
     best[$1,$2]=$(awk -v spent="$spent" -v b="${best[$1,$2]:-1e9}" 'BEGIN { split(spent, a, " "); a[1] += a[2]; print a[1] < b ? a[1] : b }')
 }
 for ((r = 0; r < ${REPEAT:-5}; r++)); do
