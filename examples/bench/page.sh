@@ -30,6 +30,9 @@ conditions() {
             if (loads) print "A number without % is the load average of the minute before, in which the benchmark before it may have run; it tells nothing."
             if (names != "") printf "\nThe machine was busy with other work before these, and their times by wall clock mean little: %s. Run them again on a free one.\n", names
         }' "$data/conditions"
+    for mark in "$results"/*.failed; do
+        test ! -e "$mark" || printf '\nThe last run of %s failed, on %s; its results, if there are any, are older.\n' "$(basename "$mark" .failed)" "$(cat "$mark")"
+    done
 }
 
 bidisperse() {
@@ -46,11 +49,16 @@ bidisperse() {
 table1() {
     printf '\n## Large systems, memory\n\n'
     echo 'The same systems in scree alone: a step with its share of rebuilds (one in 16). Needed: at most 400 bytes a particle at R = 10; R = 80 in 18 GiB.'
+    echo 'What does not fit into the memory is left out, with bytes extrapolated from those a particle of the last system that ran.'
     echo
     done_for table1-10 table1-20 table1-40 table1-80 table1-100 || return 0
     for R in 10 20 40 80 100; do
         fields table1-$R '"summary"' R particles threads seconds ns_per_particle rebuild_seconds bytes_per_particle memory left_out
-    done | table R particles threads 'step, ms:1000' 'ns a particle and step:1' 'rebuild, s:1' 'bytes a particle:1:4' 'memory, GiB:9.31322575e-10' 'left out'
+    done | awk -F'|' -v OFS='|' '
+        $9 != "" {
+            if ($7 + 0 > 0) { $7 = sprintf("%.4g (extrapolated)", $7); $8 = sprintf("%.3g (extrapolated)", $8 * 9.31322575e-10) }
+        }
+        { print }' | table R particles threads 'step, ms:1000' 'ns a particle and step:1' 'rebuild, s:1' 'bytes a particle:1:4' 'memory, GiB:9.31322575e-10' 'left out'
 }
 
 cells() {
@@ -271,11 +279,7 @@ needs() {
     printf '\n## What a scene does not need\n\n'
     echo '8,000 spheres, one thread; each line takes one more thing away.'
     echo
-    if [ ! -s "$results/needs.jsonl" ]; then
-        # shellcheck disable=SC2016
-        echo 'Not run yet: `examples/bench/report.sh --only needs`.'
-        return
-    fi
+    done_for needs || return 0
     fields needs '"variant"' variant nanoseconds_a_particle_and_step bytes_a_particle history_bytes_a_pair passes contacts |
         table scene 'ns a particle and step' 'bytes a particle' 'history, bytes a pair' passes contacts
 }
@@ -285,7 +289,7 @@ ablation() {
     echo 'Measured here by `compare.sh`, the bidisperse packing R = 10: the setting in the first column instead of the default, in turns; how much longer it takes'
     echo '(median over the pairs, interval of at least 95 % by their order, if no less is said), the whole loop, the step and the rebuild.'
     echo
-    if grep -q '"summary": true' "$results/ablation.jsonl" 2>/dev/null; then
+    if done_for ablation; then
         awk '
             function number(key, from, at) {
                 at = index($0, from)
@@ -309,9 +313,6 @@ ablation() {
                 if (pairs + 0 < 6) pairs = sprintf("%d (interval of %.0f %%)", pairs, 100 * (1 - 2 * 0.5 ^ pairs))
                 print "`" b "`|" pairs "|" threads "|" number("gain", "\"ns_per_particle\"") "|" number("gain", "\"step\": {") "|" number("gain", "\"rebuild\": {")
             }' "$results/ablation.jsonl" | table setting pairs threads loop step rebuild
-    else
-        # shellcheck disable=SC2016
-        echo 'Not run yet: `examples/bench/report.sh --only ablation`.'
     fi
     printf '\nWhat cannot be switched, kept or taken out, as measured when it was tried (from `examples/bench/ablation.tsv`):\n\n'
     awk -F'\t' 'NR == 1 { print "| " $1 " | " $2 " | " $3 " | " $4 " | " $5 " |"; print "|---|---|---|---|---|"; next }

@@ -7,7 +7,7 @@
 # --list:  their names.
 #
 # What each benchmark printed goes to RESULTS/NAME.jsonl, led by a line that says on what machine and under what conditions, and what it said
-# besides to RESULTS/NAME.log. One that fails is named at the end, and the others go on. What the page was made from is kept beside it, in
+# besides to RESULTS/NAME.log. One that fails is named at the end, and on the page until it succeeds (RESULTS/NAME.failed); the others go on. What the page was made from is kept beside it, in
 # DOCUMENTS/results/performance, and stands in for benchmarks that RESULTS does not hold. RESULTS (examples/bench/out) and
 # DOCUMENTS (docs of this checkout if it can be written, else RESULTS), SCREE, CORES, WORK (keeps the packings) may be set; and SKIP_LAMMPS=1,
 # which leaves out LAMMPS, and the benchmarks that are nothing without it.
@@ -69,6 +69,13 @@ command_of() {
         "$here/continuous.sh" "${rest%-*}" "${rest#*-}" $quick
         ;;
     bidisperse-* | table1-* | cells-* | univol-*) "$here/${1%%-*}.sh" "${1#*-}" $quick ;;
+    esac
+}
+
+# known NAME: can command_of run it?
+known() {
+    case $1 in
+    ablation | needs | roofline | auto | growth | chute | continuous-*-* | bidisperse-* | table1-* | cells-* | univol-*) ;;
     *)
         echo "report.sh: there is no benchmark $1; report.sh --list names them" >&2
         return 2
@@ -99,6 +106,9 @@ conditions() {
 }
 
 failed=
+for name in $only; do
+    known "$name" || exit 2
+done
 if [ -n "$run" ]; then
     build=$(dirname "$SCREE") # some benchmarks need programs of their own
     if [ "$SCREE" != scree ] && [ -f "$build/Makefile" ]; then
@@ -118,9 +128,11 @@ if [ -n "$run" ]; then
         began=$(date +%s)
         if command_of "$name" >>"$results/$name.part" 2>"$results/$name.log"; then
             sed "s/@SECONDS@/$(($(date +%s) - began))/" "$results/$name.part" >"$results/$name.jsonl"
-            rm -f "$results/$name.part"
+            rm -f "$results/$name.part" "$results/$name.failed"
         else
             failed="$failed $name"
+            said=$(tail -n 1 "$results/$name.log" | tr -d '`')
+            echo "$(date -u +%Y-%m-%d) (\`${said:-it said nothing}\`)" >"$results/$name.failed"
             echo "report.sh: $name failed:" >&2
             tail -n 3 "$results/$name.log" >&2
         fi

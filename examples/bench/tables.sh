@@ -59,13 +59,22 @@ table() {
         }'
 }
 
-# done_for NAME...: is there a summary of any of these?
+# done_for NAME...: is there a result of any of these? Says which are missing
 done_for() {
+    some= missing= broken=
     for name; do
-        ! grep -q -e '"summary": true' -e '"loop_ratio' "$results/$name.jsonl" 2>/dev/null || return 0
+        if grep -q -e '"summary": true' -e '"loop_ratio' -e '"variant"' "$results/$name.jsonl" 2>/dev/null; then
+            some=yes
+        elif [ -e "$results/$name.failed" ]; then
+            broken="$broken $name"
+        else
+            missing="$missing $name"
+        fi
     done
-    echo "Not run yet: \`examples/bench/report.sh --only \"$*\"\`."
-    return 1
+    test -z "$missing" || echo "Not run yet: \`examples/bench/report.sh --only \"${missing# }\"\`."
+    test -z "$broken" || echo "Failed: \`examples/bench/report.sh --only \"${broken# }\"\` tries again."
+    test -n "$some" || return 1
+    test -z "$missing$broken" || echo
 }
 
 # plot NAME WIDTH,HEIGHT: gnuplot's commands from the standard input make images/performance-NAME.svg, and a link to it

@@ -112,9 +112,50 @@ busy() { # a share of the cores is judged, a load average of an older row is not
         holds documents/performance.md 'wall clock mean little: growth. Run them again'
 }
 check 'a machine that was busy is told' busy
+missing() { # of a section some are there, of another none
+    holds documents/performance.md 'Not run yet: `examples/bench/report.sh --only "cells-20 cells-40"`.' &&
+        holds documents/performance.md 'Not run yet: `examples/bench/report.sh --only "bidisperse-10 bidisperse-20 bidisperse-40"`.'
+}
+check 'it names what is missing' missing
+left_out() { # a system that did not fit, between two others
+    echo '{"summary": true, "R": 40, "threads": 1, "seconds": null, "particles": 1000000, "ns_per_particle": null, "bytes_per_particle": 350, "memory": 3221225472, "left_out": "memory is short"}' \
+        >results/table1-40.jsonl
+    page && holds documents/performance.md '| 350 (extrapolated) | 3 (extrapolated) | memory is short |'
+}
+check 'and what is extrapolated' left_out
+report() { # FLAG...: needs alone
+    REPEAT=1 RESULTS=$out/results DOCUMENTS=$out/documents "$bench/report.sh" --quick --only needs >said 2>&1
+}
+mkdir broken
+printf '#!/bin/sh\necho "scree: broken on purpose" >&2\nexit 2\n' >broken/scree
+chmod +x broken/scree
+fails() {
+    SCREE=$out/broken/scree report
+    [ $? = 1 ] && holds results/needs.log 'scree: broken on purpose' && holds documents/performance.md 'The last run of needs failed, on 2' &&
+        holds documents/performance.md '(`scree: broken on purpose`)' && holds documents/performance.md 'Failed: `examples/bench/report.sh --only "needs"`'
+}
+check 'a benchmark that fails stands on the page, with what it said' fails
+succeeds() {
+    report || { cat said; return 1; }
+    [ ! -e results/needs.failed ] && lacks documents/performance.md 'The last run of' && grep -q '^{"conditions": "| needs | quick .* [0-9]* % | ' results/needs.jsonl
+}
+check 'until it succeeds' succeeds
+trials() { # of settings, of which one fails
+    here=$bench
+    . "$bench/bench.sh"
+    works() { echo "$1 2 3 4 5"; }
+    rm -f trials
+    try trials 'on 1' works 3 && try trials 'off 1' false && try trials 'off 2' echo 1 && try trials 'on 2' works 2 && [ "$(best trials)" = 'on 2' ]
+}
+check 'one trial may fail' eval '(trials) 2>said && holds said "a trial failed and is left out: false"'
+none() {
+    : >trials
+    ! best trials
+}
+check 'but not all' eval '(here=$bench; . "$bench/bench.sh"; none) 2>said && holds said "all trials failed: trials"'
 unknown() {
     RESULTS=$out/results DOCUMENTS=$out/documents "$bench/report.sh" --only nothing >said 2>&1
-    [ $? = 1 ] && holds said 'no benchmark nothing'
+    [ $? = 2 ] && holds said 'no benchmark nothing'
 }
 check 'an unknown benchmark is named' unknown
 finish
