@@ -67,6 +67,7 @@ check_PROGRAMS += \
 	tests/test_placegrid \
 	tests/test_region \
 	tests/test_scene \
+	tests/test_scene_allowed \
 	tests/test_scene_check \
 	tests/test_schema \
 	tests/test_sizes \
@@ -89,6 +90,9 @@ tests_test_region_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
 tests_test_scene_SOURCES = tests/test_scene.c
 tests_test_scene_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
 tests_test_scene_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
+tests_test_scene_allowed_SOURCES = tests/test_scene_allowed.c
+tests_test_scene_allowed_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_scene_allowed_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
 tests_test_scene_check_SOURCES = tests/test_scene_check.c
 tests_test_scene_check_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
 tests_test_scene_check_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
