@@ -234,7 +234,8 @@ static const struct bad_setting settings[] = {
      "command line: walls[0].axis: ",
      {"slants across the periodic direction x", "allowed: an axis along x, or without"}},
     {{"box.periodic=[true, false, false]",
-      "walls[0]={shape: cylinder, point: [5 mm, 5 mm, 10 mm], axis: [1, 0, 1], radius: 1 mm, length: 16 mm}"},
+      "walls[0]={shape: cylinder, point: [5 mm, 5 mm, 10 mm], axis: [1, 0, 1], radius: 1 mm, length: 16 mm, "
+      "inside: true}"},
      "command line: walls[0].length: ",
      {"crosses the ends of the periodic direction x (0 to 0.01)"}},
     {{"box.periodic=[true, false, false]", "particles={from: random, sizes: 1 mm, count: 3, region: {shape: "

@@ -16,7 +16,8 @@ static bool check_periodic_plane(const struct scene *scene, int w, int d, struct
                "xyz"[d]);
 }
 
-/* Along a periodic direction a cylinder goes on in its images; else it must end where the box does. */
+/* Along a periodic direction a cylinder goes on in its images; across it, it must end where the box does, and
+ * so must a slanting one that is felt from inside: particles in it would be outside of its images. */
 static bool check_periodic_cylinder(const struct scene *scene, int w, int d, struct error *error) {
     const struct wall_options *wall = &scene->wall[w];
     double along = fabs(wall->axis[d]), across = hypot(wall->axis[(d + 1) % 3], wall->axis[(d + 2) % 3]);
@@ -30,7 +31,7 @@ static bool check_periodic_cylinder(const struct scene *scene, int w, int d, str
                            "meet its images; allowed: an axis along %c, or without a component along it",
                            "xyz"[d], "xyz"[d]);
     double girth = wall->radius * sqrt(fmax(0, 1 - along * along));
-    double reach = girth + along * wall->length / 2;
+    double reach = girth + (wall->inside ? along * wall->length / 2 : 0);
     double lower = scene->box_lower[d], upper = scene->box_upper[d], middle = wall->point[d];
     bool wide = middle - girth < lower || middle + girth > upper;
     snprintf(key, sizeof(key), "walls[%d].%s", w, wide ? "radius" : "length");
