@@ -7,7 +7,7 @@
 #
 # 96 steps with Hooke contacts and slip history, a rebuild every 16. One JSON line a point: seconds is one step, rebuilds
 # included, the fastest of RUNS; rebuild_seconds is one rebuild; bytes_per_particle is all memory that the program counts. The last line
-# is the summary: the largest time per particle of each of the three series over that of its first point, the same for memory.
+# is the summary: the largest time per particle of each of the three series over its least, the same for memory.
 #
 # --quick: up to 10^5 particles, 20,000 small ones. SCREE, THREADS (all cores), RUNS (5; quick: 3), NUMBERS (of particles of
 # the first series), SMALL (small ones of the others), WORK (keeps the packings) may be set.
@@ -101,9 +101,11 @@ awk '
         gsub(/"/, "", series)
         ns = value("ns_per_particle") + 0
         bytes = value("bytes_per_particle") + 0
-        if (!(series in first)) { first[series] = ns; little[series] = bytes }
+        if (!(series in most)) { most[series] = least[series] = ns; much[series] = little[series] = bytes }
         if (ns > most[series]) most[series] = ns
+        if (ns < least[series]) least[series] = ns
         if (bytes > much[series]) much[series] = bytes
+        if (bytes < little[series]) little[series] = bytes
         seconds = value("seconds") + 0; particles = value("particles") + 0; threads = value("threads")
         if (series == "particles") { largest = particles; slowest = seconds }
     }
@@ -112,6 +114,6 @@ awk '
             1e9 * slowest / largest
         n = split("particles boulder spread", name, " ")
         for (k = 1; k <= n; k++)
-            printf ", \"%s_time\": %.3g, \"%s_memory\": %.3g", name[k], most[name[k]] / first[name[k]], name[k], much[name[k]] / little[name[k]]
+            printf ", \"%s_time\": %.3g, \"%s_memory\": %.3g", name[k], most[name[k]] / least[name[k]], name[k], much[name[k]] / little[name[k]]
         print "}"
     }' "$rows"
