@@ -1,12 +1,14 @@
 #include "app/guards.h"
 #include "app/load.h"
 #include "comm/balance.h"
+#include "comm/cores.h"
 #include "core/memory.h"
 #include "core/threads.h"
 #include "integrate/integrator.h"
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Radii that stand for all when classes are chosen: of each of so many logarithmic bins the smallest and the
@@ -172,6 +174,15 @@ static bool domain_possible(const struct simulation *s, struct error *error) {
                      scene_place(s->scene, "domain", place, sizeof place), plain.text);
 }
 
+/* Where nobody says how many, ranks of one machine share its cores. */
+static bool set_threads(struct simulation *s, struct error *error) {
+    int most = PAIR_THREADS_MAX, share = cores_each(s->comm);
+    if (s->scene->threads == 0 && getenv("OMP_NUM_THREADS") == NULL)
+        most = share < most ? share : most;
+    s->threads = threads_set(s->scene->threads, most, error);
+    return s->threads > 0;
+}
+
 bool simulation_prepare(struct simulation *s, struct error *error) {
     const struct scene *scene = s->scene;
     struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
@@ -183,8 +194,7 @@ bool simulation_prepare(struct simulation *s, struct error *error) {
     if (!law_prepare(&s->law, &options, scene->materials, scene->material, pair, error))
         return false;
     scene_integrator(scene, &s->motion);
-    s->threads = threads_set(scene->threads, PAIR_THREADS_MAX, error);
-    if (s->threads == 0)
+    if (!set_threads(s, error))
         return false;
     if (scene->walls > 0 && !walls_create(&s->walls, scene->wall, scene->walls, &s->law, &scene->box,
                                           s->threads, error, s->comm->rank == 0 ? stderr : NULL))

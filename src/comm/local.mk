@@ -3,6 +3,7 @@ libcomm_la_SOURCES = \
 	src/comm/balance.h \
 	src/comm/comm.c src/comm/comm.h \
 	src/comm/copies.c src/comm/copies.h \
+	src/comm/cores.c src/comm/cores.h \
 	src/comm/domain.c src/comm/domain.h \
 	src/comm/domain_grid.c src/comm/domain_grid.h \
 	src/comm/domain_tree.c src/comm/domain_tree.h \

@@ -136,6 +136,8 @@ static void print_table_row(FILE *out, const struct schema_row *row) {
                 fprintf(out, *c == '|' ? " or " : "%c", *c);
         fprintf(out, "`");
     }
+    if (row->main)
+        fprintf(out, ". A bare value stands for `%s`", row->main);
     if (row->example) {
         fprintf(out, ". Example: `");
         print_cell(out, row->example);
@@ -165,7 +167,7 @@ static void print_subsection(void *context, const struct schema_row *row, const 
 void scene_document(FILE *out) {
     fprintf(out, "# The scene file\n\n"
                  "This page is written by the program itself, from the table that it reads scenes by; `scree "
-                 "help KEY` prints the same.\n\n"
+                 "help KEY` tells of one.\n\n"
                  "- A scene is a YAML file. Unknown, duplicate and ill-typed keys, values out of range and "
                  "impossible combinations stop the\n"
                  "  program before anything runs, with file, line, key and what is allowed.\n"

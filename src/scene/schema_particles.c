@@ -174,7 +174,7 @@ static const struct schema_row source_rows[] = {
     {.key = "omega", .type = SCHEMA_VECTOR, .unit = "rad/s", .fallback = "[0, 0, 0]", SOURCE(omega),
      .help = "angular velocity, added to what the file holds"},
     {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "[0, inf)", .fallback = "0",
-     SOURCE(density), .help = "density of these particles; 0: the file's, else the material's"},
+     SOURCE(density), .help = "density of these particles; 0: the file's (a packing by `scree pack` has 1 unless told otherwise), else the material's"},
 };
 static const struct schema_table source_table = TABLE(source_rows);
 

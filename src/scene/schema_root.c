@@ -62,10 +62,11 @@ static const struct schema_row step_rows[] = {
      .help = "run although the step is above the stable one"},
     {.key = "contacts", .type = SCHEMA_INT, .fallback = "0", .range = "[0, 100]",
      AT(struct scene_step, contacts),
-     .help = "simultaneous contacts of a particle counted for the stable step; 0: the built-in number"},
+     .help = "simultaneous contacts of a particle counted for the stable step; 0: 4"},
     {.key = "speed_max", .type = SCHEMA_REAL, .unit = "m/s", .fallback = "0", .range = "[0, inf)",
      AT(struct scene_step, speed_max),
-     .help = "largest impact speed expected, for the stable step; 0: from the particles at the start"},
+     .help = "largest impact speed expected, for the stable step; 0: the largest of the particles at the start, or that of a fall through the "
+             "box where it is not periodic, if that is larger"},
     {.key = "fused", .type = SCHEMA_BOOL, .fallback = "true", AT(struct scene_step, fused),
      .help = "move particles just before their first contact, while they are in the cache; off: pass after pass, with the "
              "same results"},
@@ -128,7 +129,7 @@ static const struct schema_name simd_names[] = {
 static const struct schema_name damping_names[] = {
     {"restitution", LAW_DAMPING_RESTITUTION, "from the restitution asked for"},
     {"coefficient", LAW_DAMPING_COEFFICIENT,
-     "from gamma_n and gamma_t, per unit of effective mass, as LAMMPS has it"},
+     "from gamma_n and gamma_t, per unit of effective mass, as LAMMPS has it; with law: hooke only"},
     {0}};
 static const struct schema_name end_names[] = {
     {"overlap", LAW_END_OVERLAP, "when the surfaces part; the damper may pull just before"},
@@ -169,7 +170,8 @@ static const struct schema_row contact_rows[] = {
      .help = "the tangential damping coefficient equals the normal one, as in LAMMPS's pair_style granular"},
     {.key = "lammps_hooke", .type = SCHEMA_BOOL, .fallback = "false", .when = "law=hooke",
      AT(struct law_options, lammps_hooke),
-     .help = "gran/hooke/history of LAMMPS to the letter, for comparisons"},
+     .help = "gran/hooke/history of LAMMPS to the letter, for comparisons; needs damping: coefficient, rolling: none and integrator: "
+             "velocity_verlet"},
 };
 static const struct schema_table contact_table = TABLE(contact_rows);
 
@@ -322,7 +324,7 @@ static const struct schema_row root_rows[] = {
     {.key = "integrator", .type = SCHEMA_CHOICE, .choice = integrator_choice,
      .fallback = "synchronised_verlet", AT(struct scene, integrator), .help = "how the motion is integrated"},
     {.key = "threads", .type = SCHEMA_INT, .range = "[0, 255]", .fallback = "0", AT(struct scene, threads),
-     .help = "threads a rank; 0: OMP_NUM_THREADS, or all cores"},
+     .help = "threads a rank; 0: OMP_NUM_THREADS, or its share of the cores that the ranks of its machine may run on"},
     {.key = "simd", .type = SCHEMA_NAME, .names = simd_names, .fallback = "auto", AT(struct scene, simd),
      .help = "vector instructions of search and forces; auto: the widest that the CPU has. Pairs and forces are the same"},
     {.key = "contact", .type = SCHEMA_SECTION, .sub = &contact_table, .main = "law",

@@ -34,7 +34,8 @@ static const struct schema_row motion_rows[] = {
      .example = "20 rpm"},
     {.key = "amplitude", .type = SCHEMA_REAL, .unit = "m", .when = "kind=oscillate", .required = true,
      AT(struct wall_motion, amplitude),
-     .help = "of the displacement amplitude x sin(2 pi frequency t + phase)", .example = "2 mm"},
+     .help = "of the displacement amplitude x sin(2 pi frequency t + phase); t is the time of the run, cut to start and stop: where that sine "
+             "is not 0 at start, the wall stands displaced before", .example = "2 mm"},
     {.key = "angle", .type = SCHEMA_REAL, .unit = "rad", .when = "kind=oscillate_rotation", .required = true,
      AT(struct wall_motion, amplitude), .help = "amplitude of the angle", .example = "5 deg"},
     {.key = "frequency", .type = SCHEMA_REAL, .unit = "1/s", .range = "[0, inf)",
@@ -44,11 +45,13 @@ static const struct schema_row motion_rows[] = {
      .when = "kind=oscillate|oscillate_rotation", AT(struct wall_motion, phase), .help = "phase at t = 0"},
     {.key = "file", .type = SCHEMA_PATH, .when = "kind=table", .required = true,
      AT(struct wall_motion, table),
-     .help = "rows `t x y z a b c`: time, displacement, rotation vector; linear between rows",
+     .help = "rows `t x y z a b c`: time of the run, displacement, rotation vector about the origin; linear between rows, constant outside of "
+             "them",
      .example = "shake.txt"},
     {.key = "force", .type = SCHEMA_REAL, .unit = "N", .when = "kind=servo", .required = true,
      AT(struct wall_motion, force),
-     .help = "force of the particles on the wall along direction that is sought", .example = "10 N"},
+     .help = "force of the particles on the wall along direction that is sought, not 0; with a positive one direction points away from the "
+             "particles: that of a lid on a bed is [0, 0, 1]", .example = "10 N"},
     {.key = "speed_max", .type = SCHEMA_REAL, .unit = "m/s", .range = "(0, inf)", .when = "kind=servo",
      .required = true, AT(struct wall_motion, speed_max), .help = "bound on the speed", .example = "1 cm/s"},
     {.key = "gain", .type = SCHEMA_REAL, .unit = "m/s", .range = "[0, inf)", .fallback = "0",
@@ -58,8 +61,8 @@ static const struct schema_row motion_rows[] = {
 static const struct schema_table motion_table = TABLE(motion_rows);
 
 static const struct schema_name shape_names[] = {{"plane", WALL_PLANE, "infinite, one-sided"},
-                                                 {"cylinder", WALL_CYLINDER, "around an axis"},
-                                                 {"mesh", WALL_MESH, "triangles from a file"},
+                                                 {"cylinder", WALL_CYLINDER, "around an axis, one-sided, with open ends where it has a length"},
+                                                 {"mesh", WALL_MESH, "triangles from a file, felt from both sides, in whatever order their corners are"},
                                                  {0}};
 
 static const char *mesh_format_choice(int k, const char **help) {
@@ -104,6 +107,6 @@ static const struct schema_row wall_rows[] = {
      AT(struct wall_options, offset), .help = "added after scaling"},
     {.key = "motion", .type = SCHEMA_LIST, .sub = &motion_table,
      ARRAY_AT(struct wall_options, motion, motions),
-     .help = "motions, one on top of the other; none: at rest"},
+     .help = "motions, the first applied first; none: at rest"},
 };
 const struct schema_table schema_wall = TABLE(wall_rows);

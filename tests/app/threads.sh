@@ -20,6 +20,13 @@ last() { tail -n 1 "$1/observables.csv"; }
 run_scene 1 gas.yaml one --set threads=1
 OMP_NUM_THREADS=2 run_scene 1 gas.yaml two
 check 'two threads by default' [ "$(number two/report.json threads)" = 2 ]
+shared_out() { # RANKS THREADS
+    (unset OMP_NUM_THREADS && run_scene "$1" gas.yaml "shared$1") && [ "$(number "shared$1/report.json" threads)" = "$2" ]
+}
+cores=$(env -u OMP_NUM_THREADS nproc)
+check 'all cores where nobody says how many' shared_out 1 "$cores"
+check 'ranks of one machine share them' shared_out "$cores" 1
+check 'and have one thread each where there are more ranks than cores' shared_out $((cores + 1)) 1
 # granted DIR THREADS: what the default comes to
 granted() {
     [ "$(number "$1/report.json" threads)" = "$2" ] || { echo "  $(number "$1/report.json" threads) threads"; return 1; }

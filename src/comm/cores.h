@@ -1,0 +1,11 @@
+/* Which share of a machine's cores a rank has. */
+#ifndef SCREE_COMM_CORES_H
+#define SCREE_COMM_CORES_H
+
+#include "comm/comm.h"
+
+/* How many cores there are for each rank: those that the ranks of this machine may run on, shared out evenly,
+ * but no more than this rank itself may run on, and 1 at least. Collective. */
+int cores_each(const struct comm *comm);
+
+#endif
