@@ -66,9 +66,10 @@ holds() {
     grep -qF -e "$2" "$1" || { echo "  no '$2' in:"; head -n 5 "$1"; return 1; }
 }
 
-# lacks FILE TEXT
+# lacks FILE TEXT: the file is there, without this text
 lacks() {
-    ! grep -F -e "$2" "$1"
+    grep -F -e "$2" "$1"
+    [ $? = 1 ]
 }
 
 # wait_for PATTERN: until there is such a file (30 s)
