@@ -46,6 +46,18 @@ ranks_of() {
     done
 }
 
+# job COMMAND...: what it started is over afterwards, also where it gave up half-way
+job() {
+    local good running
+    starter=
+    "$@"
+    good=$?
+    running=$(ranks_of "$starter")
+    [ -z "$running" ] || kill -KILL $running
+    wait 2>/dev/null
+    return $good
+}
+
 # gone PID: within 5 s; a dead process that nobody asks for is gone
 gone() {
     local k
@@ -113,8 +125,8 @@ killed() {
         { echo '  not one message:'; cat "$dir.said"; return 1; }
     goes_on "$dir" $((4 - 2 * ($1 % 2)))
 }
-check 'SIGKILL to rank 1 of 3: one message; 2 ranks go on' killed 1 0.05
-check 'SIGKILL to rank 0 of 3: one message; 4 ranks go on' killed 0 0.23
+check 'SIGKILL to rank 1 of 3: one message; 2 ranks go on' job killed 1 0.05
+check 'SIGKILL to rank 0 of 3: one message; 4 ranks go on' job killed 0 0.23
 
 # stopped: SIGTERM to one rank
 stopped() {
@@ -128,7 +140,7 @@ stopped() {
     [ "$(number stopped/report.json last_step)" = "$(newest stopped)" ] &&
         grep -q '"stopped": "signal 15"' stopped/report.json && goes_on stopped 2
 }
-check 'SIGTERM to one rank of 3: a checkpoint, and 2 ranks go on' stopped
+check 'SIGTERM to one rank of 3: a checkpoint, and 2 ranks go on' job stopped
 
 # all_stopped: SIGTERM to mpirun, which gives ranks a second
 all_stopped() {
@@ -141,7 +153,7 @@ all_stopped() {
     ended ended 20 || return 1
     [ $status != 0 ] && goes_on ended 2
 }
-check 'SIGTERM to mpirun: the last checkpoint is whole, and 2 ranks go on' all_stopped
+check 'SIGTERM to mpirun: the last checkpoint is whole, and 2 ranks go on' job all_stopped
 
 echo '== full disks'
 # full NAME RANKS FILE LESS WORDS FLAG...: so many ranks of a run may write no file larger than FILE, a pattern, is after a
@@ -162,15 +174,15 @@ full() {
     says_once "$dir.said" "$words" && goes_on "$dir" 3
 }
 if command -v prlimit >/dev/null; then
-    check 'the dump cannot grow' full dump 2 dump.lammpstrj 0 'dump.lammpstrj|cannot be written|File too large' \
+    check 'the dump cannot grow' job full dump 2 dump.lammpstrj 0 'dump.lammpstrj|cannot be written|File too large' \
         --set output.dump.every=1
-    check 'the observables cannot grow' full observables 2 observables.csv 0 'observables.csv|cannot be written|File too large' \
+    check 'the observables cannot grow' job full observables 2 observables.csv 0 'observables.csv|cannot be written|File too large' \
         --set observables.every=1
-    check 'the trajectory cannot grow' full trajectory 2 trajectory.h5 0 'trajectory.h5|File too large' \
+    check 'the trajectory cannot grow' job full trajectory 2 trajectory.h5 0 'trajectory.h5|File too large' \
         --set output.trajectory.every=1
-    check 'one rank cannot write its part' full part 1 trajectory.h5 0 'trajectory.h5|cannot be' --set output.trajectory.every=1
-    check 'no room for the next checkpoint' full checkpoint 2 'checkpoint-[2-9]0.h5' 5000 'checkpoint-|File too large' \
-        --set output.checkpoint.every=10 --set output.checkpoint.keep=9
+    check 'one rank cannot write its part' job full part 1 trajectory.h5 0 'trajectory.h5|cannot be' --set output.trajectory.every=1
+    check 'no room for the next checkpoint' job full checkpoint 2 'checkpoint-[2-9]0.h5' 5000 'checkpoint-|File too large' \
+        --set output.checkpoint.every=10 --set output.checkpoint.keep=1000
 else
     echo 'not tried: files that cannot grow (no prlimit here)'
 fi
