@@ -56,8 +56,8 @@ order() { # of the reference's trajectory: at least the first
 }
 check 'the reference has converged' order
 check 'advice is given' grep -q '^advice: .* times as fast' said
-plotted() { command -v gnuplot >/dev/null || return 0; grep -q '<svg' one/speed_error.svg && ! grep -q warning told; }
-check 'a plot is made' plotted
+plotted() { grep -q '<svg' one/speed_error.svg && ! grep -q warning told; }
+if command -v gnuplot >/dev/null; then check 'a plot is made' plotted; else skip 'plots: no gnuplot here'; fi
 kept() { # the processor's seconds are those that count for one thread alone; what was said is kept
     less 0 "$(field one/speed_error.csv 'dt x 2' cpu_seconds)" &&
         within "$(field one/speed_error.csv 'dt x 2' cpu_seconds)" "$(field one/speed_error.csv 'dt x 2' seconds)" 1e-9 &&

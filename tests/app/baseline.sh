@@ -9,13 +9,13 @@ scree=${SCREE:-$top_builddir/scree}
 cd "$out" || exit 1
 
 if [ "$(uname -m)" != x86_64 ]; then
-    echo "skipped: this CPU is not of the x86-64 kind"
+    skip "this CPU is not of the x86-64 kind"
     exit 77
 fi
 flags=$(sed -n 's/^#define SCREE_FLAGS "\(.*\)"/\1/p' "$top_builddir/config.h")
 case $flags in
 *-march=*)
-    echo "skipped: built for one CPU alone ($flags)"
+    skip "built for one CPU alone ($flags)"
     exit 77
     ;;
 *-fsanitize=*) no_emulator='a program with sanitizers does not run under an emulator' ;;
@@ -124,7 +124,7 @@ for pair in 'x86-64-v3 avx2' 'x86-64-v4 avx512f'; do
     if grep -qw "$2" /proc/cpuinfo; then
         check "$1 gives the same bits" with "$1"
     else
-        echo "left out: this CPU has no $2"
+        skip "this CPU has no $2"
     fi
 done
 
@@ -133,9 +133,9 @@ qemu=$(command -v qemu-x86_64 || command -v qemu-x86_64-static)
 program=$scree
 [ ! -x "$(dirname "$scree")/.libs/scree" ] || program=$(dirname "$scree")/.libs/scree
 if [ -n "$no_emulator" ]; then
-    echo "left out: emulated CPUs: $no_emulator"
+    skip "emulated CPUs: $no_emulator"
 elif [ -z "$qemu" ]; then
-    echo "left out: emulated CPUs: no qemu-x86_64 here (Debian: qemu-user)"
+    skip "emulated CPUs: no qemu-x86_64 here (Debian: qemu-user)"
 else
     check 'an emulated CPU without AVX (core2duo) gives the same bits' emulated core2duo
     check 'and refuses AVX-512' refuses core2duo

@@ -23,6 +23,11 @@ check() {
     fi
 }
 
+# skip WHAT: what is not tried here, and why, in a line that .ci/run lists
+skip() {
+    echo "skipped: $*"
+}
+
 # finish: the count, and the exit status
 finish() {
     echo "$checks checks, $failures failed"
@@ -88,9 +93,13 @@ newest() {
     find "$1" -name 'checkpoint-*.h5' | sed 's/.*checkpoint-\([0-9]*\)\.h5/\1/' | sort -n | tail -n 1
 }
 
-# without Zoltan there are only bricks
-bisection=bisection
-grep -q 'define HAVE_ZOLTAN 1' "$top_builddir/config.h" || bisection=brick
+# find_bisection: sets `bisection`; without Zoltan there are only bricks
+find_bisection() {
+    bisection=bisection
+    grep -q 'define HAVE_ZOLTAN 1' "$top_builddir/config.h" && return
+    bisection=brick
+    skip 'bisection: this program has no Zoltan'
+}
 
 # checkpoint_lines CHECKPOINT: what it holds, in lines that do not depend on the layout
 checkpoint_lines() {

@@ -4,6 +4,7 @@
 # another number of ranks and another division of the box.
 set -u
 . "$top_srcdir/tests/app/common.sh"
+find_bisection
 cd "$out" || exit 1
 
 cut_message=$top_builddir/tests/app/.libs/cut_message.so cut_write=$top_builddir/tests/app/.libs/cut_write.so
@@ -184,7 +185,7 @@ if command -v prlimit >/dev/null; then
     check 'no room for the next checkpoint' job full checkpoint 2 'checkpoint-[2-9]0.h5' 5000 'checkpoint-|File too large' \
         --set output.checkpoint.every=10 --set output.checkpoint.keep=1000
 else
-    echo 'not tried: files that cannot grow (no prlimit here)'
+    skip 'files that cannot grow (no prlimit here)'
 fi
 
 # A device that is always full stands for the file
@@ -214,7 +215,7 @@ disk_full() {
 if unshare -rm mount -t tmpfs none /mnt 2>/dev/null; then
     check 'a disk that is full' disk_full
 else
-    echo 'not tried: a small file system (no user namespaces here)'
+    skip 'a small file system (no user namespaces here)'
 fi
 
 echo '== checkpoints cut short'
@@ -253,7 +254,7 @@ if [ -e "$cut_write" ]; then
     writes_alone() { ! cut_one 1000000 nothing >/dev/null && [ "$(number write/report.json last_step)" = 40 ]; }
     check 'and writes that are left alone do no harm' writes_alone
 else
-    echo 'not tried: writes that end too early (no shared libraries)'
+    skip 'writes that end too early (no shared libraries)'
 fi
 
 echo '== messages of the wrong length'
@@ -274,7 +275,7 @@ if [ -e "$cut_message" ]; then
     uncut() { cut 1000000 MPI_Isend -8 >/dev/null; [ "$(number message/report.json last_step)" = 40 ]; }
     check 'and a message that is left alone does no harm' uncut
 else
-    echo 'not tried: messages of the wrong length (no shared libraries)'
+    skip 'messages of the wrong length (no shared libraries)'
 fi
 
 finish

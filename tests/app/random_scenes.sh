@@ -9,6 +9,7 @@
 # of the box. A run may take 60 s: what hangs is told from what is slow.
 set -u
 . "$top_srcdir/tests/app/common.sh"
+find_bisection
 cd "$out" || exit 1
 
 first=${1:-1}

@@ -5,6 +5,7 @@
 # brute on one rank within max(1e-12, 8 eps L / largest overlap) of the largest force; reproducible runs to the last bit.
 set -u
 . "$top_srcdir/tests/app/common.sh"
+find_bisection
 . "$top_srcdir/tests/app/forces.sh"
 cd "$out" || exit 1
 

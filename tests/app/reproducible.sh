@@ -4,6 +4,7 @@
 # poses) must be that of brute on one rank and thread to the last bit; so must sums over particles in observables.csv.
 set -u
 . "$top_srcdir/tests/app/common.sh"
+find_bisection
 . "$top_srcdir/tests/app/scenes.sh"
 cd "$out" || exit 1
 

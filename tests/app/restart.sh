@@ -3,6 +3,7 @@
 # duration; after SIGTERM and SIGKILL; files that go on where they stood.
 set -u
 . "$top_srcdir/tests/app/common.sh"
+find_bisection
 . "$top_srcdir/tests/app/scenes.sh"
 cd "$out" || exit 1
 
@@ -42,8 +43,6 @@ if [ $bisection = bisection ]; then
     check 'resumed bit for bit under a bisection that follows the load' same_layout 3 1 -bisection \
         --set domain.name=bisection --set domain.threshold=1.01
     check 'it was divided anew on the way' divided
-else
-    echo 'skipped: resuming under a bisection: this program has no Zoltan'
 fi
 
 # same_bits RANKS THREADS SETTING: the same 120 steps with another setting
