@@ -43,6 +43,10 @@ tests_test_force_SOURCES = tests/test_force.c
 tests_test_force_LDADD = $(CONTACT_LIBS) $(TEST_LIBS)
 tests_test_force_loop_SOURCES = tests/test_force_loop.c
 tests_test_force_loop_LDADD = $(CONTACT_LIBS) $(TEST_LIBS)
+tests_test_force_loop_CPPFLAGS = $(AM_CPPFLAGS)
+if X86_KERNELS
+tests_test_force_loop_CPPFLAGS += -DFORCE_X86_KERNELS
+endif
 tests_test_integrator_SOURCES = tests/test_integrator.c
 tests_test_integrator_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_law_SOURCES = tests/test_law.c

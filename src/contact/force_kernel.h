@@ -1,5 +1,5 @@
 /* Inside of the force loop: what force.c hands to the compiled kernels, and a batch of contacts. The walls
- * use batches and `respond` for their contacts (walls_force.c). Nobody else includes this.
+ * use batches and `respond` for their contacts (walls_force.c). Nobody else but tests includes this.
  *
  * force_block.c is compiled several times, for several instruction sets, and the best one that the CPU has is
  * chosen at run time. All give the same bits: no sum depends on the vector length, and nothing is contracted

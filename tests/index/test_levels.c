@@ -5,6 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
+#include "index/search.h"
 #include "tests/index/cloud.h"
 
 #include <stdio.h>
@@ -231,9 +232,24 @@ static void every_index_equals_brute(void **state) {
     }
 }
 
+/* Where a CPU lacks instructions, its widest stand in for them. */
+static int say_instructions(void **state) {
+    (void)state;
+    static const char *const names[] = {
+        [INDEX_PLAIN] = "plain", [INDEX_AVX2] = "AVX2", [INDEX_AVX512] = "AVX-512"};
+    for (int k = INDEX_PLAIN; k <= INDEX_AVX512; k++) {
+        if (k <= search_instructions()) {
+            print_message("tested: %s instructions\n", names[k]);
+        } else {
+            print_message("skipped: %s instructions: this CPU lacks them\n", names[k]);
+        }
+    }
+    return 0;
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_index_equals_brute),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, say_instructions, NULL);
 }
