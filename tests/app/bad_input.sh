@@ -240,7 +240,21 @@ data 'a radius of zero' "case.data:2|radius" table 'radius x y z\n0 0.002 0.005 
 data 'infinite position' "case.data:2|x" table 'radius x y z\n0.001 inf 0.005 0.005\n'
 data 'too far away' "case.data:2|rounding" table 'radius x y z\n0.001 1e30 0.005 0.005\n'
 write_scene case.yaml 'particles: {file: case.data, format: lammps-data}'
-printf "$head$first$second" | gzip >packed
+printf "$head$first$second" >case.data
+check 'packed: particles as they are' run_scene 1 case.yaml plain
+"$scree" info case.data >"$out/plain_info"
+gzip <case.data >packed
+gzip <case.yaml >packed.yaml
+cp packed case.data
+same_run() { # SCENE DIR
+    run_scene 1 "$1" "$2" && contents plain/checkpoint-4.h5 >"$out/plain" && contents "$2/checkpoint-4.h5" >"$out/unpacked" &&
+        diff "$out/plain" "$out/unpacked"
+}
+same_info() { grep -q 'particles *2$' "$out/plain_info" && "$scree" info case.data | diff "$out/plain_info" -; }
+check 'packed: particles are read' same_run case.yaml of_packed
+check 'packed: so is a scene' same_run packed.yaml of_scene
+check 'packed: info tells the same' same_info
+rm -r plain of_packed of_scene packed.yaml
 size=$(stat -c %s packed)
 for length in 40 $((size - 6)); do
     head -c "$length" packed >case.data
