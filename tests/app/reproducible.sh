@@ -139,12 +139,32 @@ differs() {
     [ "$(wc -l <particles)" = "$(wc -l <particles-4)" ] && ! cmp -s particles particles-4
 }
 
-# What one layout wrote half-way another goes on with
+# whole CASE STEPS: the run that the next ones are compared with, with a checkpoint half-way
+whole() {
+    run_scene 1 "$1.yaml" "$1-whole" --set output.checkpoint.every=$(($2 / 2)) && contents "$1-whole" whole.lines
+}
+
+# goes_on CASE STEPS FROM TO: what one layout wrote half-way another goes on with
 goes_on() {
-    run_scene "$1" bed.yaml half --overwrite --set threads=2 --set index=multi --set output.checkpoint.every=50 --set step.count=50 &&
-        run_scene "$2" bed.yaml half --overwrite --resume half/checkpoint-50.h5 --set threads=1 --set step.count=100 &&
+    local half=$(($2 / 2)) key
+    run_scene "$3" "$1.yaml" half --overwrite --set threads=2 --set index=multi --set output.checkpoint.every=$half --set step.count=$half &&
+        run_scene "$4" "$1.yaml" half --overwrite --resume half/checkpoint-$half.h5 --set threads=1 --set step.count="$2" &&
         contents half half.lines || return 1
-    cmp whole.lines half.lines
+    cmp whole.lines half.lines && cmp "$1-whole/observables.csv" half/observables.csv || return 1
+    for key in inserted deleted; do
+        [ "$(number half/report.json $key)" = "$(number "$1-whole/report.json" $key)" ] || { echo "  $key: $(number half/report.json $key)"; return 1; }
+    done
+}
+
+# Particles come and leave in both halves of the flow
+comes_and_goes() {
+    local first last key
+    run_scene 1 flow.yaml flow-half --set step.count=200 || return 1
+    for key in inserted deleted; do
+        first=$(number flow-half/report.json $key) last=$(number flow-whole/report.json $key)
+        echo "  $key: $first, then $last"
+        [ "$first" -gt 0 ] && [ "$last" -gt "$first" ] || return 1
+    done
 }
 
 for case in bed ten boulder thin flow; do
@@ -168,9 +188,12 @@ check 'thin: two particles meet through two images' twice
 check 'thin: ranks across the thin direction' layout thin 4 1 hgrid brick auto domain.x=2
 check 'thin: four of them' layout thin 4 2 linkcell brick auto domain.x=4
 check 'in the fast mode the layout shows in the last bits' differs
-run_scene 1 bed.yaml whole --set output.checkpoint.every=50 && contents whole whole.lines
-check 'bed: 4 ranks go on with what 1 x 2 wrote' goes_on 1 4
-check 'bed: 1 rank goes on with what 3 x 2 wrote' goes_on 3 1
+for setting in 'bed 100' 'flow 400'; do
+    check "${setting% *}: the whole of it" whole $setting
+    check "${setting% *}: 4 ranks go on with what 1 x 2 wrote" goes_on $setting 1 4
+    check "${setting% *}: 1 rank goes on with what 3 x 2 wrote" goes_on $setting 3 1
+done
+check 'flow: particles come and leave in both halves' comes_and_goes
 
 for case in bed ten boulder thin flow; do
     check "$case: choices by the clock" \
