@@ -51,26 +51,63 @@ static void comes_back_on_other_layouts(void **state) {
     team_finish(team);
 }
 
-static void features_may_change(void **state) {
-    struct team *team = *state;
-    struct fixture f;
+/* Writes a checkpoint of particles with the features `written` and reads it for a scene that keeps `kept`.
+ * With groups every seventh particle is held. */
+static struct particles *read_otherwise(struct fixture *f, struct team *team, unsigned written,
+                                        unsigned kept) {
     struct error error = {0};
     struct checkpoint_loaded l;
     char path[FOLDER_MAX + 64];
-    fixture_make(&f, team, &team->comm, PARTICLE_FEATURES_ALL);
-    team_expect(team, checkpoint_write(&f.comm, f.folder.path, "", &f.checkpoint, 2, &error), "%s",
+    fixture_make(f, team, &team->comm, written);
+    for (size_t i = 0; i < f->particles->owned; i++) {
+        bool held = f->particles->group && f->particles->id[i] % 7 == 0;
+        f->particles->state[i].inverse_mass = held ? 0 : 1.0 / (double)f->particles->id[i];
+    }
+    team_expect(team, checkpoint_write(&f->comm, f->folder.path, "", &f->checkpoint, 2, &error), "%s",
                 error.text);
-    struct particles *p = particles_create(0, 0);
-    path_of(&f, "checkpoint-1200.h5", path);
-    team_expect(team, checkpoint_read(&f.comm, path, p, &l, &error), "%s", error.text);
+    struct particles *p = particles_create(kept, 0);
+    path_of(f, "checkpoint-1200.h5", path);
+    if (team_expect(team, checkpoint_read(&f->comm, path, p, &l, &error), "%s", error.text))
+        checkpoint_loaded_free(&l);
+    int64_t total = (int64_t)p->owned;
+    comm_sum_int(&f->comm, &total, 1);
+    team_expect(team, total == PARTICLES, "%d particles", (int)total);
+    return p;
+}
+
+static void features_may_change(void **state) {
+    struct team *team = *state;
+    struct fixture f;
+    struct particles *p = read_otherwise(&f, team, PARTICLE_FEATURES_ALL, 0);
+    int64_t held = 0;
     for (size_t i = 0; i < p->owned; i++) {
         /* what was held moves freely now, with the mass of its density */
-        double w = cloud_value(p->id[i], fields_find("inverse_mass"), 0, STAMP);
-        double density = cloud_value(p->id[i], fields_find("density"), 0, STAMP);
-        double expected = w > 0 ? w : 1 / particles_sphere_mass(p->state[i].radius, density);
-        team_expect(team, p->state[i].inverse_mass == expected, "mass of %d", (int)p->id[i]);
+        int64_t id = p->id[i];
+        double density = cloud_value(id, fields_find("density"), 0, STAMP);
+        double expected = 1 / (id % 7 == 0 ? particles_sphere_mass(p->state[i].radius, density) : (double)id);
+        held += id % 7 == 0;
+        team_expect(team, p->state[i].inverse_mass == expected, "mass of %d", (int)id);
     }
-    checkpoint_loaded_free(&l);
+    comm_sum_int(&f.comm, &held, 1);
+    team_expect(team, held == PARTICLES / 7, "%d were held", (int)held);
+    particles_destroy(&p);
+    fixture_free(&f);
+    team_finish(team);
+}
+
+/* Without groups nothing was held: densities follow from masses, and all are in the first group. */
+static void groups_may_come(void **state) {
+    struct team *team = *state;
+    struct fixture f;
+    struct particles *p =
+        read_otherwise(&f, team, PARTICLE_FEATURES_ALL & ~PARTICLE_GROUP, PARTICLE_FEATURES_ALL);
+    for (size_t i = 0; i < p->owned; i++) {
+        int64_t id = p->id[i];
+        double mass = particles_sphere_mass(p->state[i].radius, p->density[i]) / (double)id;
+        team_expect(team, p->state[i].inverse_mass == 1.0 / (double)id, "mass of %d", (int)id);
+        team_expect(team, mass > 1 - 1e-12 && mass < 1 + 1e-12, "density of %d", (int)id);
+        team_expect(team, p->group[i] == 0, "group of %d", (int)id);
+    }
     particles_destroy(&p);
     fixture_free(&f);
     team_finish(team);
@@ -248,6 +285,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(comes_back_on_the_same_layout, &team),
         cmocka_unit_test_prestate(comes_back_on_other_layouts, &team),
         cmocka_unit_test_prestate(features_may_change, &team),
+        cmocka_unit_test_prestate(groups_may_come, &team),
         cmocka_unit_test_prestate(no_particles_at_all, &team),
         cmocka_unit_test_prestate(wall_poses_come_back, &team),
         cmocka_unit_test_prestate(head_is_read_alone, &team),
