@@ -253,6 +253,31 @@ static void test_classes_by_ratio_and_by_cuts(void **state) {
     assert_non_null(strstr(error.text, "classes.cuts"));
 }
 
+static void test_classes_by_quantiles(void **state) {
+    (void)state;
+    struct size_classes classes;
+    struct classes_options options = {.method = CLASSES_QUANTILES, .count = 3, .skin_relative = 0.1};
+    struct error error = {0};
+    double even[] = {12, 1, 11, 2, 10, 3, 9, 4, 8, 5, 7, 6};
+    assert_true(classes_choose(&classes, &options, 0, even, 12, &error));
+    assert_int_equal(classes.count, 3);
+    for (int c = 0; c < 3; c++) {
+        assert_int_equal(classes.population[c], 4);
+        assert_true(classes.radius_min[c] == 4 * c + 1 && classes.radius_max[c] == 4 * c + 4);
+    }
+    assert_int_equal(classes_of(&classes, 4), 0);
+    assert_int_equal(classes_of(&classes, 4.5), 1);
+    assert_int_equal(classes_of(&classes, 99), 2);
+    /* as many equal radii as two of the classes hold, the smallest or the largest: no class is empty */
+    double small[] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 3, 2}, large[] = {3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 1, 2};
+    assert_true(classes_choose(&classes, &options, 0, small, 12, &error));
+    assert_int_equal(classes.count, 2);
+    assert_true(classes.population[0] == 10 && classes.population[1] == 2);
+    assert_true(classes_choose(&classes, &options, 0, large, 12, &error));
+    assert_int_equal(classes.count, 1);
+    assert_true(classes.population[0] == 12 && classes.radius_min[0] == 1 && classes.radius_max[0] == 3);
+}
+
 static void test_validity_finds_nonsense(void **state) {
     (void)state;
     char why[200];
@@ -277,6 +302,7 @@ int main(void) {
         cmocka_unit_test(test_wrap_counts_images),
         cmocka_unit_test(test_image_codes_and_shifts),
         cmocka_unit_test(test_classes_by_ratio_and_by_cuts),
+        cmocka_unit_test(test_classes_by_quantiles),
         cmocka_unit_test(test_validity_finds_nonsense),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -112,6 +112,16 @@ done
 for setting in '2 brute on full' '2 linkcell off full' '3 multi on reduced' '4 bytype on full' '4 linkcell on reduced' '8 multi off full'; do
     check "open: ranks, index, newton, ghosts: $setting" layout open $setting
 done
+quantiles() { # RANKS INDEX: four classes of about as many particles each, 720 in all
+    local classes
+    run_scene "$1" periodic.yaml quantiles --overwrite --set threads=1 --set index="$2" --set 'classes={method: quantiles, count: 4}' || return 1
+    classes=$(grep -c '"particles": 1[6-9][0-9], "ghosts"' quantiles/report.json)
+    [ "$classes" = 4 ] || { echo "  $classes classes of a quarter"; return 1; }
+    same_forces periodic quantiles 12 particles contacts pairs rebuilds
+}
+for setting in '1 bytype' '1 hgrid' '2 multi'; do
+    check "periodic: classes by quantiles: ranks, index: $setting" quantiles $setting
+done
 if [ -n "${SCREE_LONG:-}" ]; then
     for case in periodic open plane boulder; do
         for index in brute linkcell multi bytype hgrid; do
