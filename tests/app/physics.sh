@@ -218,6 +218,58 @@ turned() { # its centre stays where it is, wherever the box begins
     within "$(column turned/observables.csv floor_x)" 0 1e-9 && within "$(column turned/observables.csv floor_z)" 0 1e-9
 }
 check 'a wall that turns about its centre has not moved' turned
+printf '0 0 0 0 0 0 0\n0.5 0.4 0 0.2 0 0 0\n' >path.txt
+tabled() {
+    run_scene 1 oscillate.yaml tabled --set 'walls[0].motion=[{kind: table, file: path.txt}]' || return 1
+    within "$(column tabled/observables.csv floor_x)" 0.2 1e-9 && within "$(column tabled/observables.csv floor_z)" 0.1 1e-9
+}
+check 'a wall stands half-way between two rows of its table' tabled
+swung() { # turned by 90 degrees about y through (4, 5, 3) the floor is the plane x = 2; forces by hand
+    local expected list='{name: wall_force, target: floor}, {name: wall_torque, target: floor}, {name: wall_offset, target: floor}'
+    run_scene 1 oscillate.yaml swung --set units=si --set material_pairs[0].restitution=1 --set "observables.list=[$list]" \
+        --set 'walls[0]={name: floor, shape: plane, point: [5, 8, 1], normal: [0, 0, 1], motion:
+            [{kind: oscillate_rotation, direction: [0, 2, 0], point: [4, 5, 3], angle: 90 deg, frequency: 1}]}' \
+        --set 'groups=[{name: still, motion: frozen}]' \
+        --set 'particles={from: single, position: [2.95, 8, 7], radius: 1, group: still}' || return 1
+    for expected in fx:-50 fy:0 fz:0 tx:0 ty:-200 tz:150 x:0 y:0 z:0; do
+        within "$(column swung/observables.csv "floor_${expected%:*}")" "${expected#*:}" 1e-6 || return 1
+    done
+}
+check 'a wall that swings stands at its angle after a quarter' swung
+cat >pressed.yaml <<'EOF'
+units: none
+box: {lower: [-3, -4, -5], upper: [13, 10, 10]}
+step: {dt: 0.0005, count: 40}
+contact: {law: hooke}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.6, friction: 0.5, k_n: 1000}]
+walls: [{name: floor, shape: plane, point: [5, 4, 1], normal: [0, 0, 1], motion: [{kind: translate, velocity: [0.75, -0.5, 0.25]}]}]
+particles:
+  sources:
+    - {from: single, position: [2, 6, 1.97], radius: 1}
+    - {from: single, position: [9, 5, 1.48], radius: 0.5}
+observables:
+  every: 40
+  list: [{name: wall_force, target: floor}, {name: wall_torque, target: floor}, {name: wall_velocity, target: floor}, {name: speed_max},
+    {name: position, id: 1}, {name: velocity, id: 1}, {name: force, id: 1}, {name: position, id: 2}, {name: velocity, id: 2}, {name: force, id: 2}]
+EOF
+pressed() { # RANKS: (lowest point - centre) x force, where the floor has come to in 0.02
+    run_scene "$1" pressed.yaml pressed$1 && awk -F, '
+        function value(name) { if (!(name in at)) bad = "no " name; return $at[name] }
+        function same(name, expected) { d = value(name) - expected; if (!(d < 1e-8 && d > -1e-8)) bad = name " is " value(name) ", not " expected }
+        NR == 1 { for (k = 1; k <= NF; k++) { sub(/\[.*/, "", $k); at[$k] = k } }
+        END { for (p = 1; p <= 2; p++) { one = "particle" p "_"
+                x = value(one "x") - 5.015; y = value(one "y") - 3.99; z = value(one "z") - (p == 1 ? 1 : 0.5) - 1.005
+                fx = -value(one "fx"); fy = -value(one "fy"); fz = -value(one "fz")
+                force += fz; tx += y * fz - z * fy; ty += z * fx - x * fz; tz += x * fy - y * fx
+                speed = sqrt(value(one "vx") ^ 2 + value(one "vy") ^ 2 + value(one "vz") ^ 2); fastest = speed > fastest ? speed : fastest }
+            same("floor_fz", force); same("floor_tx", tx); same("floor_ty", ty); same("floor_tz", tz); same("speed_max", fastest)
+            same("floor_vx", 0.75); same("floor_vy", -0.5); same("floor_vz", 0.25)
+            if (!bad && (force > -20 || tz * tz < 1 || fastest < 0.01)) bad = "too little: " $0
+            if (bad) print "  " bad; exit bad != "" }' "pressed$1/observables.csv"
+}
+check 'torque and velocity of a moving wall, and the largest speed' pressed 1
+check 'so on two ranks' pressed 2
 cat >servo.yaml <<'EOF'
 units: none
 box: {lower: [0, 0, 0], upper: [10, 10, 10]}
@@ -293,6 +345,12 @@ dumped() {
     "$scree" convert smooth/trajectory.h5 frames.lammpstrj >said 2>&1 && [ "$(grep -c 'ITEM: TIMESTEP' frames.lammpstrj)" = 3 ] && [ "$(wc -l <frames.lammpstrj)" = $((3 * 69)) ]
 }
 check 'H5MD to a dump, frame by frame' dumped
+one_frame() { # NUMBER LINES of all frames
+    "$scree" convert smooth/trajectory.h5 one.lammpstrj --overwrite --frame "$1" >said 2>&1 || { cat said; return 1; }
+    [ -s one.lammpstrj ] && diff one.lammpstrj <(sed -n "$2p" frames.lammpstrj)
+}
+check 'one frame by its number' one_frame 1 70,138
+check 'and from the end' one_frame -3 1,69
 # Two particles in two frames: the second may show others, or other values of the same
 frame() { # STEP LINE LINE
     printf 'ITEM: TIMESTEP\n%s\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 10\n0 10\n0 10\n' "$1"

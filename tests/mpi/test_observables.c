@@ -23,7 +23,7 @@ static void sums_over_particles(void **state) {
     struct observables *o = create(&f);
     write_row(&f, o);
     double kinetic = 0, rotational = 0, gravity = 0, momentum[3] = {0}, spin_z = 0, centre = 0, mass_all = 0,
-           flux = 0;
+           flux = 0, fastest = 0;
     for (int64_t id = 1; id <= PARTICLES; id++) {
         double v[3], w[3], r = f.cloud.radius[id - 1], x[3];
         for (int d = 0; d < 3; d++)
@@ -34,6 +34,7 @@ static void sums_over_particles(void **state) {
         if (id == 7)
             continue;
         full_step(&f, id, v, w);
+        fastest = fmax(fastest, sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
         kinetic += 0.5 * mass * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
         rotational += 0.2 * mass * r * r * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
         gravity -= mass * (0.5 * x[1] - 2 * x[2]);
@@ -51,6 +52,7 @@ static void sums_over_particles(void **state) {
     expect_near(&f, o, "angular_momentum_z", spin_z);
     expect_near(&f, o, "particles", PARTICLES);
     expect_near(&f, o, "centre_x", centre / mass_all);
+    expect_near(&f, o, "speed_max", fastest);
     expect_near(&f, o, "stress_xz", (flux + 5 * size) / (10.0 * 11 * 12));
     double elastic = size * (size + 1) / 2.0 + 10 * size;
     expect_near(&f, o, "energy_balance", kinetic + rotational + gravity + elastic + (100 - 10) * size);
