@@ -41,6 +41,14 @@ for ranks in 1 2; do
 done
 ranks=1
 check 'energy stays where nothing is wrong' run_scene 1 scene.yaml cold --set guards.energy=stop --set material_pairs[0].restitution=1 --set step.count=2000
+warns() { # GUARD FLAG...: one warning, and the run goes on to its end
+    run_scene 1 scene.yaml "warned-$1" --set "guards.$1=warn" "${@:2}" || return 1
+    [ "$(grep -c "scree: warning: guards.$1: " "$out/said")" = 1 ] && [ "$(grep -c . "$out/said")" = 1 ] || { cat "$out/said"; return 1; }
+    [ "$(number "warned-$1/report.json" last_step)" = 400 ]
+}
+check 'speed may warn, once' warns speed --set 'particles.sources[0].velocity=[0, 2000, 0]'
+check 'energy may warn, once' warns energy --set step.force=true --set step.dt=0.04 --set guards.overlap=off \
+    --set guards.speed=off --set material_pairs[0].restitution=1
 came() { # particles that come bring energy
     run_scene 1 scene.yaml came --set guards.energy=stop --set gravity='[0, 0, -10]' --set step.count=2000 \
         --set 'insertions=[{region: {shape: box, lower: [0, 0, 8], upper: [10, 10, 10]}, sizes: 0.3, rate: 20, count: 25, velocity: [0, 0, -1]}]'
