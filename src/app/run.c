@@ -140,7 +140,9 @@ static bool steps(struct run *run, struct error *error) {
         if (s->signals.error || (s->alone && s->error.kind != ERROR_NONE))
             return false;
         if (stopping) {
-            run->record.stopped = run_signal ? run_signal : SIGTERM;
+            int64_t number = run_signal;
+            comm_max_int(s->comm, &number, 1); /* one rank may be the only one that it came to */
+            run->record.stopped = (int)number;
             return true;
         }
         stopping = s->signals.stop;

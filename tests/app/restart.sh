@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Resuming from a checkpoint: bit for bit on the same layout, within rounding on another one; with other gravity and
-# duration; after SIGTERM and SIGKILL; files that go on where they stood.
+# duration; after SIGTERM, SIGINT and SIGKILL; files that go on where they stood, also where particles come and go.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 find_bisection
@@ -101,6 +101,34 @@ files_go_on() {
 check 'files of a run that stopped and went on equal those of one that did not' files_go_on 1
 check 'so on two ranks' files_go_on 2
 
+# Particles come at steps 100 and 200 and go at each 20th, so frames vary in length; the checkpoint is of step 160
+varying=(--set 'insertions=[{rate: 100, material: soft, sizes: 0.2, velocity_sigma: 2, region: {shape: box, lower: [0, 0, 1.6], upper: [6, 6, 8]}}]'
+    --set 'deletions=[{every: 20, region: {shape: box, lower: [0, 0, 0], upper: [2, 2, 4]}}]'
+    --set output.trajectory.every=8 --set output.dump.every=6 --set observables.every=4 --set output.checkpoint.every=160)
+varying_go_on() {
+    local whole=varying$1 parts=parted$1 dir file key first last
+    run_scene "$1" scene.yaml "$whole" "${varying[@]}" --set step.count=240 || return 1
+    run_scene "$1" scene.yaml "$parts" "${varying[@]}" --set step.count=230 --set output.checkpoint.at_end=false || return 1
+    run_scene "$1" scene.yaml "$parts" "${varying[@]}" --set step.count=240 --resume last || return 1
+    for dir in "$whole" "$parts"; do
+        "$scree" convert "$dir/trajectory.h5" "$dir/frames.lammpstrj" || return 1
+        "$scree" info "$dir/trajectory.h5" | tail -n +2 >"$dir/told"
+        contents "$dir/checkpoint-240.h5" >"$dir/kept" || return 1
+    done
+    for file in dump.lammpstrj observables.csv frames.lammpstrj told kept; do
+        cmp "$whole/$file" "$parts/$file" || return 1
+    done
+    [ "$(grep -A1 'NUMBER OF ATOMS' "$whole/frames.lammpstrj" | grep -c '^[0-9]')" = 31 ] || { echo '  not 31 frames'; return 1; }
+    run_scene "$1" scene.yaml "$parts" --overwrite "${varying[@]}" --set step.count=160 || return 1
+    for key in inserted deleted; do
+        first=$(number "$parts/report.json" $key) last=$(number "$whole/report.json" $key)
+        echo "  $key: $first, then $last"
+        [ "$first" -gt 0 ] && [ "$last" -gt "$first" ] || return 1
+    done
+}
+check 'so where particles come and go' varying_go_on 1
+check 'these, too, on two ranks' varying_go_on 2
+
 # A resume may change gravity and duration: a free fall that turns aside after 1 s
 cat >fall.yaml <<'EOF'
 units: none
@@ -132,27 +160,34 @@ goes_on() {
     [ -e "$1/checkpoint-$((step + 10)).h5" ] && [ "$(number "$1/report.json" steps)" = 10 ]
 }
 
-# stopped RANKS: SIGTERM to one rank
+# process_of STARTER: the first rank's, somewhere below it
+process_of() {
+    local child=$1
+    while [ -n "$child" ] && [ "$(cat /proc/"$child"/comm)" != "$(basename "$scree")" ]; do
+        child=$(awk '{ print $NF }' /proc/"$child"/task/"$child"/children)
+    done
+    echo "$child"
+}
+
+# stopped RANKS SIGNAL NUMBER: sent to one rank
 stopped() {
-    local dir=stopped$1 status
+    local dir=stopped$1-$2 status
     on "$1" "$scree" run scene.yaml -o $dir --quiet --set step.count=100000000 --set output.checkpoint.every=1000000 \
         --set output.dump.every=50 >"$out/said" 2>&1 &
     local starter=$!
     wait_for $dir/dump.lammpstrj || return 1
     sleep 0.3
-    local child=$starter
-    while [ -n "$child" ] && [ "$(cat /proc/"$child"/comm)" != "$(basename "$scree")" ]; do
-        child=$(awk '{ print $NF }' /proc/"$child"/task/"$child"/children)
-    done
-    kill -TERM "$child" || return 1
+    kill "-$2" "$(process_of $starter)" || return 1
     wait $starter
     status=$?
-    [ $status = 143 ] || { echo "  status $status"; cat "$out/said"; return 1; }
+    [ $status = $((128 + $3)) ] || { echo "  status $status"; cat "$out/said"; return 1; }
     [ "$(number $dir/report.json last_step)" = "$(newest $dir)" ] || { echo '  no checkpoint of the last step'; return 1; }
-    grep -q '"stopped": "signal 15"' $dir/report.json && goes_on $dir
+    grep -q "\"stopped\": \"signal $3\"" $dir/report.json && goes_on $dir
 }
-check 'SIGTERM: a checkpoint, status 143, and it goes on' stopped 1
-check 'SIGTERM to one of two ranks' stopped 2
+check 'SIGTERM: a checkpoint, status 143, and it goes on' stopped 1 TERM 15
+check 'SIGTERM to one of two ranks' stopped 2 TERM 15
+check 'SIGINT: so with status 130' stopped 1 INT 2
+check 'SIGINT to one of two ranks' stopped 2 INT 2
 
 killed() {
     "$scree" run scene.yaml -o killed --quiet --set step.count=100000000 --set output.checkpoint.every=50 --set output.checkpoint.keep=2 &
@@ -163,5 +198,19 @@ killed() {
     goes_on killed
 }
 check 'SIGKILL: the last checkpoint is whole, and it goes on' killed
+
+# Checkpoints by the clock, one each 0.12 s
+by_clock() {
+    local victim count
+    "$scree" run scene.yaml -o clock --quiet --set step.count=100000000 --set output.checkpoint.every=0 \
+        --set output.checkpoint.minutes=0.002 --set output.checkpoint.keep=1000 &
+    victim=$!
+    wait_for 'clock/checkpoint-*.h5' && sleep 1 && kill -KILL $victim || return 1
+    wait $victim 2>/dev/null
+    count=$(find clock -name 'checkpoint-*.h5' | wc -l)
+    echo "  $count checkpoints"
+    [ "$count" -ge 2 ] && [ "$count" -le 20 ] && goes_on clock
+}
+check 'checkpoints by the clock, and the last one goes on' by_clock
 
 finish
