@@ -1,8 +1,8 @@
 /* `scree ablate`: one scene over indexes, threads and newton settings; a table of stage times, pairs and
  * memory. */
 #include "app/ablate.h"
+#include "comm/cores.h"
 #include "core/memory.h"
-#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,7 +37,7 @@ struct variants {
 /* Machines of different size would list different threads: those of rank 0 hold for all. Collective. */
 static bool variants_read(const struct comm *comm, struct variants *v, const struct command_line *line,
                           struct error *error) {
-    int threads_most = omp_get_max_threads();
+    int threads_most = cores_threads(comm);
     comm_broadcast(comm, &threads_most, sizeof threads_most);
     *v = (struct variants){0};
     for (int k = 0; k < index_registry_count() && k < WORDS_MAX; k++)

@@ -8,7 +8,6 @@
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Radii that stand for all when classes are chosen: of each of so many logarithmic bins the smallest and the
@@ -174,11 +173,10 @@ static bool domain_possible(const struct simulation *s, struct error *error) {
                      scene_place(s->scene, "domain", place, sizeof place), plain.text);
 }
 
-/* Where nobody says how many, ranks of one machine share its cores. */
 static bool set_threads(struct simulation *s, struct error *error) {
-    int most = PAIR_THREADS_MAX, share = cores_each(s->comm);
-    if (s->scene->threads == 0 && getenv("OMP_NUM_THREADS") == NULL)
-        most = share < most ? share : most;
+    int most = PAIR_THREADS_MAX, usual = cores_threads(s->comm);
+    if (s->scene->threads == 0 && usual < most)
+        most = usual;
     s->threads = threads_set(s->scene->threads, most, error);
     return s->threads > 0;
 }

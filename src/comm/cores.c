@@ -3,7 +3,9 @@
 #endif
 #include "comm/cores.h"
 
+#include <omp.h>
 #include <sched.h>
+#include <stdlib.h>
 
 int cores_each(const struct comm *comm) {
     cpu_set_t mine, all;
@@ -19,4 +21,9 @@ int cores_each(const struct comm *comm) {
     int share = CPU_COUNT(&all) / ranks, most = CPU_COUNT(&mine);
     share = share < most ? share : most;
     return share > 1 ? share : 1;
+}
+
+int cores_threads(const struct comm *comm) {
+    int share = cores_each(comm);
+    return getenv("OMP_NUM_THREADS") ? omp_get_max_threads() : share;
 }

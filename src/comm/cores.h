@@ -8,4 +8,8 @@
  * but no more than this rank itself may run on, and 1 at least. Collective. */
 int cores_each(const struct comm *comm);
 
+/* How many threads a rank has where nobody says: those of OMP_NUM_THREADS, else one for each of its cores.
+ * Collective. */
+int cores_threads(const struct comm *comm);
+
 #endif
