@@ -146,6 +146,14 @@ static void test_contacts(void **state) {
     }
 }
 
+/* A list of pairs made by hand, in one block of one thread; block, i and j are the caller's. */
+static struct pairlist list_of(struct pair_block *block, uint32_t *i, uint32_t *j, size_t pairs) {
+    static int thread_block[2] = {0, 1};
+    *block = (struct pair_block){.one_sided = pairs, .slotted = pairs, .end_pair = pairs};
+    return (struct pairlist){
+        .i = i, .j = j, .blocks = block, .block_count = 1, .threads = 1, .thread_block = thread_block};
+}
+
 /* Prescribed particles, coincident centres and pairs that only touch do no harm. */
 static void test_degenerate(void **state) {
     (void)state;
@@ -159,9 +167,8 @@ static void test_degenerate(void **state) {
                 s[i].x[c] = 10.0 * (double)i;
         s[0].inverse_mass = s[1].inverse_mass = 0.0; /* a prescribed pair overlaps */
         uint32_t i[3 + INDEX_SINK_PAD] = {0, 2, 4}, j[3 + INDEX_SINK_PAD] = {1, 3, 5};
-        struct pair_block block = {.one_sided = 3, .slotted = 3, .end_pair = 3};
-        rig.list = (struct pairlist){
-            .i = i, .j = j, .blocks = &block, .block_count = 1, .threads = 1, .thread_block = (int[]){0, 1}};
+        struct pair_block block;
+        rig.list = list_of(&block, i, j, 3);
         s[1].x[0] = s[0].x[0] + 0.5;
         memcpy(s[3].x, s[2].x, sizeof s[3].x);             /* the same place */
         s[5].x[0] = s[4].x[0] + s[4].radius + s[5].radius; /* touching */
@@ -196,9 +203,8 @@ static void test_fixed(void **state) {
         rig_make(&rig, &law, (struct layout){1, 0.0, NULL});
         rig.particles->group = memory_allocate_zero(COUNT, 1, "groups");
         uint32_t i[1 + INDEX_SINK_PAD] = {0}, j[1 + INDEX_SINK_PAD] = {1};
-        struct pair_block block = {.one_sided = 1, .slotted = 1, .end_pair = 1};
-        rig.list = (struct pairlist){
-            .i = i, .j = j, .blocks = &block, .block_count = 1, .threads = 1, .thread_block = (int[]){0, 1}};
+        struct pair_block block;
+        rig.list = list_of(&block, i, j, 1);
         struct particle_state *s = rig.particles->state;
         s[0].inverse_mass = 0.0;
         s[1] = s[0];
@@ -229,9 +235,8 @@ static void test_history_padding(void **state) {
     uint32_t *j = memory_allocate_zero(pairs + INDEX_SINK_PAD, sizeof *j, "pairs");
     for (size_t k = 0; k < pairs; k++)
         j[k] = 1;
-    struct pair_block block = {.one_sided = pairs, .slotted = pairs, .end_pair = pairs};
-    rig.list = (struct pairlist){
-        .i = i, .j = j, .blocks = &block, .block_count = 1, .threads = 1, .thread_block = (int[]){0, 1}};
+    struct pair_block block;
+    rig.list = list_of(&block, i, j, pairs);
     struct particle_state *s = rig.particles->state;
     memcpy(s[1].x, s[0].x, sizeof s[1].x);
     s[1].x[0] += s[0].radius;
