@@ -22,16 +22,23 @@ static void append_particles(struct fixture *f, int64_t first, int64_t last) {
         }
 }
 
+/* A trajectory for a number of particles that varies, with its first frame. */
+static struct h5md *varying_begin(struct fixture *f, struct team *team) {
+    struct error error = {0};
+    struct h5md *h5md = NULL;
+    fixture_make(f, team, &box_3d, 0);
+    struct h5md_head head = head_of(f, true);
+    team_expect(team, h5md_open(&h5md, &team->comm, f->path, &head, -1, &error), "%s", error.text);
+    write_frames(f, h5md, 0, 1);
+    return h5md;
+}
+
 /* Frames of a run in which every third particle goes, then new ones come. */
 static void number_may_change(void **state) {
     struct team *team = *state;
     struct fixture f;
     struct error error = {0};
-    fixture_make(&f, team, &box_3d, 0);
-    struct h5md_head head = head_of(&f, true);
-    struct h5md *h5md = NULL;
-    team_expect(team, h5md_open(&h5md, &team->comm, f.path, &head, -1, &error), "%s", error.text);
-    write_frames(&f, h5md, 0, 1);
+    struct h5md *h5md = varying_begin(&f, team);
     uint8_t *remove = memory_allocate_zero(f.particles->owned, 1, "test");
     for (size_t i = 0; i < f.particles->owned; i++)
         remove[i] = f.particles->id[i] % 3 == 0;
@@ -299,11 +306,8 @@ static void frames_have_room(void **state) {
     struct team *team = *state;
     struct fixture f;
     struct error error = {0};
-    fixture_make(&f, team, &box_3d, 0);
+    struct h5md *h5md = varying_begin(&f, team);
     struct h5md_head head = head_of(&f, true);
-    struct h5md *h5md = NULL;
-    team_expect(team, h5md_open(&h5md, &team->comm, f.path, &head, -1, &error), "%s", error.text);
-    write_frames(&f, h5md, 0, 1);
     expect_no_room(&f, h5md, 10, 300000);
     write_frames(&f, h5md, 10, 50);
     append_particles(&f, PARTICLES + 1, PARTICLES + 4000);
