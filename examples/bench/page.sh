@@ -66,7 +66,7 @@ cells() {
     echo "LAMMPS's \`multi\` is the report's \`bytype\`, its \`multi/old\` the report's \`multi\`. Cells of the small spheres; a cut-off is 2.5. Published: at each R the curves"
     echo 'stand in the order multi newton off, multi newton on, bytype newton off, on, reduced ghosts; the optimum of bytype lies at twice the default, 2.5, that'
     echo 'of multi at 3.75 to 5; gains of multi newton on over bytype with reduced ghosts 7.5, 29, 161 at R = 10, 20, 40 (24 ranks).'
-    echo "scree's multi tests long runs of cells eight at a time, so the gain over it is that over another code; both gains stand below."
+    echo "scree's multi tests long runs of cells 8 or 16 at a time, so the gain over it is that over another code; both gains stand below."
     echo
     done_for cells-10 cells-20 cells-40 || return 0
     for R in 10 20 40; do
@@ -161,7 +161,7 @@ univol() {
     printf '\n## Levels (Figures 2 and 3 of the paper on packing fractions)\n\n'
     echo 'Spheres of size ratio 50, f(r) ~ r^-3, between hard walls, packing fraction nu. Complete detection without a skin, radii 1 % larger, hgrid with 1 to 32 (quick: 16)'
     echo 'levels of equal occupancy (32 size classes are the most; the paper goes to 50). Published (scalar code): best L 5 at nu = 0.1 to 8 at 0.62, speed-up over one level'
-    echo '150 and more, K = 0.2 at any nu. Here long runs of candidates are tested eight at a time: K, speed-up and best L are those'
+    echo '150 and more, K = 0.2 at any nu. Here long runs of candidates are tested 8 or 16 at a time: K, speed-up and best L are those'
     echo 'of another algorithm, and the absolute times are what compares (a code with the published algorithm, MercuryDPM: 530 ns a particle at nu = 0.4, 440 at 0.1 on one thread; needed: 100 on one thread, 50 on two).'
     echo
     done_for univol-0.1 univol-0.2 univol-0.4 univol-0.62 || return 0
@@ -263,7 +263,7 @@ growth() {
     printf '\n## Growth\n\n'
     echo 'Nanoseconds a particle and step (rebuilds included) and bytes a particle: with the number of particles (radii 1 to 10), with the radius of one boulder among equal'
     echo 'spheres, and with the spread of sizes at fixed number. In the last table the largest of a series over its least; needed: 2 in time, memory proportional to particles.'
-    echo 'With 10,000 particles a step is done in less than the threads take to wake up and meet, and the room that each thread keeps shows in the bytes.'
+    echo 'What threads cost shows with few particles, where one alone may be faster (`THREADS=1 examples/bench/growth.sh`), and so does the room that each of them keeps.'
     echo
     done_for growth || return 0
     fields growth '"series"' series R particles threads ns_per_particle rebuild_ns_per_particle bytes_per_particle pairs contacts |
