@@ -166,6 +166,41 @@ static void seeds_differ(void **state) {
     assert_true(p[0].radius != r[0].radius && p[0].x[0] != r[0].x[0]);
 }
 
+/* No place of the region is touched from where insertion_reaches says that none can be; and it says so of
+ * most of the box. The region lies across a periodic side. */
+static void reaches(void **state) {
+    (void)state;
+    struct insertion_options options = feed();
+    options.region = (struct region){
+        .shape = REGION_CYLINDER, .centre = {5, 3, 3}, .axis = {0, 0, 1}, .radius = 0.5, .length = 1};
+    options.sizes = (struct sizes_options){.law = SIZES_FIXED, .radius = 0.1};
+    struct insertion insertion = prepared(&options);
+    struct insertion_state progress = {0};
+    struct insertion_candidate candidate[BATCH];
+    uint8_t blocked[BATCH];
+    insertion_begin(&insertion, &progress, candidate, BATCH);
+    int touching = 0, reached = 0;
+    for (uint64_t trial = 0; trial < 20000; trial++) {
+        struct random_sequence random = random_sequence(7, RANDOM_TEST, trial);
+        double x[3] = {4 * random_uniform(&random), 4 * random_uniform(&random), 4 * random_uniform(&random)};
+        double radius = 0.3 * random_uniform(&random);
+        bool near = insertion_reaches(&insertion, 0.1, x, radius);
+        reached += near;
+        insertion_propose(&insertion, &progress, candidate, blocked, BATCH);
+        for (int k = 0; k < BATCH; k++) {
+            double apart[3] = {fabs(x[0] - candidate[k].x[0]), x[1] - candidate[k].x[1],
+                               x[2] - candidate[k].x[2]};
+            apart[0] = fmin(apart[0], 4 - apart[0]);
+            bool touches =
+                sqrt(apart[0] * apart[0] + apart[1] * apart[1] + apart[2] * apart[2]) < radius + 0.1;
+            touching += touches;
+            assert_true(near || !touches);
+        }
+    }
+    assert_true(touching > 100);
+    assert_true(reached < 4000);
+}
+
 static void deletions(void **state) {
     (void)state;
     struct deletion_options options = {.start = 1, .stop = 2, .every = 10};
@@ -179,6 +214,6 @@ int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(due),           cmocka_unit_test(places_apart),
                                        cmocka_unit_test(batches_agree), cmocka_unit_test(queue_keeps_order),
                                        cmocka_unit_test(no_room),       cmocka_unit_test(seeds_differ),
-                                       cmocka_unit_test(deletions)};
+                                       cmocka_unit_test(reaches),       cmocka_unit_test(deletions)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -21,14 +21,14 @@ test -z "$quick" || z=-0.0445615 v=-5.201105 steps=2000 runs=${RUNS:-3}
 tsuji() { awk -v e="$1" -f "$case/lammps/tsuji.awk"; }
 awk -v z=$z -v vz=$v -f "$case/lammps/data.awk" "$case/particles.txt" >"$work/penetration.data"
 
-# Both print: loop seconds, height of the ball at the end
+# Both print the five figures of a run (bench.sh): the loop seconds are the first, the height of the ball at the end is the last
 
 # run_lammps SKIN STEPS
 run_lammps() {
     quietly on_ranks "$cores" "$lammps" -in "$case/lammps/in.penetration" -log "$work/lammps.log" -screen none \
         -var data "$work/penetration.data" -var out "$work/ball" -var skin "$1" -var steps "$2" -var every "$2" \
         -var e11 "$(tsuji 0.5)" -var e12 "$(tsuji 0.4)" -var e22 "$(tsuji 0.6)" &&
-        echo "$(awk '/^Loop time/ { print $4 }' "$work/lammps.log") $(tail -n 1 "$work/ball" | cut -d ' ' -f 3)"
+        echo "$(awk '/^Loop time/ { print $4 }' "$work/lammps.log") 0 0 0 $(tail -n 1 "$work/ball" | cut -d ' ' -f 3)"
 }
 
 # run_scree RANKS THREADS STEPS
@@ -39,27 +39,27 @@ run_scree() {
         --set "particles.sources[1].position=[0, 0, $z]" --set "particles.sources[1].velocity=[0, 0, $v]" \
         --set "observables.list=[{name: position, label: ball, id: 25001, components: z}]" \
         --set output.trajectory.every=0 --set output.checkpoint.at_end=false &&
-        scree_figures "$work/run" ball_z | cut -d ' ' -f 1,5
+        scree_figures "$work/run" ball_z
 }
 
-# line CODE RANKS THREADS SETTINGS "SECONDS HEIGHT"
+# line CODE RANKS THREADS SETTINGS FIGURES
 line() {
     echo "$5" | awk -v code="$1" -v ranks="$2" -v threads="$3" -v settings="$4" -v steps=$steps '{
         printf "{\"code\": \"%s\", \"particles\": 25001, \"steps\": %d, \"ranks\": %d, \"threads\": %d, \"settings\": \"%s\", ", code, steps,
             ranks, threads, settings
-        printf "\"seconds\": %.6g, \"ns_per_particle\": %.6g, \"ball_z\": %.9g}\n", $1, 1e9 * $1 / steps / 25001, $2 }'
+        printf "\"seconds\": %.6g, \"ns_per_particle\": %.6g, \"ball_z\": %.9g}\n", $1, 1e9 * $1 / steps / 25001, $5 }'
 }
 
 trial=1000
 : >"$work/tried"
-for skin in 0.0002 0.0006; do echo "$(run_lammps $skin $trial) $skin"; done | sort -g | head -n 1 >"$work/tried"
-skin=$(cut -d ' ' -f 3 "$work/tried")
-for layout in "1 $cores" "$cores 1"; do
-    # shellcheck disable=SC2086
-    echo "$(run_scree $layout $trial) $layout"
-done | sort -g | head -n 1 >"$work/tried"
-ranks=$(cut -d ' ' -f 3 "$work/tried")
-threads=$(cut -d ' ' -f 4 "$work/tried")
+for skin in 0.0002 0.0006; do try "$work/tried" $skin run_lammps $skin $trial; done
+skin=$(best "$work/tried")
+: >"$work/tried"
+# shellcheck disable=SC2086
+for layout in "1 $cores" "$cores 1"; do try "$work/tried" "$layout" run_scree $layout $trial; done
+chosen=$(best "$work/tried")
+ranks=${chosen% *}
+threads=${chosen#* }
 
 : >"$work/lammps.runs"
 : >"$work/scree.runs"

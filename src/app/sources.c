@@ -3,6 +3,7 @@
  * so that the steps at which particles appear do not depend on ranks, threads or index. */
 #include "app/simulation.h"
 #include "core/memory.h"
+#include "scene/placegrid.h"
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
@@ -136,32 +137,37 @@ static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
     return marked;
 }
 
-/* Does a candidate touch a wall or an owned particle (periodic images counted)? */
-static bool candidate_blocked(const struct simulation *s, const struct insertion_candidate *candidate) {
-    const struct box *box = &s->scene->box;
-    if (s->walls && walls_overlap(s->walls, candidate->x, candidate->radius))
-        return true;
-    for (size_t k = 0; k < s->particles->owned; k++) {
-        const struct particle_state *p = &s->particles->state[k];
-        double d2 = 0, reach = p->radius + candidate->radius;
-        for (int d = 0; d < 3; d++) {
-            double apart = fabs(p->x[d] - candidate->x[d]);
-            if (box->periodic[d])
-                apart = fmin(apart, fabs(box->edge[d] - apart));
-            d2 += apart * apart;
-        }
-        if (d2 < reach * reach)
-            return true;
+/* The owned particles that candidates of a region may touch. */
+static struct placegrid *particles_near(const struct simulation *s, const struct insertion *insertion,
+                                        const struct insertion_candidate *candidate, size_t n) {
+    const struct particles *particles = s->particles;
+    double largest = 0, smallest = INFINITY;
+    for (size_t k = 0; k < n; k++)
+        largest = fmax(largest, candidate[k].radius);
+    uint8_t *near = memory_allocate(particles->owned, 1, "particles near an insertion");
+#pragma omp parallel for reduction(min : smallest)
+    for (size_t k = 0; k < particles->owned; k++) {
+        const struct particle_state *p = &particles->state[k];
+        near[k] = insertion_reaches(insertion, largest, p->x, p->radius);
+        if (near[k])
+            smallest = fmin(smallest, p->radius);
     }
-    return false;
+    struct placegrid *grid = placegrid_create(&s->scene->box, isfinite(smallest) ? smallest : 1);
+    for (size_t k = 0; k < particles->owned; k++)
+        if (near[k])
+            placegrid_add(grid, particles->state[k].x, particles->state[k].radius);
+    memory_free(near);
+    return grid;
 }
 
-static void candidates_block(const struct simulation *s, const struct insertion_candidate *candidate,
-                             uint8_t *blocked, size_t n) {
+/* Marks the candidates that touch a wall or a particle of any rank. */
+static void candidates_block(const struct simulation *s, const struct placegrid *grid,
+                             const struct insertion_candidate *candidate, uint8_t *blocked, size_t n) {
 #pragma omp parallel for schedule(dynamic, 4)
     for (size_t k = 0; k < n; k++)
         if (!candidate[k].settled && !blocked[k])
-            blocked[k] = candidate_blocked(s, &candidate[k]);
+            blocked[k] = (s->walls && walls_overlap(s->walls, candidate[k].x, candidate[k].radius)) ||
+                         placegrid_touches(grid, candidate[k].x, candidate[k].radius);
     if (s->alone)
         return;
     int64_t *all = memory_allocate(n, sizeof *all, "blocked places");
@@ -215,16 +221,18 @@ static void insertion_run(struct simulation *s, int number) {
     struct insertion_candidate *candidate = memory_allocate_zero(n, sizeof *candidate, "insertion");
     uint8_t *blocked = memory_allocate_zero(n, 1, "insertion");
     insertion_begin(insertion, state, candidate, n);
+    struct placegrid *grid = particles_near(s, insertion, candidate, n);
     size_t left = n;
     for (int64_t round = 0; round < insertion->options.attempts && left > 0; round++) {
         insertion_propose(insertion, state, candidate, blocked, n);
-        candidates_block(s, candidate, blocked, n);
+        candidates_block(s, grid, candidate, blocked, n);
         left = insertion_settle(insertion, candidate, blocked, n);
     }
     s->inserted += insertion_end(insertion, state, candidate, n);
     for (size_t k = 0; k < n; k++)
         if (candidate[k].accepted)
             candidate_append(s, &candidate[k]);
+    placegrid_destroy(&grid);
     memory_free(candidate);
     memory_free(blocked);
 }

@@ -79,6 +79,24 @@ void insertion_begin(const struct insertion *insertion, const struct insertion_s
     }
 }
 
+bool insertion_reaches(const struct insertion *insertion, double largest, const double x[3], double radius) {
+    const struct box *box = &insertion->box;
+    double lower[3], upper[3], reach = largest + radius;
+    region_bounds(&insertion->options.region, lower, upper);
+    for (int d = 0; d < box->dimension; d++) {
+        double edge = box->edge[d], above = x[d] + box->origin[d] - lower[d], length = upper[d] - lower[d];
+        if (box->periodic[d])
+            above -= floor(above / edge) * edge;
+        double beyond = above - length, below = box->periodic[d] ? edge - above : -above;
+        double gap = beyond <= 0 && above >= 0 ? 0
+                     : box->periodic[d]        ? fmin(beyond, below)
+                                               : fmax(beyond, below);
+        if (gap > reach + 1e-9 * (edge + length))
+            return false;
+    }
+    return true;
+}
+
 /* Box-relative, wrapped in periodic directions. */
 static void enter_box(const struct insertion *insertion, double x[3]) {
     const struct box *box = &insertion->box;

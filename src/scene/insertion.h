@@ -2,12 +2,14 @@
  * of the particle alone: no rank or thread enters. Whether a place is free is for the caller to find out,
  * with all ranks:
  *
- *     n = insertion_due(insertion, time) - state.placed          particles due; insertion_begin(...)
+ *     n = insertion_due(insertion, time) - state.placed      particles due
+ *     insertion_begin(...)                                   their sizes and velocities
  *     for round = 0 ... attempts - 1, while some are unplaced:
- *         insertion_propose(...)                                 the same candidates on every rank
- *         each rank sets blocked[k] where candidate k touches one of its particles or a wall; maximum over
- * ranks insertion_settle(...)                                  those neither blocked nor touching an accepted
- * one are accepted insertion_end(...); the owner of each candidate that entered appends it
+ *         insertion_propose(...)                             the same places on every rank
+ *         blocked[k] = 1                                     where one touches a particle or a wall: the
+ *                                                            maximum over ranks, each looks at its own
+ *         insertion_settle(...)                              accepts those that touch no accepted one either
+ *     insertion_end(...)                                     the owner of each that entered appends it
  *
  * What found no place waits for the next call: a full region slows down and catches up, and is reported. */
 #ifndef SCREE_SCENE_INSERTION_H
@@ -79,6 +81,11 @@ uint64_t insertion_due(const struct insertion *insertion, double time);
  * place. */
 void insertion_begin(const struct insertion *insertion, const struct insertion_state *state,
                      struct insertion_candidate *candidate, size_t n);
+
+/* True if a sphere around x, box-relative, can touch a candidate with a radius up to `largest`, wherever in
+ * the region that has its place (periodic images counted). Never false where one touches; sometimes true
+ * where none does. */
+bool insertion_reaches(const struct insertion *insertion, double largest, const double x[3], double radius);
 
 /* Gives every unsettled candidate the place of this round and counts the round in state->tried. A candidate
  * for which the region has no room is marked in blocked[k] (n bytes, the rest set to 0). */
