@@ -7,15 +7,16 @@
 #   bytype    newton on, off, and on with reduced ghosts     a grid for each type; that of the large ones keeps its own size
 #   hgrid, auto     with the cells that they choose
 #   LAMMPS    multi (which is the report's bytype) newton on, off, reduced; multi/old (the report's multi) newton on and off; at
-#             R = 40 multi/old at 3.75 and 5 alone, newton on
+#             R = 40 cells up to 5, and multi/old at 3.75 and 5 alone, newton on
 # At R = 40 scree's multi leaves out 1.25 (an hour) unless MULTI_ALL=1.
 #
 # One JSON line a measurement: seconds is one rebuild (LAMMPS: Neigh), comm_seconds what a step sends and receives. The last line is
 # the summary: the best of each curve with its binsz, the gain of bytype with reduced ghosts over multi (published: 7.5, 29, 161
 # for R = 10, 20, 40), and rebuild_ratio, LAMMPS's best over scree's auto.
 #
-# SCREE, LAMMPS (lmp), CORES (all), WORK (keeps the packings) may be set. SKIP_LAMMPS=1 leaves LAMMPS out. --quick: a cube of edge
-# max(4 R, 80), four sizes of cells.
+# SCREE, LAMMPS (lmp), CORES (all), WORK (keeps the packings) may be set. SKIP_LAMMPS=1 leaves LAMMPS out. RESUME=1
+# goes on with a run that was cut short: the points that it measured are taken over. --quick: a cube of edge max(4 R, 80), four sizes
+# of cells.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/packing.sh"
@@ -33,7 +34,18 @@ packed bidisperse ratio="$ratio" $cube velocity=1
 ranks=$cores
 every=4
 rows=$work/cells.rows
-: >"$rows"
+if [ -n "${RESUME:-}" ] && [ -s "$rows" ]; then
+    grep "\"R\": $ratio, .*\"particles\": $particles, .*}\$" "$rows" >"$rows.kept" || true
+    mv "$rows.kept" "$rows"
+    cat "$rows"
+else
+    : >"$rows"
+fi
+
+# measured CODE STYLE BINSZ: the point is there
+measured() {
+    grep -q "\"code\": \"$1\", .*\"style\": \"$2\", \"binsz\": $3, " "$rows"
+}
 
 # emit CODE STYLE BINSZ COMM STEPS FIGURES
 emit() {
@@ -47,12 +59,14 @@ emit() {
 scree_point() {
     style=$1 bin=$2 steps=$3
     shift 3
+    ! measured scree "$style" "$bin" || return 0
     packing_run threads=1 step.count="$steps" observables.every="$steps" step.rebuild_every=$every "$@"
     emit scree "$style" "$bin" "$(stages comm decide)" "$steps" "$(scree_figures "$work/run" energy_kinetic)"
 }
 
 # lammps_point STYLE BINSZ STEPS NEIGHBOR NEWTON REDUCED
 lammps_point() {
+    ! measured lammps "$1" "$2" || return 0
     quietly on_ranks "$ranks" "$lammps" -in "$here/in.cells" -log "$work/lammps.log" -screen none -var data "$packing.data" -var style "$4" \
         -var newton "$5" -var reduced "$6" -var bin "$2" -var every $every -var steps "$3" || {
         tail -n 3 "$work/lammps.log" >&2
@@ -74,6 +88,7 @@ for bin in $bins; do
     scree_point "bytype newton off" "$bin" $few index=hgrid "$types" "$cells" newton=off
     scree_point "bytype reduced" "$bin" $few index=hgrid "$types" "$cells" ghosts=reduced
     test -n "$with_lammps" || continue
+    case $ratio:$quick:$bin in 40::7.5 | 40::10) continue ;; esac
     lammps_point "bytype newton on" "$bin" $few multi on no
     lammps_point "bytype newton off" "$bin" $few multi off no
     lammps_point "bytype reduced" "$bin" $few multi on yes
