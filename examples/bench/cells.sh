@@ -14,7 +14,7 @@
 # the summary: the best of each curve with its binsz, the gain of bytype with reduced ghosts over multi (published: 7.5, 29, 161
 # for R = 10, 20, 40), and rebuild_ratio, LAMMPS's best over scree's auto.
 #
-# SCREE, LAMMPS (lmp), CORES (all), WORK (keeps the packings) may be set. SKIP_LAMMPS=1 leaves LAMMPS out. RESUME=1
+# SCREE, LAMMPS (lmp), CORES (all), WORK (keeps the packings), BINS may be set. SKIP_LAMMPS=1 leaves LAMMPS out. RESUME=1
 # goes on with a run that was cut short: the points that it measured are taken over. --quick: a cube of edge max(4 R, 80), four sizes
 # of cells.
 set -eu
@@ -25,8 +25,8 @@ quick_after 1 "cells.sh 10|20|40 [--quick]" "$@"
 ratio=$1
 { table1_system "$ratio" && [ "$ratio" -le 40 ]; } || wrong_call
 lammps_unless_skipped cells.sh
-bins="1.25 2.5 3.75 5 7.5 10"
-test -z "$quick" || bins="1.25 2.5 5 10"
+bins=${BINS:-1.25 2.5 3.75 5 7.5 10}
+test -z "$quick" || bins=${BINS:-1.25 2.5 5 10}
 cube=
 test -z "$quick" || cube=$(table1_cube "$(quick_edge "$ratio")")
 # shellcheck disable=SC2086
@@ -35,7 +35,7 @@ ranks=$cores
 every=4
 rows=$work/cells.rows
 if [ -n "${RESUME:-}" ] && [ -s "$rows" ]; then
-    grep "\"R\": $ratio, .*\"particles\": $particles, .*}\$" "$rows" >"$rows.kept" || true
+    grep "^{\"code\": .*\"R\": $ratio, .*\"particles\": $particles, .*}\$" "$rows" >"$rows.kept" || true
     mv "$rows.kept" "$rows"
     cat "$rows"
 else
