@@ -25,8 +25,7 @@ quick_after 1 "cells.sh 10|20|40 [--quick]" "$@"
 ratio=$1
 { table1_system "$ratio" && [ "$ratio" -le 40 ]; } || wrong_call
 lammps_unless_skipped cells.sh
-bins=${BINS:-1.25 2.5 3.75 5 7.5 10}
-test -z "$quick" || bins=${BINS:-1.25 2.5 5 10}
+bins=${BINS:-$(by_mode "1.25 2.5 5 10" "1.25 2.5 3.75 5 7.5 10")}
 cube=
 test -z "$quick" || cube=$(table1_cube "$(quick_edge "$ratio")")
 # shellcheck disable=SC2086

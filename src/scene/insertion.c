@@ -88,9 +88,7 @@ bool insertion_reaches(const struct insertion *insertion, double largest, const 
         if (box->periodic[d])
             above -= floor(above / edge) * edge;
         double beyond = above - length, below = box->periodic[d] ? edge - above : -above;
-        double gap = beyond <= 0 && above >= 0 ? 0
-                     : box->periodic[d]        ? fmin(beyond, below)
-                                               : fmax(beyond, below);
+        double gap = box->periodic[d] ? fmin(beyond, below) : fmax(beyond, below); /* below 0 inside */
         if (gap > reach + 1e-9 * (edge + length))
             return false;
     }
