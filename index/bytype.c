@@ -22,7 +22,7 @@ static struct index *bytype_create(const struct index_params *params) {
 extern const struct index_ops bytype_ops;
 const struct index_ops bytype_ops = {
     .name = "bytype",
-    .summary = "one grid for each size class; the smaller look up the larger",
+    .summary = "one grid for each size class",
     .create = bytype_create,
     .destroy = levels_index_destroy,
     .order = levels_index_order,

@@ -7,16 +7,20 @@
 
 enum { SPAN_OWN = 12, SPAN_OTHER = 32, LANES = 8 };
 
+/* Handing out what larger rows found costs a row half a visit. */
+static const double HANDED_OUT = 0.5;
+
 /* Nanoseconds an event: fitted on an AMD EPYC (Zen 4), AVX2. */
 static const double price[COST_TERMS] = {
-    [COST_PARTICLE] = 25, [COST_MIXED] = 60, [COST_WINDOW] = 10.5, [COST_VECTOR] = 1.5, [COST_VISIT] = 4,
-    [COST_RUN] = 20,      [COST_ROUND] = 13, [COST_SPARSE] = 9,    [COST_TEST] = 3.3,
+    [COST_PARTICLE] = 28, [COST_MIXED] = 60, [COST_WINDOW] = 10, [COST_VECTOR] = 1.65, [COST_VISIT] = 3,
+    [COST_RUN] = 8,       [COST_ROUND] = 6,  [COST_SPARSE] = 27, [COST_TEST] = 4.3,    [COST_SINGLE] = 60,
 };
 
 static const char *const names[COST_TERMS] = {
     [COST_PARTICLE] = "particles", [COST_MIXED] = "mixed",   [COST_WINDOW] = "windows",
     [COST_VECTOR] = "vectors",     [COST_VISIT] = "visits",  [COST_RUN] = "runs",
     [COST_ROUND] = "round",        [COST_SPARSE] = "sparse", [COST_TEST] = "tests",
+    [COST_SINGLE] = "singles",
 };
 
 const char *cost_name(enum cost_term term) {
@@ -146,6 +150,44 @@ static void count_spans(const struct cost_scene *scene, const struct part *g, co
     count[COST_TEST] += spans * rows * (found / LANES + 0.5 * some);
 }
 
+/* Rows of h, one by one, in the table of the smaller ones of g. */
+static void count_singles(const struct part *g, const struct part *h, const struct window *window,
+                          double found, double count[COST_TERMS]) {
+    double pencils = h->count * window->pencils;
+    count[COST_SINGLE] += h->count;
+    count[COST_VISIT] += HANDED_OUT * g->count;
+    if (!g->sparse && window->pencils <= LEVELS_PENCILS_DIRECT) {
+        count[COST_WINDOW] += pencils;
+        count[COST_VECTOR] += pencils * fmax(1, found / window->pencils / LANES + 0.5);
+    } else {
+        count[COST_RUN] += pencils;
+        count[COST_ROUND] += pencils;
+        count[COST_SPARSE] += g->sparse ? pencils : 0;
+        count[COST_TEST] += h->count * (0.6 * found / LANES + 0.5);
+    }
+}
+
+/* The pairs between two levels, g the smaller: in spans of g, or by single rows of h. */
+static void count_cross(const struct cost_scene *scene, const struct part *g, const struct part *h,
+                        double count[COST_TERMS]) {
+    const double reach = h->radius_max + g->radius_max + g->margin;
+    const struct window up = window_of(scene, h, g->edge, g->edge, reach),
+                        down = window_of(scene, g, 0, 0, reach);
+    const double flat = scene->dimension == 2 ? 0 : 1;
+    const struct cross_sides sides = {
+        .smaller = g->count,
+        .larger = h->count,
+        .found_smaller = fmin(g->count, g->density * down.length * down.high * (flat ? down.wide : 1)),
+        .found_larger = fmin(h->count, h->density * up.length * up.high * (flat ? up.wide : 1)),
+        .pencils = down.pencils,
+        .sparse = g->sparse};
+    if (cross_from_larger(&sides)) {
+        count_singles(g, h, &down, sides.found_smaller, count);
+    } else {
+        count_spans(scene, g, h, false, count);
+    }
+}
+
 void cost_count(const struct cost_scene *scene, const struct cost_plan *plan, double count[COST_TERMS]) {
     struct part part[INDEX_CLASS_MAX];
     for (int t = 0; t < COST_TERMS; t++) {
@@ -160,8 +202,10 @@ void cost_count(const struct cost_scene *scene, const struct cost_plan *plan, do
         for (int h = g; h < plan->levels && part[g].count > 0; h++) {
             if (g == h && !part[g].sparse) {
                 count_direct(scene, &part[g], count);
+            } else if (g == h) {
+                count_spans(scene, &part[g], &part[g], true, count);
             } else if (part[h].count > 0) {
-                count_spans(scene, &part[g], &part[h], g == h, count);
+                count_cross(scene, &part[g], &part[h], count);
             }
         }
     }

@@ -15,6 +15,8 @@
  *   sparse      those of them in tables that are kept sparse (cells.h)
  *   tests       candidates of a span, n_h x (volume of those pencils between the ends of the window), x rows,
  *               LANES at a time
+ *   singles     rows of h, where they find their pairs with g themselves (cross.h). Their candidates are
+ *               counted with the windows and vectors, or with the runs and tests
  *
  * and each has its price. Particles are taken to be spread evenly over the volume; a volume that is occupied
  * only in part should be given as the part. Prices were fitted by `bench_index calibrate` (docs/indexes.md).
@@ -58,6 +60,7 @@ enum cost_term {
     COST_ROUND,
     COST_SPARSE,
     COST_TEST,
+    COST_SINGLE,
     COST_TERMS
 };
 

@@ -81,11 +81,16 @@ struct index_params {
     int levels;      /* hgrid: number of levels, each a run of neighbouring classes; 0: one a class */
     double level_cell[INDEX_CLASS_MAX]; /* hgrid: cell edge of each level, length unit; 0: cell_factor x the
                                            level's cut-off */
+    int cross_search;                   /* who looks up whom in pairs of unlike levels: an enum index_cross */
     int instructions; /* vector instructions that the search uses: an enum index_instructions */
 };
 
 /* 0 takes the widest that the CPU has; more than it has is cut down to that. The pairs are the same. */
 enum index_instructions { INDEX_BEST, INDEX_PLAIN, INDEX_AVX2, INDEX_AVX512 };
+
+/* Pairs of unlike levels are found by the smaller particle among the larger ones, by the larger among the
+ * smaller, or in whichever of the two ways costs less. The pairs are the same. */
+enum index_cross { INDEX_CROSS_AUTO, INDEX_CROSS_SMALLER, INDEX_CROSS_LARGER };
 
 /* Receives pairs. The index writes pair k to i[k], j[k] while k < capacity, and counts on beyond; a sink with
  * capacity 0 only counts. j carries the image code in its upper 5 bits: j | code << 27 (see index_pair). The
@@ -101,6 +106,11 @@ enum { INDEX_SINK_PAD = 32, INDEX_IMAGE_SHIFT = 27 };
  * in particles/box.h). */
 static inline unsigned index_image_code(int sx, int sy, int sz) {
     return (unsigned)((sx + 1) + 3 * (sy + 1) + 9 * (sz + 1) + 14) % 27u;
+}
+
+/* The code of the opposite vector. */
+static inline unsigned index_image_opposite(unsigned code) {
+    return (27u - code) % 27u;
 }
 
 /* The home of a pair: the particle whose owner computes it with newton on. The smaller radius; of equal ones

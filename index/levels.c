@@ -1,6 +1,7 @@
 #include "index/levels.h"
 
 #include "core/memory.h"
+#include "index/levels_search.h"
 #include "index/search.h"
 
 #include <assert.h>
@@ -8,11 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum {
-    CELLS_A_PARTICLE = 4, /* denser grids than this ... */
-    CELLS_FREE = 4096,    /* ... and beyond this number of cells are kept sparse */
-    X_CELLS = 2,          /* cells in x for one in y or z: they cost only a table entry */
-};
+enum { X_CELLS = 2 }; /* cells in x for one in y or z: they cost only a table entry */
 
 /* An edge that the user did not fix may grow so far to keep the grid dense. */
 static const double GROWTH = 2.5;
@@ -33,7 +30,11 @@ void levels_start(struct levels *levels, const struct index_params *params) {
     int best = search_instructions();
     int wanted = params->instructions;
     levels->instructions = wanted > INDEX_BEST && wanted < best ? wanted : best;
-    levels->search = memory_allocate_zero(INDEX_CLASS_MAX, sizeof levels->search[0], "index searches");
+    levels->cross_search = params->cross_search;
+    levels->searches.list =
+        memory_allocate_zero(INDEX_CLASS_MAX, sizeof levels->searches.list[0], "index searches");
+    levels->cross_searches.list =
+        memory_allocate_zero(INDEX_CLASS_MAX, sizeof levels->searches.list[0], "index searches");
 }
 
 void levels_free(struct levels *levels) {
@@ -47,7 +48,9 @@ void levels_free(struct levels *levels) {
     cells_scratch_free(&levels->scratch);
     cells_free(&levels->order_cells);
     memory_free(levels->slot_of);
-    memory_free(levels->search);
+    cross_free(&levels->cross);
+    memory_free(levels->searches.list);
+    memory_free(levels->cross_searches.list);
 }
 
 /* How many cells of this edge the owned particles' extent has, and in how many directions there are several.
@@ -70,7 +73,7 @@ static void lay_grid(struct levels *levels, int g, size_t owned) {
     double edge = levels->plan.edge[g];
     int directions;
     double cells = cells_of(frame, edge, &directions);
-    double room = CELLS_A_PARTICLE * (double)owned * 0.9 + CELLS_FREE * 0.5;
+    double room = LEVELS_CELLS_A_PARTICLE * (double)owned * 0.9 + LEVELS_CELLS_FREE * 0.5;
     if (!levels->plan.fixed[g] && cells > room && directions > 0) {
         double growth = pow(cells / room, 1.0 / directions);
         edge *= growth <= GROWTH ? growth : 1;
@@ -83,7 +86,7 @@ double levels_cells(double volume, double edge, int dimension) {
 }
 
 bool levels_too_many_cells(double cells, double particles) {
-    return cells > CELLS_A_PARTICLE * particles + CELLS_FREE || cells > 0x1p31;
+    return cells > LEVELS_CELLS_A_PARTICLE * particles + LEVELS_CELLS_FREE || cells > 0x1p31;
 }
 
 static bool too_many_cells(const struct grid *grid, size_t particles) {
@@ -121,93 +124,9 @@ static void build_level(struct levels *levels, const struct index_view *view, in
         cells_build(&level->owned, &levels->scratch, &source, levels->slot_of);
     }
     source.members = &levels->ghosts;
-    source.sparse = source.sparse || (ghosts == 0 && level->grid.cells > CELLS_FREE);
+    source.sparse = source.sparse || (ghosts == 0 && level->grid.cells > LEVELS_CELLS_FREE);
     cells_build(&level->ghosts, &levels->scratch, &source, NULL);
     levels->frame.clamped = levels->frame.clamped || level->owned.clamped || level->ghosts.clamped;
-}
-
-/* Least and largest margin between class c and the classes of grid g. */
-static void margin_range(const struct levels *levels, const struct index_view *view, int c, int g,
-                         double range[2]) {
-    range[0] = INFINITY;
-    range[1] = -INFINITY;
-    for (int other = 0; other < view->classes; other++) {
-        if (levels->plan.grid_of[other] == g) {
-            range[0] = fmin(range[0], view->margin[c][other]);
-            range[1] = fmax(range[1], view->margin[c][other]);
-        }
-    }
-}
-
-/* The share of the squared filter cut-off that is certain. With c the filter's cut-off and a what it may
- * exceed the true one by, plus the tolerance, ((c - a) / c)^2 is smallest for the smallest c. */
-static float certain_share(const struct levels *levels, double smallest, double excess) {
-    double share = 1 - excess / smallest;
-    if (levels->frame.clamped || !(share > 0.5)) {
-        return -INFINITY;
-    }
-    return (float)(share * share * (1 - 0x1p-15));
-}
-
-static void add_search(struct levels *levels, const struct index_view *view, int c, int g, bool ghosts) {
-    int own = levels->plan.grid_of[c];
-    const struct level *level = &levels->level[g];
-    const struct cells *cells = ghosts ? &level->ghosts : &level->owned;
-    const struct cells *rows = &levels->level[own].owned;
-    if (cells->count == 0 || rows->count == 0) {
-        return;
-    }
-    const struct frame *frame = &levels->frame;
-    double margin[2], tolerance = frame->tolerance;
-    margin_range(levels, view, c, g, margin);
-    double highest = (margin[1] * frame->scale + tolerance) * (1 + 4 * CELLS_RADIUS_EXCESS);
-    double smallest = (double)rows->r_min + cells->r_min + margin[0] * frame->scale;
-    double excess = 2.1 * tolerance + (margin[1] - margin[0]) * frame->scale;
-    struct search search = {.level = level, .cells = cells, .margin = (float)highest};
-    search.half = !ghosts && g == own;
-    search.direct = search.half && !levels->plan.stencils && !cells->sparse;
-    search.home = ghosts && g == own && view->newton;
-    search.beyond = ghosts && frame->hollow;
-    search.reach = (float)((cells->r_max + highest) * (1 + 4 * CELLS_RADIUS_EXCESS) + 4 * tolerance);
-    search.certain = search.home ? -INFINITY : certain_share(levels, smallest, excess);
-    levels->search[c][levels->searches[c]++] = search;
-}
-
-/* A stencil for each class of a plan with stencils, for the largest row that there may be. One that would be
- * longer than there are particles to find is not worth its memory and time: then windows do, which go through
- * the occupied pencils instead. */
-static void make_stencils(struct levels *levels, const struct index_view *view, int c) {
-    struct level *level = &levels->level[levels->plan.grid_of[c]];
-    double reach = 0;
-    for (int s = 0; s < levels->searches[c]; s++) {
-        reach = fmax(reach, levels->search[c][s].reach);
-    }
-    reach += levels->radius_max[c] * levels->frame.scale * (1 + 4 * CELLS_RADIUS_EXCESS);
-    bool made = stencil_make(&levels->stencil[c], &level->grid, &levels->frame, (float)reach,
-                             CELLS_A_PARTICLE * view->total + CELLS_FREE);
-    for (int s = 0; s < levels->searches[c]; s++) {
-        struct search *search = &levels->search[c][s];
-        bool worth =
-            made && (!search->cells->sparse || levels->stencil[c].count <= 2 * search->cells->pencils);
-        search->stencil = worth ? &levels->stencil[c] : NULL;
-    }
-}
-
-static void plan_searches(struct levels *levels, const struct index_view *view) {
-    const struct levels_plan *plan = &levels->plan;
-    for (int c = 0; c < view->classes; c++) {
-        int own = plan->grid_of[c];
-        levels->searches[c] = 0;
-        for (int g = own; g < plan->grids; g++) {
-            add_search(levels, view, c, g, false);
-        }
-        for (int g = view->newton ? own : 0; g < plan->grids; g++) {
-            add_search(levels, view, c, g, true);
-        }
-        if (plan->stencils) {
-            make_stencils(levels, view, c);
-        }
-    }
 }
 
 static bool same_grids(const struct levels_plan *a, const struct levels_plan *b, int classes) {
@@ -243,7 +162,8 @@ void levels_build(struct levels *levels, const struct levels_plan *plan, const s
         levels->radius_max[c] = c < view->classes ? view->radius_max[c] : 0;
         levels->radius_min[c] = c > 0 ? levels->radius_max[c - 1] : 0;
     }
-    plan_searches(levels, view);
+    levels_plan_searches(levels, view);
+    cross_find(&levels->cross, levels, view);
 }
 
 void levels_order(struct levels *levels, const struct levels_plan *plan, const struct index_view *view,
@@ -277,15 +197,21 @@ void levels_order(struct levels *levels, const struct levels_plan *plan, const s
     }
 }
 
+void levels_search(const struct levels *levels, const struct searches *searches,
+                   const struct index_view *view, size_t first, size_t last, struct index_sink *sink) {
+    if (levels->instructions == INDEX_AVX512) {
+        search_avx512(levels, searches, view, first, last, sink);
+    } else if (levels->instructions == INDEX_AVX2) {
+        search_avx2(levels, searches, view, first, last, sink);
+    } else {
+        search_plain(levels, searches, view, first, last, sink);
+    }
+}
+
 void levels_visit(const struct levels *levels, const struct index_view *view, size_t first, size_t last,
                   struct index_sink *sink) {
-    if (levels->instructions == INDEX_AVX512) {
-        search_avx512(levels, view, first, last, sink);
-    } else if (levels->instructions == INDEX_AVX2) {
-        search_avx2(levels, view, first, last, sink);
-    } else {
-        search_plain(levels, view, first, last, sink);
-    }
+    levels_search(levels, &levels->searches, view, first, last, sink);
+    cross_visit(&levels->cross, first, last, sink);
 }
 
 /* Every slot holds the particle it should, in the cell it should. */
@@ -355,7 +281,7 @@ size_t levels_memory(const struct levels *levels) {
     size_t bytes = levels->slot_capacity * sizeof(uint32_t) + cells_scratch_memory(&levels->scratch) +
                    cells_memory(&levels->order_cells) +
                    (levels->owned.capacity + levels->ghosts.capacity) * sizeof(uint32_t) +
-                   INDEX_CLASS_MAX * sizeof levels->search[0];
+                   2 * INDEX_CLASS_MAX * sizeof levels->searches.list[0] + cross_memory(&levels->cross);
     for (int g = 0; g < INDEX_CLASS_MAX; g++) {
         bytes += cells_memory(&levels->level[g].owned) + cells_memory(&levels->level[g].ghosts) +
                  levels->stencil[g].capacity * sizeof(struct stencil_run);

@@ -6,15 +6,18 @@
  *
  *   table                            which pairs are kept                                      rule
  *   owned of its own grid            partners in later slots: each pair once, whatever image   half
- *   owned of grids of larger classes all: the smaller looks up the larger, never the reverse   full
+ *   owned of grids of larger classes all: the smaller looks up the larger                      full
  *   ghosts of its own grid           newton on: those whose home is i; off: all                home, full
  *   ghosts of grids of larger        all: the smaller is the home                              full
  *   ghosts of grids of smaller       newton on: none; off: all                                 none, full
- */
+ *
+ * Where the larger are few, they look up the smaller at the build instead (cross.h), and no row of the
+ * smaller searches their table. */
 #ifndef SCREE_INDEX_LEVELS_H
 #define SCREE_INDEX_LEVELS_H
 
 #include "index/cells.h"
+#include "index/cross.h"
 #include "index/stencil.h"
 
 /* What an index decides. */
@@ -40,11 +43,23 @@ struct search {
     float certain; /* ... and is one if distance^2 <= certain * that^2 (-infinity: never certain) */
     float reach;   /* r + reach bounds the distance of all partners in the table */
     bool half, home;
+    bool single; /* rows are so large that each goes by itself */
     bool beyond; /* no candidate lies inside of the owned particles' extent */
     bool direct; /* rows look at the table where it lies (search_direct.h) */
 };
 
-enum { LEVELS_SEARCHES_MAX = 2 * INDEX_CLASS_MAX };
+enum {
+    LEVELS_SEARCHES_MAX = 2 * INDEX_CLASS_MAX,
+    LEVELS_CELLS_A_PARTICLE = 4, /* denser grids than this ... */
+    LEVELS_CELLS_FREE = 4096,    /* ... and beyond this number of cells are kept sparse */
+    LEVELS_PENCILS_DIRECT = 64,  /* large rows that meet more pencils leave out those beyond their reach */
+};
+
+/* What the rows of each class search. */
+struct searches {
+    int count[INDEX_CLASS_MAX];
+    struct search (*list)[LEVELS_SEARCHES_MAX];
+};
 
 struct levels {
     struct levels_plan plan;
@@ -52,15 +67,17 @@ struct levels {
     struct level level[INDEX_CLASS_MAX];
     struct members owned, ghosts;
     struct stencil stencil[INDEX_CLASS_MAX]; /* by class */
-    int searches[INDEX_CLASS_MAX];           /* by class */
-    struct search (*search)[LEVELS_SEARCHES_MAX];
-    uint32_t *slot_of; /* of owned particles, in their grid's table */
+    struct searches searches;                /* at the visit */
+    struct searches cross_searches;          /* at the build: of smaller owned particles by larger ones */
+    struct cross_pairs cross;                /* what those found */
+    uint32_t *slot_of;                       /* of owned particles, in their grid's table */
     size_t slot_capacity;
     struct cells_scratch scratch;
     struct cells order_cells; /* scratch of levels_order, where it does not keep its tables */
     bool kept;                /* the tables of owned particles lack nothing but their coordinates */
     bool ghosts_met;          /* by the last build: then none are kept */
     int instructions;         /* enum index_instructions, none of them INDEX_BEST */
+    int cross_search;         /* enum index_cross */
     double radius_min[INDEX_CLASS_MAX], radius_max[INDEX_CLASS_MAX]; /* by grid, of the view's classes */
 };
 
@@ -83,6 +100,9 @@ void levels_free(struct levels *levels);
 void levels_order(struct levels *levels, const struct levels_plan *plan, const struct index_view *view,
                   uint32_t *order);
 void levels_build(struct levels *levels, const struct levels_plan *plan, const struct index_view *view);
+/* Emits what rows [first, last) find in these searches. Many threads at once. */
+void levels_search(const struct levels *levels, const struct searches *searches,
+                   const struct index_view *view, size_t first, size_t last, struct index_sink *sink);
 void levels_visit(const struct levels *levels, const struct index_view *view, size_t first, size_t last,
                   struct index_sink *sink);
 bool levels_check(const struct levels *levels, const struct index_view *view, char why[INDEX_WHY_MAX]);

@@ -11,6 +11,8 @@ libindex_la_SOURCES = \
 	index/cells_sort.h \
 	index/cost.c \
 	index/cost.h \
+	index/cross.c \
+	index/cross.h \
 	index/exact.h \
 	index/frame.c \
 	index/frame.h \
@@ -26,6 +28,8 @@ libindex_la_SOURCES = \
 	index/levels.h \
 	index/levels_index.c \
 	index/levels_index.h \
+	index/levels_search.c \
+	index/levels_search.h \
 	index/linkcell.c \
 	index/locate.c \
 	index/locate.h \

@@ -5,13 +5,13 @@
 
 #include "index/levels.h"
 
-/* Emits the kept pairs of the rows [first, last). Any number of threads at once. */
-void search_plain(const struct levels *levels, const struct index_view *view, size_t first, size_t last,
-                  struct index_sink *sink);
-void search_avx2(const struct levels *levels, const struct index_view *view, size_t first, size_t last,
-                 struct index_sink *sink);
-void search_avx512(const struct levels *levels, const struct index_view *view, size_t first, size_t last,
-                   struct index_sink *sink);
+/* Emits the pairs that these searches find for the rows [first, last). Any number of threads at once. */
+void search_plain(const struct levels *levels, const struct searches *searches, const struct index_view *view,
+                  size_t first, size_t last, struct index_sink *sink);
+void search_avx2(const struct levels *levels, const struct searches *searches, const struct index_view *view,
+                 size_t first, size_t last, struct index_sink *sink);
+void search_avx512(const struct levels *levels, const struct searches *searches,
+                   const struct index_view *view, size_t first, size_t last, struct index_sink *sink);
 
 /* The widest instruction set that this CPU has, an enum index_instructions. */
 int search_instructions(void);

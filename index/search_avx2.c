@@ -7,7 +7,8 @@
 #endif
 #include "index/search_rows.h"
 
-LANES_TARGET void search_avx2(const struct levels *levels, const struct index_view *view, size_t first,
-                              size_t last, struct index_sink *sink) {
-    search_rows(levels, view, first, last, sink);
+LANES_TARGET void search_avx2(const struct levels *levels, const struct searches *searches,
+                              const struct index_view *view, size_t first, size_t last,
+                              struct index_sink *sink) {
+    search_rows(levels, searches, view, first, last, sink);
 }

@@ -1,9 +1,10 @@
-/* The search of a dense table by rows of its own (search_rows.h tells the whole): each row looks up its own
- * window in every pencil and tests it where it lies. Such windows are about as long as a vector, and to copy
- * candidates together for a span of rows costs more than it saves. Included after a lanes_*.h.
+/* The search of a dense table by rows of its own, or by larger ones (search_rows.h tells the whole): each row
+ * looks up its own window in every pencil and tests it where it lies. Such windows are about as long as a
+ * vector, and to copy candidates together for a span of rows costs more than it saves. Included after a
+ * lanes_*.h.
  *
- * A pencil before the row's own holds earlier slots alone and is not looked at. A window that meets images of
- * the box moves the row, not the candidates. */
+ * In the rows' own table a pencil before the row's own holds earlier slots alone and is not looked at. A
+ * window that meets images of the box moves the row, not the candidates. */
 #ifndef SCREE_INDEX_SEARCH_DIRECT_H
 #define SCREE_INDEX_SEARCH_DIRECT_H
 
@@ -11,7 +12,8 @@
 
 /* The cells around each row of a block. */
 struct windows {
-    int own_y, own_z; /* the block's pencil */
+    bool half;        /* rows search their own table: from their own pencil on, behind their own slot */
+    int own_y, own_z; /* the block's pencil; 0 unless half */
     int first[3][ROWS], last[3][ROWS];
     int images[ROWS]; /* bit d: images of the box in direction d may be met */
 };
@@ -22,8 +24,9 @@ LANES_INLINE void windows_make(const struct quest *quest, struct windows *restri
     const struct grid grid = quest->search->level->grid;
     const float reach = quest->search->reach;
     const int rows = block->rows;
-    windows->own_y = grid_cell(&grid, 1, block->x[1][0]);
-    windows->own_z = grid_cell(&grid, 2, block->x[2][0]);
+    windows->half = quest->search->half;
+    windows->own_y = windows->half ? grid_cell(&grid, 1, block->x[1][0]) : 0;
+    windows->own_z = windows->half ? grid_cell(&grid, 2, block->x[2][0]) : 0;
     for (int k = 0; k < rows; k++) {
         windows->images[k] = 0;
     }
@@ -89,8 +92,9 @@ LANES_INLINE void direct_pencils(struct direct *direct, const struct windows *wi
     const size_t nx = (size_t)grid->n[0];
     const size_t x0 = (size_t)windows->first[0][k], x1 = (size_t)windows->last[0][k] + 1;
     const int y0 = windows->first[1][k], y1 = windows->last[1][k], z1 = windows->last[2][k];
-    uint32_t own = direct->quest->block.slot[k] + 1;
-    for (int z = windows->own_z, y = windows->own_y; z <= z1; z++, y = y0) {
+    uint32_t own = windows->half ? direct->quest->block.slot[k] + 1 : 0;
+    int z = windows->half ? windows->own_z : windows->first[2][k], y = windows->half ? windows->own_y : y0;
+    for (; z <= z1; z++, y = y0) {
         const uint32_t *begin = cells->begin + ((size_t)z * (size_t)grid->n[1] + (size_t)y) * nx;
         for (; y <= y1; y++, begin += nx) {
             uint32_t from = own ? own : begin[x0], to = begin[x1];
@@ -103,9 +107,10 @@ LANES_INLINE void direct_pencils(struct direct *direct, const struct windows *wi
     }
 }
 
-/* The pencils of one image of the box, which is number p[d] of the row's windows in each direction. */
+/* The pencils of one image of the box, which is number p[d] of the row's windows in each direction, from slot
+ * `start` on. */
 LANES_INLINE void direct_image(struct direct *direct, const struct windows *windows,
-                               const struct window window[3], const int p[3], uint32_t slot, bool exact) {
+                               const struct window window[3], const int p[3], uint32_t start, bool exact) {
     const struct search *search = direct->quest->search;
     const int x0 = window[0].first[p[0]], x1 = window[0].last[p[0]];
     const int y0 = window[1].first[p[1]], y1 = window[1].last[p[1]];
@@ -113,7 +118,7 @@ LANES_INLINE void direct_image(struct direct *direct, const struct windows *wind
     for (int z = z0 > windows->own_z ? z0 : windows->own_z; z <= z1; z++) {
         for (int y = z == windows->own_z && y0 < windows->own_y ? windows->own_y : y0; y <= y1; y++) {
             struct cells_slice slice = cells_run(search->cells, &search->level->grid, x0, x1, y, z);
-            uint32_t from = slice.begin > slot ? slice.begin : slot + 1;
+            uint32_t from = slice.begin > start ? slice.begin : start;
             for (; from < slice.end; from += LANES) {
                 direct_slots(direct, from, slice.end - from < LANES ? slice.end - from : LANES, exact);
             }
@@ -127,6 +132,7 @@ LANES_INLINE void direct_images(struct direct *direct, const struct windows *win
     const struct search *search = quest->search;
     const struct block *block = &quest->block;
     const float reach = block->r[k] + search->reach, r = block->r[k] + search->margin;
+    const uint32_t start = windows->half ? block->slot[k] + 1 : 0;
     struct window window[3];
     for (int d = 0; d < 3; d++) {
         const float at = block->x[d][k];
@@ -146,7 +152,7 @@ LANES_INLINE void direct_images(struct direct *direct, const struct windows *win
                               block->x[2][k] - window[2].shift[p[2]], r, search->certain);
                 direct->bits =
                     image_bits(window[0].image[p[0]], window[1].image[p[1]], window[2].image[p[2]]);
-                direct_image(direct, windows, window, p, block->slot[k], exact);
+                direct_image(direct, windows, window, p, start, exact);
             }
         }
     }

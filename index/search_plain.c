@@ -3,9 +3,9 @@
 #include "index/lanes_plain.h"
 #include "index/search_rows.h"
 
-void search_plain(const struct levels *levels, const struct index_view *view, size_t first, size_t last,
-                  struct index_sink *sink) {
-    search_rows(levels, view, first, last, sink);
+void search_plain(const struct levels *levels, const struct searches *searches, const struct index_view *view,
+                  size_t first, size_t last, struct index_sink *sink) {
+    search_rows(levels, searches, view, first, last, sink);
 }
 
 int search_instructions(void) {

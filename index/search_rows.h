@@ -3,11 +3,13 @@
  *
  * Rows are taken in blocks: up to ROWS consecutive particles of one class in consecutive slots (or nearly) of
  * one pencil, as they lie in memory after a reorder. Their own table, where it is dense, each row searches by
- * itself (search_direct.h). Any other table a span of rows searches at once, the whole block, or OWN_ROWS
- * where it is their own. The candidates of the whole span are copied to a small buffer, shifted by their
- * image, and every row is tested against it, eight or sixteen candidates at a time. So cells are looked up
- * once a span, no image appears in the inner loop, and that loop has no short runs. Where rows lie in any
- * other order, blocks are single rows: as right, only slower.
+ * itself (search_direct.h); so do rows that look through smaller particles, unless their windows are so wide
+ * that pencils at the corners had better be left out. Any other table a span of rows searches at once: the
+ * whole block, OWN_ROWS where it is their own, one where it holds smaller particles. The candidates of the
+ * whole span are copied to a small buffer, shifted by their image, and every row is tested against it, eight
+ * or sixteen candidates at a time. So cells are looked up once a span, no image appears in the inner loop,
+ * and that loop has no short runs. Where rows lie in any other order, blocks are single rows: as right, only
+ * slower.
  *
  * The filter is in single precision and loses nothing (frame.h): distances that are possible but not certain
  * are decided by the exact test.
@@ -125,8 +127,9 @@ LANES_INLINE void search_direct(struct quest *quest) {
     direct_rows(quest, &windows);
 }
 
-LANES_INLINE void search_rows(const struct levels *levels, const struct index_view *view, size_t first,
-                              size_t last, struct index_sink *sink) {
+LANES_INLINE void search_rows(const struct levels *levels, const struct searches *searches,
+                              const struct index_view *view, size_t first, size_t last,
+                              struct index_sink *sink) {
     struct quest quest;
     quest.levels = levels;
     quest.view = view;
@@ -134,13 +137,13 @@ LANES_INLINE void search_rows(const struct levels *levels, const struct index_vi
     for (size_t i = first; i < last;) {
         i = next_block(&quest, i, last);
         int c = quest.block.size_class;
-        for (int s = 0; s < levels->searches[c]; s++) {
-            quest.search = &levels->search[c][s];
+        for (int s = 0; s < searches->count[c]; s++) {
+            quest.search = &searches->list[c][s];
             if (quest.search->direct) {
                 search_direct(&quest);
                 continue;
             }
-            int step = quest.search->half ? OWN_ROWS : ROWS;
+            int step = quest.search->half ? OWN_ROWS : quest.search->single ? 1 : ROWS;
             for (int from = 0; from < quest.block.rows; from += step) {
                 search_span(&quest, from, from + step < quest.block.rows ? from + step : quest.block.rows);
             }

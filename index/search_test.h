@@ -139,7 +139,7 @@ LANES_INLINE bool span_met(const struct quest *quest) {
 /* Tests all rows against the buffer and empties it. */
 LANES_INLINE void flush(struct quest *quest) {
     struct candidates *buffer = &quest->buffer;
-    if (buffer->count > 0 && (quest->search->half || span_met(quest))) {
+    if (buffer->count > 0 && (quest->search->half || quest->search->single || span_met(quest))) {
         for (size_t k = buffer->count; k < buffer->count + LANES; k++) {
             buffer->x[k] = buffer->y[k] = buffer->z[k] = 1e30f; /* too far for everybody */
             buffer->r[k] = 0;

@@ -140,7 +140,7 @@ static void test_threads_own_what_they_write(void **state) {
                     writer[end[e]] = t;
                 }
                 if (k >= block->slotted)
-                    assert_true(c.list->slot_of[end[1]] >= 0);
+                    assert_int_equal(c.list->busy[c.list->slot_of[end[1]]], end[1]);
             }
         }
     }

@@ -12,6 +12,7 @@ libcore_la_SOURCES = \
 	src/core/random.h \
 	src/core/scan.c \
 	src/core/scan.h \
+	src/core/stream.h \
 	src/core/threads.c \
 	src/core/threads.h \
 	src/core/timer.c \

@@ -62,7 +62,8 @@ struct pairlist {
     int *thread_block; /* thread t runs blocks [thread_block[t], thread_block[t + 1]) */
     uint32_t *busy;    /* particles with slots: slot_count entries */
     size_t slot_count; /* 0 with one thread */
-    int32_t *slot_of;  /* slot of particle k (owned or ghost), -1: none; NULL if slot_count is 0 */
+    int32_t *slot_of;  /* slot of particle k (owned or ghost), if it is of a busy class; else not set */
+    size_t busy_capacity, slot_of_capacity;
     double shift[BOX_IMAGE_CODES][4]; /* image code -> vector added to x_j */
     struct pairlist_build *build;
 };

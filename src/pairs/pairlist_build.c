@@ -337,8 +337,10 @@ static bool busy_settled(struct pairlist *list, const struct index_view *view) {
     bool settled = true;
     if (list->threads == 1)
         return true;
-    for (size_t k = 0; k < view->total; k++)
-        population[view->size_class[k]]++;
+    for (size_t k = 0, next; k < view->total; k = next) {
+        next = members_run(view->size_class, k, view->total);
+        population[view->size_class[k]] += next - k;
+    }
     for (int t = 0; t < list->threads; t++)
         for (int c = 0; c < view->classes; c++)
             partners[c] += build->worker[t].partners[c];
@@ -351,26 +353,34 @@ static bool busy_settled(struct pairlist *list, const struct index_view *view) {
     return settled;
 }
 
-/* Numbers the slots of the particles of busy classes. */
+/* Numbers the slots of the particles of busy classes, run by run. */
 static void slots_make(struct pairlist *list, const struct index_view *view) {
     const struct pairlist_build *build = list->build;
-    memory_free(list->busy);
-    memory_free(list->slot_of);
-    list->busy = NULL;
-    list->slot_of = NULL;
+    size_t busy = 0;
+    for (size_t k = 0, next; k < view->total; k = next) {
+        next = members_run(view->size_class, k, view->total);
+        busy += build->busy_class[view->size_class[k]] ? next - k : 0;
+    }
     list->slot_count = 0;
-    bool any = false;
-    for (int c = 0; c < view->classes; c++)
-        any = any || build->busy_class[c];
-    if (!any)
+    if (busy == 0)
         return;
-    list->slot_of = memory_allocate(view->total, sizeof *list->slot_of, "slots");
-    for (size_t k = 0; k < view->total; k++)
-        list->slot_of[k] = build->busy_class[view->size_class[k]] ? (int32_t)list->slot_count++ : -1;
-    list->busy = memory_allocate(list->slot_count, sizeof *list->busy, "busy particles");
-    for (size_t k = 0; k < view->total; k++)
-        if (list->slot_of[k] >= 0)
-            list->busy[list->slot_of[k]] = (uint32_t)k;
+    if (view->total > list->slot_of_capacity) {
+        list->slot_of_capacity = view->total + view->total / 8;
+        memory_free(list->slot_of);
+        list->slot_of = memory_allocate(list->slot_of_capacity, sizeof *list->slot_of, "slots");
+    }
+    if (busy > list->busy_capacity) {
+        list->busy_capacity = busy + busy / 8;
+        memory_free(list->busy);
+        list->busy = memory_allocate(list->busy_capacity, sizeof *list->busy, "busy particles");
+    }
+    for (size_t k = 0, next; k < view->total; k = next) {
+        next = members_run(view->size_class, k, view->total);
+        for (; build->busy_class[view->size_class[k]] && k < next; k++) {
+            list->slot_of[k] = (int32_t)list->slot_count;
+            list->busy[list->slot_count++] = (uint32_t)k;
+        }
+    }
 }
 
 void pairlist_build(struct pairlist *list, const struct index *index, const struct index_view *view,

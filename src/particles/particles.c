@@ -1,5 +1,6 @@
 #include "particles/particles.h"
 #include "core/memory.h"
+#include "core/stream.h"
 #include "particles/storage.h"
 #include <assert.h>
 #include <math.h>
@@ -120,9 +121,15 @@ void particles_vacate(struct particles *particles, const uint32_t *place, size_t
 static inline __attribute__((always_inline)) void gather_rows(char *restrict to, const char *restrict from,
                                                               size_t stride, const uint32_t *order, size_t n,
                                                               size_t bytes) {
+    const bool streaming = bytes % 16 == 0 && n * bytes > STREAM_BYTES;
 #pragma omp for schedule(static)
-    for (size_t k = 0; k < n; k++)
-        memcpy(to + k * bytes, from + (size_t)order[k] * stride, bytes);
+    for (size_t k = 0; k < n; k++) {
+        if (streaming)
+            stream_copy(to + k * bytes, from + (size_t)order[k] * stride, bytes);
+        else
+            memcpy(to + k * bytes, from + (size_t)order[k] * stride, bytes);
+    }
+    stream_end();
 }
 
 static void gather(char *restrict to, const char *restrict from, const uint32_t *order, size_t n,
@@ -152,13 +159,19 @@ static void gather(char *restrict to, const char *restrict from, const uint32_t 
 /* Copies, or (`from` NULL) clears, by all threads. */
 static void copy(char *to, const char *from, size_t bytes) {
     enum { PIECE = 1 << 16 };
-#pragma omp parallel for schedule(static)
-    for (size_t first = 0; first < bytes; first += PIECE) {
-        size_t length = bytes - first < PIECE ? bytes - first : PIECE;
-        if (from)
-            memcpy(to + first, from + first, length);
-        else
-            memset(to + first, 0, length);
+#pragma omp parallel
+    {
+#pragma omp for schedule(static)
+        for (size_t first = 0; first < bytes; first += PIECE) {
+            size_t length = bytes - first < PIECE ? bytes - first : PIECE;
+            if (bytes > STREAM_BYTES)
+                stream_copy(to + first, from ? from + first : NULL, length);
+            else if (from)
+                memcpy(to + first, from + first, length);
+            else
+                memset(to + first, 0, length);
+        }
+        stream_end();
     }
 }
 

@@ -189,6 +189,11 @@ static const char *integrator_choice(int k, const char **help) {
     return integrator_get(k)->name;
 }
 
+static const struct schema_name cross_names[] = {
+    {"auto", INDEX_CROSS_AUTO, "whichever side costs less, level by level"},
+    {"smaller", INDEX_CROSS_SMALLER, "each smaller particle among the larger ones"},
+    {"larger", INDEX_CROSS_LARGER, "each larger particle among the smaller ones"},
+    {0}};
 static const struct schema_row index_rows[] = {
     {.key = "name", .type = SCHEMA_CHOICE, .choice = index_choice, .fallback = "auto",
      AT(struct scene_index, name), .help = "how pairs are searched for; the results are the same"},
@@ -196,6 +201,9 @@ static const struct schema_row index_rows[] = {
      AT(struct scene_index, params.cell_factor),
      .help = "cell edge as a multiple of the cut-off that the index builds on; 0: its own default",
      .example = "0.5"},
+    {.key = "cross_search", .type = SCHEMA_NAME, .names = cross_names, .fallback = "auto",
+     AT(struct scene_index, params.cross_search),
+     .help = "who looks up whom in pairs of different levels; the pairs are the same"},
     {.key = "measure", .type = SCHEMA_BOOL, .fallback = "no", .when = "name=auto", AT(struct scene_index, measure),
      .help = "yes: the first rebuilds time variants of what auto chose and keep the fastest; then no two runs are "
              "bitwise equal"},

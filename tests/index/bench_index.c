@@ -260,6 +260,8 @@ static void calibrate(struct bench *bench) {
         {.law = "power", .exponent = 0, .ratio = 8, .particles = 30000, .fraction = 0.35, .skin = 0.3},
         {.law = "bidisperse", .large = 4e-4, .ratio = 10, .particles = 40000, .fraction = 0.4, .skin = 0.3},
         {.law = "bidisperse", .large = 0.3, .ratio = 2, .particles = 30000, .fraction = 0.35, .skin = 0.3},
+        {.law = "bidisperse", .large = 0.03, .ratio = 5, .particles = 40000, .fraction = 0.5, .skin = 0.3},
+        {.law = "bidisperse", .large = 3e-3, .ratio = 10, .particles = 60000, .fraction = 0.5, .skin = 0.3},
         {.law = "lognormal", .ratio = 20, .particles = 30000, .fraction = 0.35, .skin = 0.3},
     };
     static const double factors[] = {0.6, 0.8, 1.1, 1.7};

@@ -105,8 +105,10 @@ enum { SPECS = sizeof specs / sizeof specs[0] };
 static void compare(struct cloud *cloud, const struct pair_set *expected, const char *name,
                     const struct index_params *params, const char *what) {
     char label[256];
-    snprintf(label, sizeof label, "%s, %s, factor %g, levels %d, threads %d, instructions %d", name, what,
-             params->cell_factor, params->levels, cloud->view.threads, params->instructions);
+    snprintf(label, sizeof label,
+             "%s, %s, factor %g, levels %d, cross search %d, threads %d, instructions %d", name, what,
+             params->cell_factor, params->levels, params->cross_search, cloud->view.threads,
+             params->instructions);
     struct index *index = cloud_index(cloud, name, params);
     struct pair_set found;
     pair_set_collect(&found, index, &cloud->view, 3);
@@ -124,6 +126,9 @@ static void all_indexes(struct cloud *cloud, const struct pair_set *expected, co
                                                    {.levels = 1},
                                                    {.levels = 2},
                                                    {.level_cell = {2.9, 0, 7}},
+                                                   {.cross_search = INDEX_CROSS_SMALLER},
+                                                   {.cross_search = INDEX_CROSS_LARGER},
+                                                   {.cross_search = INDEX_CROSS_LARGER, .cell_factor = 0.4},
                                                    {.instructions = INDEX_PLAIN},
                                                    {.instructions = INDEX_AVX2}};
     for (int k = 1; k < index_registry_count(); k++) {

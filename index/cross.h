@@ -1,0 +1,47 @@
+/* Pairs of unlike levels that are found from the larger side.
+ *
+ * A few large particles among many small ones find each other fastest if each large one looks through the
+ * cells of the small ones around it: then the small ones, whose rows are nearly all without a large partner,
+ * search their own table alone. The pairs are kept by the row of the smaller one all the same: the build
+ * finds them, sorts them by the number of the smaller particle, and the visit of its row hands them out. */
+#ifndef SCREE_INDEX_CROSS_H
+#define SCREE_INDEX_CROSS_H
+
+#include "index/index.h"
+
+struct levels;
+
+struct cross_pairs {
+    size_t rows;       /* owned particles; 0: nothing was found from the larger side */
+    uint32_t *end;     /* row i has the partners end[i - 1] (row 0: 0) ... end[i] - 1 */
+    uint32_t *partner; /* with image code, ascending in a row */
+    size_t row_capacity, partner_capacity;
+    struct index_sink *found; /* scratch, one a thread: (larger, smaller) as they are found */
+    int threads;
+};
+
+/* Finds the pairs of all searches in levels->cross_searches and sorts them; their set and order do not depend
+ * on the number of threads. Opens teams of threads. */
+void cross_find(struct cross_pairs *cross, const struct levels *levels, const struct index_view *view);
+
+/* Emits the pairs of rows [first, last). Many threads at once. */
+void cross_visit(const struct cross_pairs *cross, size_t first, size_t last, struct index_sink *sink);
+
+void cross_free(struct cross_pairs *cross);
+
+/* Bytes held. */
+size_t cross_memory(const struct cross_pairs *cross);
+
+/* The two sides of a pair of levels: particles of each, those that lie about one of the other side (about a
+ * span of rows, of the larger ones), and the pencils of small cells that a large one meets. */
+struct cross_sides {
+    double smaller, larger;
+    double found_smaller, found_larger;
+    double pencils;
+    bool sparse; /* the table of the smaller ones is */
+};
+
+/* True if the larger side finds the pairs of the two in less time. */
+bool cross_from_larger(const struct cross_sides *sides);
+
+#endif

@@ -1,0 +1,41 @@
+/* Writes past the caches, for arrays so large that what is written will be gone from them before it is read:
+ * a plain write of a cache line fetches it first, which is a third of the traffic of a copy. On CPUs without
+ * such instructions these are plain writes. */
+#ifndef SCREE_CORE_STREAM_H
+#define SCREE_CORE_STREAM_H
+
+#include <stddef.h>
+#include <string.h>
+
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
+/* An array of more bytes than this is worth it. */
+enum { STREAM_BYTES = 16 << 20 };
+
+/* Copies `bytes`, or (`from` NULL) writes zeros. `to` is aligned to 16 bytes. Any thread; who reads the
+ * result in another thread waits for the writer's stream_end. */
+static inline __attribute__((always_inline)) void stream_copy(void *to, const void *from, size_t bytes) {
+    size_t k = 0;
+#ifdef __SSE2__
+    for (; k + 16 <= bytes; k += 16) {
+        __m128i line = from ? _mm_loadu_si128((const __m128i *)(const void *)((const char *)from + k))
+                            : _mm_setzero_si128();
+        _mm_stream_si128((__m128i *)(void *)((char *)to + k), line);
+    }
+#endif
+    if (from)
+        memcpy((char *)to + k, (const char *)from + k, bytes - k);
+    else
+        memset((char *)to + k, 0, bytes - k);
+}
+
+/* What this thread streamed is seen by all threads that it meets from now on. */
+static inline void stream_end(void) {
+#ifdef __SSE2__
+    _mm_sfence();
+#endif
+}
+
+#endif
