@@ -4,7 +4,7 @@
  * which became the style `multi` of LAMMPS. */
 #include "index/levels_index.h"
 
-static const double CELL_FACTOR = 1.0;
+static const double CELL_FACTOR = 1.4;
 
 static void bytype_plan(const struct index_params *params, const struct index_view *view,
                         struct levels_plan *plan) {

@@ -150,12 +150,6 @@ void history_kept_free(struct history_kept *kept) {
     *kept = (struct history_kept){0};
 }
 
-/* A pair that has a record, or may have a row. */
-struct find {
-    uint32_t pair;   /* counted from the first of the batch */
-    uint32_t record; /* turned as it is seen from the pair's row */
-};
-
 /* The record of a pair as it is seen from i, or PARTICLE_LEFT. The lower number is never that of a copy. No
  * branch depends on whether there is a record: nobody could foresee it. */
 static inline uint32_t record_of(const struct history_kept *kept, uint32_t i, uint32_t j) {
@@ -167,20 +161,6 @@ static inline uint32_t record_of(const struct history_kept *kept, uint32_t i, ui
     }
     record ^= (uint32_t)(i > j) << 31;
     return record | (hits - 1);
-}
-
-/* The records of the pairs [first, last); returns how many there are. With `all` the pairs without a record
- * come, too, with PARTICLE_LEFT. */
-static inline size_t records_find(const struct history_kept *kept, const struct pairlist *list, size_t first,
-                                  size_t last, bool all, struct find *restrict find) {
-    size_t found = 0;
-    for (size_t k = first; k < last; k++) {
-        uint32_t record = record_of(kept, list->i[k], pair_partner(list->j[k]));
-        find[found].pair = (uint32_t)(k - first);
-        find[found].record = record;
-        found += all || record != PARTICLE_LEFT;
-    }
-    return found;
 }
 
 /* What history_restore works on. */
@@ -207,11 +187,38 @@ static const struct history_row *row_of(const struct restoring *r, uint32_t carr
     return NULL;
 }
 
-/* The value of a find from pair `first` on, and its sign; NULL: there is none. */
-static const double *find_value(const struct history *history, const struct restoring *r, size_t first,
-                                const struct find *find, double *sign) {
-    uint32_t record = find->record;
-    uint32_t i = r->list->i[first + find->pair], j = pair_partner(r->list->j[first + find->pair]);
+/* True if a pair may have a record: few have, and most of the others are known by the lower number alone. */
+static inline bool may_have_record(const struct history_kept *kept, uint32_t i, uint32_t j) {
+    uint32_t low = i < j ? i : j;
+    return kept->start[low] != kept->start[low + 1];
+}
+
+/* True if a pair may have a row, or the record of a pair of originals. */
+static inline bool may_have_row(const struct restoring *r, uint32_t i, uint32_t j) {
+    const size_t *start = r->rows->start;
+    uint32_t high = i < j ? j : i;
+    return high >= r->kept->owned || start[i] != start[i + 1] || start[j] != start[j + 1];
+}
+
+/* The pairs [first, last) that may have a history, counted from the first; returns how many. */
+static inline size_t pairs_choose(const struct restoring *r, size_t first, size_t last, bool rows,
+                                  uint32_t *restrict chosen) {
+    size_t count = 0;
+    for (size_t k = first; k < last; k++) {
+        uint32_t i = r->list->i[k], j = pair_partner(r->list->j[k]);
+        chosen[count] = (uint32_t)(k - first);
+        count += may_have_record(r->kept, i, j) || (rows && may_have_row(r, i, j));
+    }
+    return count;
+}
+
+/* The value of pair k and its sign; NULL: there is none. */
+static const double *pair_value(const struct history *history, const struct restoring *r, size_t k,
+                                double *sign) {
+    uint32_t i = r->list->i[k], j = pair_partner(r->list->j[k]);
+    uint32_t record = record_of(r->kept, i, j);
+    if (record == PARTICLE_LEFT && r->rows->start == NULL)
+        return NULL;
     if (record == PARTICLE_LEFT) { /* one of them is a copy of a particle of this rank? */
         uint32_t own_i = original_of(r->twins, i), own_j = original_of(r->twins, j);
         if (own_i != i || own_j != j)
@@ -237,20 +244,20 @@ static void restore_thread(struct history *history, const struct restoring *r, i
     const struct pairlist *list = r->list;
     size_t components = (size_t)history->components, first = pairlist_thread_first(list, t), count = 0;
     struct history_part *part = &history->part[1 - history->now][t];
-    struct find find[BATCH];
+    uint32_t chosen[BATCH];
     for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
         size_t end = list->blocks[b].end_pair;
         for (size_t k = list->blocks[b].first_pair; k < end; k += BATCH) {
             size_t last = k + BATCH < end ? k + BATCH : end;
-            size_t found = r->rows->start ? records_find(r->kept, list, k, last, true, find)
-                                          : records_find(r->kept, list, k, last, false, find);
+            size_t found = r->rows->start ? pairs_choose(r, k, last, true, chosen)
+                                          : pairs_choose(r, k, last, false, chosen);
             history_reserve(history, t, count + found);
             for (size_t f = 0; f < found; f++) {
                 double sign;
-                const double *value = find_value(history, r, k, &find[f], &sign);
+                const double *value = pair_value(history, r, k + chosen[f], &sign);
                 if (value == NULL)
                     continue;
-                part->pair[count] = (uint32_t)(k - first) + find[f].pair;
+                part->pair[count] = (uint32_t)(k + chosen[f] - first);
                 for (size_t c = 0; c < components; c++)
                     part->value[count * components + c] = sign * value[c];
                 count++;
