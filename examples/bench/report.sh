@@ -52,8 +52,8 @@ fi
 
 # ablation: what can be switched, each against the default
 ablation() {
-    for setting in step.fused=false simd=x86-64-v3 simd=baseline index=bytype 'index=linkcell classes.method=one' index=multi skin.length=0.25 \
-        skin.length=1 threads=1; do
+    for setting in step.fused=false simd=x86-64-v3 simd=baseline index=bytype index.cross_search=smaller 'index=linkcell classes.method=one' index=multi \
+        skin.length=0.25 skin.length=1 threads=1; do
         "$here/compare.sh" $quick "" "$setting"
     done
 }
