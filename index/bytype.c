@@ -1,7 +1,7 @@
 /* bytype: one grid for each size class. Like particles are searched one-sidedly in their own grid; of unlike
- * ones the smaller look up the larger, and never the reverse, but that with newton off owned large ones look
- * up small ghosts too. After section 3 of the ARCHER eCSE report on multi-level contact detection (2018),
- * which became the style `multi` of LAMMPS. */
+ * ones the smaller look up the larger, or the larger the smaller where that costs less (cross.h); with newton
+ * off owned large ones look up small ghosts too. After section 3 of the ARCHER eCSE report on multi-level
+ * contact detection (2018), which became the style `multi` of LAMMPS. */
 #include "index/levels_index.h"
 
 static const double CELL_FACTOR = 1.4;

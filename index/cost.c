@@ -161,7 +161,7 @@ static void count_singles(const struct part *g, const struct part *h, const stru
         count[COST_VECTOR] += pencils * fmax(1, found / window->pencils / LANES + 0.5);
     } else {
         count[COST_RUN] += pencils;
-        count[COST_ROUND] += pencils;
+        count[COST_ROUND] += window->round ? pencils : 0;
         count[COST_SPARSE] += g->sparse ? pencils : 0;
         count[COST_TEST] += h->count * (0.6 * found / LANES + 0.5);
     }
@@ -173,12 +173,12 @@ static void count_cross(const struct cost_scene *scene, const struct part *g, co
     const double reach = h->radius_max + g->radius_max + g->margin;
     const struct window up = window_of(scene, h, g->edge, g->edge, reach),
                         down = window_of(scene, g, 0, 0, reach);
-    const double flat = scene->dimension == 2 ? 0 : 1;
+    const bool flat = scene->dimension == 2;
     const struct cross_sides sides = {
         .smaller = g->count,
         .larger = h->count,
-        .found_smaller = fmin(g->count, g->density * down.length * down.high * (flat ? down.wide : 1)),
-        .found_larger = fmin(h->count, h->density * up.length * up.high * (flat ? up.wide : 1)),
+        .found_smaller = fmin(g->count, g->density * down.length * down.high * (flat ? 1 : down.wide)),
+        .found_larger = fmin(h->count, h->density * up.length * up.high * (flat ? 1 : up.wide)),
         .pencils = down.pencils,
         .sparse = g->sparse};
     if (cross_from_larger(&sides)) {

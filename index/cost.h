@@ -8,7 +8,7 @@
  *
  *   windows     where g = h and the table is dense: rows x pencils within s of them, half of those
  *   vectors     LANES of candidates in these windows, one vector at least in each
- *   visits      elsewhere: rows of g, once for each h
+ *   visits      elsewhere: rows of g, once for each h; half a visit where h finds the pairs
  *   runs        spans of at most OWN_ROWS (h = g) or ROWS (h > g) of a pencil x pencils of h that a window of
  *               (edge of g + 2 s) meets; half of them for h = g
  *   round       those of wide windows, which are cut to a ball pencil by pencil

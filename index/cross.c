@@ -6,7 +6,7 @@
 #include <assert.h>
 #include <omp.h>
 
-enum { CHUNK = 32, FOUND_FIRST = 1 << 12 };
+enum { CHUNK = 32, CHUNKS_A_THREAD = 8, FOUND_FIRST = 1 << 12 };
 
 static const uint32_t particle_mask = ((uint32_t)1 << INDEX_IMAGE_SHIFT) - 1;
 
@@ -44,9 +44,11 @@ static void find_rows(const struct levels *levels, const struct index_view *view
 static void find_share(const struct levels *levels, const struct index_view *view, size_t first,
                        struct index_sink *sink) {
     const struct members *owned = &levels->owned;
+    const size_t share = (view->owned - first) / (CHUNKS_A_THREAD * (size_t)omp_get_num_threads());
+    const size_t chunk = share < 1 ? 1 : share < CHUNK ? share : CHUNK;
 #pragma omp for schedule(dynamic, 1)
-    for (size_t begin = first; begin < view->owned; begin += CHUNK) {
-        size_t end = begin + CHUNK < view->owned ? begin + CHUNK : view->owned;
+    for (size_t begin = first; begin < view->owned; begin += chunk) {
+        size_t end = begin + chunk < view->owned ? begin + chunk : view->owned;
         if (owned->contiguous) {
             find_rows(levels, view, owned->first + begin, owned->first + end, sink);
             continue;

@@ -1,7 +1,7 @@
 #include "index/levels.h"
 
 #include "core/memory.h"
-#include "index/levels_search.h"
+#include "index/levels_plan.h"
 #include "index/search.h"
 
 #include <assert.h>

@@ -7,6 +7,7 @@
  *   table                            which pairs are kept                                      rule
  *   owned of its own grid            partners in later slots: each pair once, whatever image   half
  *   owned of grids of larger classes all: the smaller looks up the larger                      full
+ *   owned of grids of smaller        none; or all, at the build, where that costs less         full
  *   ghosts of its own grid           newton on: those whose home is i; off: all                home, full
  *   ghosts of grids of larger        all: the smaller is the home                              full
  *   ghosts of grids of smaller       newton on: none; off: all                                 none, full

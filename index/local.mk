@@ -28,8 +28,8 @@ libindex_la_SOURCES = \
 	index/levels.h \
 	index/levels_index.c \
 	index/levels_index.h \
-	index/levels_search.c \
-	index/levels_search.h \
+	index/levels_plan.c \
+	index/levels_plan.h \
 	index/linkcell.c \
 	index/locate.c \
 	index/locate.h \

@@ -80,6 +80,17 @@ void pairlist_view(struct index_view *view, const struct particles *particles,
     }
 }
 
+void pairlist_reserve_slots(struct pairlist *list, size_t particles, size_t slots) {
+    if (particles > list->slot_of_capacity) {
+        list->slot_of_capacity = particles + particles / 8;
+        list->slot_of = memory_resize(list->slot_of, list->slot_of_capacity, sizeof *list->slot_of, "slots");
+    }
+    if (slots > list->busy_capacity) {
+        list->busy_capacity = slots + slots / 8;
+        list->busy = memory_resize(list->busy, list->busy_capacity, sizeof *list->busy, "busy particles");
+    }
+}
+
 static size_t buffer_bytes(const struct pair_buffer *buffer) {
     return buffer->capacity * 2 * sizeof(uint32_t);
 }

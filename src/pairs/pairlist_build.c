@@ -355,28 +355,13 @@ static bool busy_settled(struct pairlist *list, const struct index_view *view) {
 
 /* Numbers the slots of the particles of busy classes, run by run. */
 static void slots_make(struct pairlist *list, const struct index_view *view) {
-    const struct pairlist_build *build = list->build;
-    size_t busy = 0;
-    for (size_t k = 0, next; k < view->total; k = next) {
-        next = members_run(view->size_class, k, view->total);
-        busy += build->busy_class[view->size_class[k]] ? next - k : 0;
-    }
     list->slot_count = 0;
-    if (busy == 0)
-        return;
-    if (view->total > list->slot_of_capacity) {
-        list->slot_of_capacity = view->total + view->total / 8;
-        memory_free(list->slot_of);
-        list->slot_of = memory_allocate(list->slot_of_capacity, sizeof *list->slot_of, "slots");
-    }
-    if (busy > list->busy_capacity) {
-        list->busy_capacity = busy + busy / 8;
-        memory_free(list->busy);
-        list->busy = memory_allocate(list->busy_capacity, sizeof *list->busy, "busy particles");
-    }
-    for (size_t k = 0, next; k < view->total; k = next) {
-        next = members_run(view->size_class, k, view->total);
-        for (; build->busy_class[view->size_class[k]] && k < next; k++) {
+    for (size_t first = 0, last; first < view->total; first = last) {
+        last = members_run(view->size_class, first, view->total);
+        if (!list->build->busy_class[view->size_class[first]])
+            continue;
+        pairlist_reserve_slots(list, view->total, list->slot_count + last - first);
+        for (size_t k = first; k < last; k++) {
             list->slot_of[k] = (int32_t)list->slot_count;
             list->busy[list->slot_count++] = (uint32_t)k;
         }

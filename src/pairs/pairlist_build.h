@@ -35,4 +35,7 @@ struct pairlist_build {
 
 void pair_buffer_free(struct pair_buffer *buffer);
 
+/* Room for the slot numbers of so many particles, and for so many slots; keeps those that are made. */
+void pairlist_reserve_slots(struct pairlist *list, size_t particles, size_t slots);
+
 #endif

@@ -129,7 +129,7 @@ static inline __attribute__((always_inline)) void gather_rows(char *restrict to,
         else
             memcpy(to + k * bytes, from + (size_t)order[k] * stride, bytes);
     }
-    stream_end();
+    stream_end(); /* for others from the end of the region on */
 }
 
 static void gather(char *restrict to, const char *restrict from, const uint32_t *order, size_t n,

@@ -237,6 +237,42 @@ static void every_index_equals_brute(void **state) {
     }
 }
 
+/* One index that meets scene after scene, large and small, on few and many threads: what it found from the
+ * larger side before leaves no trace. The largest scene finds more than there is room for at first. */
+static void unlike_pairs_of_changing_scenes(void **state) {
+    (void)state;
+    static const struct cloud_spec scenes[] = {
+        {"mono", 300, 0, CLOUD_MONO, 1, .fraction = 0.4, .dimension = 3, .periodic = PERIODIC},
+        {"many finds", 6000, 60, CLOUD_BIDISPERSE, 10, .edge = {40, 40, 40}, .dimension = 3,
+         .periodic = PERIODIC},
+        {"power law", 900, 0, CLOUD_POWER, 30, .fraction = 0.5, .dimension = 3, .periodic = OPEN},
+        {"discs", 500, 9, CLOUD_BIDISPERSE, 5, .fraction = 0.5, .dimension = 2,
+         .periodic = {false, true, false}},
+        {"mono again", 800, 0, CLOUD_MONO, 1, .fraction = 0.4, .dimension = 3, .periodic = PERIODIC},
+        {"boulders", 2000, 2, CLOUD_BOULDER, 20, .fraction = 0.6, .dimension = 3, .periodic = PERIODIC},
+    };
+    static const int threads[] = {1, 4, 2, 5, 3, 1};
+    const struct index_params params = {.cross_search = INDEX_CROSS_LARGER};
+    struct error error = {0};
+    struct index *index = index_create("hgrid", &params, &error);
+    for (size_t round = 0; round < 2; round++) {
+        for (size_t s = 0; s < sizeof scenes / sizeof scenes[0]; s++) {
+            struct cloud cloud;
+            struct pair_set expected, found;
+            cloud_make(&cloud, &scenes[s]);
+            brute_set(&expected, &cloud);
+            cloud.view.threads = threads[(s + round) % (sizeof threads / sizeof threads[0])];
+            index_build(index, &cloud.view);
+            pair_set_collect(&found, index, &cloud.view, 2);
+            pair_set_compare(&expected, &found, scenes[s].name);
+            pair_set_free(&expected);
+            pair_set_free(&found);
+            cloud_free(&cloud);
+        }
+    }
+    index_destroy(&index);
+}
+
 /* Where a CPU lacks instructions, its widest stand in for them. */
 static int say_instructions(void **state) {
     (void)state;
@@ -255,6 +291,7 @@ static int say_instructions(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_index_equals_brute),
+        cmocka_unit_test(unlike_pairs_of_changing_scenes),
     };
     return cmocka_run_group_tests(tests, say_instructions, NULL);
 }

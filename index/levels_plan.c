@@ -1,5 +1,5 @@
 /* Which tables the rows of each class search (the table at the head of levels.h). */
-#include "index/levels_search.h"
+#include "index/levels_plan.h"
 
 #include <math.h>
 
@@ -119,6 +119,9 @@ static bool from_larger(const struct levels *levels, const struct index_view *vi
         sides.pencils *= d > 0 ? cells : 1;
         sides.found_smaller *= fmin(1, (2 * reach + small->grid.size[d]) / extent);
         sides.found_larger *= fmin(1, (2 * reach + small->grid.size[d] + large->grid.size[d]) / extent);
+    }
+    if (sides.sparse) {
+        sides.pencils = fmin(sides.pencils, (double)small->owned.pencils);
     }
     return cross_from_larger(&sides);
 }
