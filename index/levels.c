@@ -9,7 +9,10 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { X_CELLS = 2 }; /* cells in x for one in y or z: they cost only a table entry */
+enum {
+    X_CELLS = 2, /* cells in x for one in y or z: they cost only a table entry */
+    VISIT_ROWS = 128,
+};
 
 /* An edge that the user did not fix may grow so far to keep the grid dense. */
 static const double GROWTH = 2.5;
@@ -208,10 +211,16 @@ void levels_search(const struct levels *levels, const struct searches *searches,
     }
 }
 
+/* Pairs with larger particles come soon after the others of their rows, for the sake of who reads the list.
+ */
 void levels_visit(const struct levels *levels, const struct index_view *view, size_t first, size_t last,
                   struct index_sink *sink) {
-    levels_search(levels, &levels->searches, view, first, last, sink);
-    cross_visit(&levels->cross, first, last, sink);
+    const size_t step = levels->cross.rows > 0 ? VISIT_ROWS : last - first;
+    for (size_t row = first, end; row < last; row = end) {
+        end = row + step < last ? row + step : last;
+        levels_search(levels, &levels->searches, view, row, end, sink);
+        cross_visit(&levels->cross, row, end, sink);
+    }
 }
 
 /* Every slot holds the particle it should, in the cell it should. */

@@ -3,6 +3,7 @@
 #ifndef SCREE_PARTICLES_BOX_H
 #define SCREE_PARTICLES_BOX_H
 
+#include <math.h>
 #include <stdbool.h>
 
 /* What happens to a particle whose centre leaves through an open side. */
@@ -36,6 +37,18 @@ static inline void box_image_vector(unsigned code, int image[3]) {
 /* The opposite of an image code. */
 static inline unsigned box_image_opposite(unsigned code) {
     return (27u - code) % 27u;
+}
+
+/* Smallest squared distance of two points of the box over their periodic images. */
+static inline double box_distance2(const struct box *box, const double a[3], const double b[3]) {
+    double sum = 0;
+    for (int d = 0; d < 3; d++) {
+        double gap = fabs(a[d] - b[d]);
+        if (box->periodic[d])
+            gap = fmin(gap, fabs(box->edge[d] - gap));
+        sum += gap * gap;
+    }
+    return sum;
 }
 
 /* Fills shift[code] with the vector (length unit) that image `code` adds to a position; shift has

@@ -125,14 +125,8 @@ void insertion_propose(const struct insertion *insertion, struct insertion_state
 
 static bool candidates_touch(const struct box *box, const struct insertion_candidate *a,
                              const struct insertion_candidate *b) {
-    double sum = 0, reach = a->radius + b->radius;
-    for (int d = 0; d < 3; d++) {
-        double gap = fabs(a->x[d] - b->x[d]);
-        if (box->periodic[d])
-            gap = fmin(gap, fabs(box->edge[d] - gap));
-        sum += gap * gap;
-    }
-    return sum < reach * reach;
+    double reach = a->radius + b->radius;
+    return box_distance2(box, a->x, b->x) < reach * reach;
 }
 
 size_t insertion_settle(const struct insertion *insertion, struct insertion_candidate *candidate,

@@ -111,25 +111,13 @@ void placegrid_add(struct placegrid *grid, const double x[3], double radius) {
     link_sphere(grid, grid->count++);
 }
 
-/* Smallest squared distance of two points over the periodic images. */
-static double distance2(const struct placegrid *grid, const double a[3], const double b[3]) {
-    double sum = 0;
-    for (int d = 0; d < 3; d++) {
-        double gap = fabs(a[d] - b[d]);
-        if (grid->box.periodic[d])
-            gap = fmin(gap, fabs(grid->box.edge[d] - gap));
-        sum += gap * gap;
-    }
-    return sum;
-}
-
 static bool cell_touches(const struct placegrid *grid, int level, const int64_t cell[3], const double x[3],
                          double radius) {
     for (uint32_t k = grid->bucket[bucket_of(grid, level, cell)]; k; k = grid->sphere[k - 1].next) {
         const struct sphere *sphere = &grid->sphere[k - 1];
         double reach = radius + sphere->radius;
         if (sphere->level == level && sphere->cell[0] == cell[0] && sphere->cell[1] == cell[1] &&
-            sphere->cell[2] == cell[2] && distance2(grid, sphere->x, x) < reach * reach)
+            sphere->cell[2] == cell[2] && box_distance2(&grid->box, sphere->x, x) < reach * reach)
             return true;
     }
     return false;
