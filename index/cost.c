@@ -10,7 +10,8 @@ enum { SPAN_OWN = 12, SPAN_OTHER = 32, LANES = 8 };
 /* Handing out what larger rows found costs a row half a visit. */
 static const double HANDED_OUT = 0.5;
 
-/* Nanoseconds an event: fitted on an AMD EPYC (Zen 4), AVX2. */
+/* Nanoseconds an event, on an AMD EPYC (Zen 4), AVX-512: from three fits, which agree in particles, windows,
+ * vectors and tests; visits, runs and rounds differ from fit to fit. Mixed and singles are estimates. */
 static const double price[COST_TERMS] = {
     [COST_PARTICLE] = 28, [COST_MIXED] = 60, [COST_WINDOW] = 10, [COST_VECTOR] = 1.65, [COST_VISIT] = 3,
     [COST_RUN] = 8,       [COST_ROUND] = 6,  [COST_SPARSE] = 27, [COST_TEST] = 4.3,    [COST_SINGLE] = 60,

@@ -10,8 +10,8 @@ enum { CHUNK = 32, CHUNKS_A_THREAD = 8, FOUND_FIRST = 1 << 12 };
 
 static const uint32_t particle_mask = ((uint32_t)1 << INDEX_IMAGE_SHIFT) - 1;
 
-/* Nanoseconds, fitted on an AMD EPYC (Zen 4): a small particle looks at the large ones about it; a large one
- * looks up pencils of small ones and tests these. */
+/* Nanoseconds, estimated on an AMD EPYC (Zen 4), not fitted: a small particle looks at the large ones about
+ * it; a large one looks up pencils of small ones and tests these. */
 static const double row_price = 8, large_price = 0.25;
 static const double single_price = 100, pencil_price = 12, sparse_price = 40, small_price = 0.25;
 

@@ -10,8 +10,8 @@
 #include <string.h>
 
 enum {
-    X_CELLS = 2, /* cells in x for one in y or z: they cost only a table entry */
-    VISIT_ROWS = 128,
+    X_CELLS = 2,      /* cells in x for one in y or z: they cost only a table entry */
+    VISIT_ROWS = 128, /* rows between two lots of pairs with larger particles */
 };
 
 /* An edge that the user did not fix may grow so far to keep the grid dense. */
