@@ -3,7 +3,6 @@
 #include "core/memory.h"
 #include "index/levels.h"
 
-#include <assert.h>
 #include <omp.h>
 
 enum { CHUNK = 32, CHUNKS_A_THREAD = 8, FOUND_FIRST = 1 << 12 };
@@ -133,7 +132,11 @@ static void reserve(struct cross_pairs *cross, const struct index_view *view) {
 }
 
 static void reserve_partners(struct cross_pairs *cross, size_t count) {
-    assert(count <= UINT32_MAX);
+    if (count > UINT32_MAX) {
+        error_fatal(
+            "%zu pairs of particles on different levels on one rank: more than 2^32 - 1; take more ranks",
+            count);
+    }
     if (count > cross->partner_capacity) {
         cross->partner_capacity = count + count / 8 + FOUND_FIRST;
         memory_free(cross->partner);
