@@ -11,40 +11,51 @@
 struct flag {
     const char *name; /* as in --name */
     const char *argument, *help;
+    const char *only; /* the commands that this row is for; NULL: all that take the flag */
 };
 
 static const struct flag flags[] = {
     {"output", "DIR",
-     "directory for the files of the run (also -o); exists: refused without --overwrite or --resume"},
+     "directory for the files of the run (also -o); exists: refused without --overwrite or --resume", "run"},
+    {"output", "DIR", "directory for the tables (also -o); exists: refused without --overwrite", "ablate"},
     {"set", "KEY=VALUE",
      "overrides a key of the scene, e.g. --set index.name=hgrid or --set walls[0].radius=0.2; KEY=~ takes it "
-     "out; may be repeated"},
+     "out; may be repeated",
+     NULL},
     {"resume", "FILE",
      "goes on from a checkpoint, on any number of ranks and threads; 'last' is the newest in the directory; "
-     "what a run wrote there after that step is replaced"},
+     "what a run wrote there after that step is replaced",
+     NULL},
     {"overwrite", NULL,
-     "an existing directory is used; files of an earlier run in it, checkpoints too, are deleted"},
-    {"quiet", NULL, "no progress and no report on the terminal"},
-    {"to", "FORMAT", "lammps-data, lammps-dump, h5md or xdmf; else by the output's name"},
-    {"frame", "N", "one frame only, from 0, negative from the end"},
-    {"index", "A,B,...", "the indexes to compare; default: all"},
-    {"threads", "1,2,...", "the thread counts to compare; default: powers of two up to all cores"},
-    {"newton", "on,off", "the newton settings to compare; default: both"},
-    {"steps", "N", "steps of each run; default: those of the scene"},
+     "an existing directory is used; files of an earlier run in it, checkpoints too, are deleted", "run"},
+    {"overwrite", NULL, "an existing directory is used; tables of an earlier ablate in it are replaced",
+     "ablate"},
+    {"overwrite", NULL,
+     "a file that is there already is replaced; without it, it is kept, and nothing is written",
+     "convert pack"},
+    {"quiet", NULL, "no progress and no report on the terminal", NULL},
+    {"to", "FORMAT", "lammps-data, lammps-dump, h5md or xdmf; else by the output's name", NULL},
+    {"frame", "N", "one frame only, from 0, negative from the end", NULL},
+    {"index", "A,B,...", "the indexes to compare; default: all", NULL},
+    {"threads", "1,2,...", "the thread counts to compare; default: powers of two up to all cores", NULL},
+    {"newton", "on,off", "the newton settings to compare; default: both", NULL},
+    {"steps", "N", "steps of each run; default: those of the scene", NULL},
     {"error", NULL,
      "compares settings by time and by error against a reference that is run first: speed_error.csv, "
-     "speed_error.svg, and advice"},
-    {"duration", "T", "with --error: simulated time of each run, s; default: that of the scene"},
-    {"samples", "N", "with --error: how often runs are compared; default: 40"},
-    {"repeat", "N", "with --error: each run is timed so often, the fastest counts; default: 2"},
-    {"members", "N", "with --error: runs that the statistical spread is from; default: 3"},
-    {"tolerance", "X", "with --error: relative error that the advice allows; default: 0.01"},
+     "speed_error.svg, and advice",
+     NULL},
+    {"duration", "T", "with --error: simulated time of each run, s; default: that of the scene", NULL},
+    {"samples", "N", "with --error: how often runs are compared; default: 40", NULL},
+    {"repeat", "N", "with --error: each run is timed so often, the fastest counts; default: 2", NULL},
+    {"members", "N", "with --error: runs that the statistical spread is from; default: 3", NULL},
+    {"tolerance", "X", "with --error: relative error that the advice allows; default: 0.01", NULL},
     {"judge", "A,B,...",
      "with --error: columns of the scene's observables, or trajectory, that count; default: those that are "
      "no "
-     "energies"},
+     "energies",
+     NULL},
     {"mean-from", "T",
-     "with --error: columns are judged by their mean from this time on, s; default: sample by sample"},
+     "with --error: columns are judged by their mean from this time on, s; default: sample by sample", NULL},
 };
 
 enum { FLAGS = sizeof flags / sizeof flags[0] };
@@ -99,6 +110,12 @@ static bool word_in(const char *list, const char *name, size_t length) {
     return false;
 }
 
+/* Does the row say what the flag is for this command? */
+static bool flag_fits(const struct flag *flag, const struct command *command) {
+    return word_in(command->flags, flag->name, strlen(flag->name)) &&
+           (flag->only == NULL || word_in(flag->only, command->name, strlen(command->name)));
+}
+
 bool command_usage(FILE *out, const struct command *command, const char *topic) {
     if (command == NULL) {
         fprintf(out, "scree simulates particles of very different sizes\n\n");
@@ -115,7 +132,7 @@ bool command_usage(FILE *out, const struct command *command, const char *topic) 
         return pack_help(out, topic);
     fprintf(out, "scree %s %s: %s\n", command->name, command->arguments, command->summary);
     for (int f = 0; f < FLAGS; f++) {
-        if (!word_in(command->flags, flags[f].name, strlen(flags[f].name)))
+        if (!flag_fits(&flags[f], command))
             continue;
         fprintf(out, "  --%s%s%s\n      %s\n", flags[f].name, flags[f].argument ? " " : "",
                 flags[f].argument ? flags[f].argument : "", flags[f].help);
@@ -178,7 +195,7 @@ static bool flag_read(struct command_line *line, const struct command *command, 
     for (int f = 0; f < FLAGS; f++) {
         const struct flag *flag = &flags[f];
         if (strlen(flag->name) != length || strncmp(flag->name, name, length) != 0 ||
-            !word_in(command->flags, name, length))
+            !flag_fits(flag, command))
             continue;
         if (flag->argument == NULL && value != NULL)
             return error_set(error, ERROR_USER, "command line: --%s takes no argument", flag->name);

@@ -290,7 +290,7 @@ bool convert_file(const char *in, const char *out, const struct convert_options 
     if (same_file(in, out))
         return error_set(error, ERROR_USER, "%s: cannot be converted into itself", in);
     if (!options->overwrite && file_size(out) >= 0)
-        return error_set(error, ERROR_USER, "%s: is there already", out);
+        return error_set(error, ERROR_USER, "%s: is there already (--overwrite replaces it)", out);
     switch (c.to) {
     case CONVERT_LAMMPS_DATA:
         return write_data(&c, error);

@@ -107,16 +107,34 @@ static void finish_step(struct scene *scene) {
     scene->law.synchronised = integrator_find(scene->integrator)->synchronised;
 }
 
-/* Names of a list: all different. */
-static bool names_differ(const struct scene *scene, const char *list, const char *names, size_t stride,
-                         int count, struct error *error) {
-    for (int a = 0; a < count; a++)
-        for (int b = 0; b < a; b++)
-            if (names[a * stride] && strcmp(names + a * stride, names + b * stride) == 0) {
-                char key[64];
-                snprintf(key, sizeof(key), "%s[%d].name", list, a);
-                return finish_fail(scene, error, key, "'%s' is taken already", names + a * stride);
-            }
+/* The entry's name in a list as read, or NULL. */
+static const struct tree_node *name_of(const struct tree_node *entry) {
+    const struct tree_node *name = entry->kind == TREE_MAP ? tree_get(entry, "name") : NULL;
+    return name && name->kind == TREE_SCALAR && name->text[0] ? name : NULL;
+}
+
+static bool names_differ(const struct scene *scene, const struct tree_node *root, const char *list,
+                         struct error *error) {
+    const struct tree_node *entries = tree_nearest(root, list);
+    char key[96], place[SCENE_PATH_MAX + 32];
+    for (size_t a = 0; entries->kind == TREE_LIST && a < entries->children; a++)
+        for (size_t b = 0; b < a; b++) {
+            const struct tree_node *name = name_of(entries->child[a]), *before = name_of(entries->child[b]);
+            if (name == NULL || before == NULL || strcmp(name->text, before->text) != 0)
+                continue;
+            snprintf(key, sizeof(key), "%s[%zu].name", list, a);
+            tree_place(before, scene->file, place, sizeof(place));
+            return finish_fail(scene, error, key, "'%s' is taken already, by %s[%zu] (%s); names must differ",
+                               name->text, list, b, place);
+        }
+    return true;
+}
+
+bool finish_names(const struct scene *scene, const struct tree_node *root, struct error *error) {
+    static const char *const list[] = {"materials", "walls", "groups", "observables.regions"};
+    for (size_t k = 0; k < sizeof(list) / sizeof(list[0]); k++)
+        if (!names_differ(scene, root, list[k], error))
+            return false;
     return true;
 }
 
@@ -244,12 +262,12 @@ static bool finish_groups(struct scene *scene, struct error *error) {
                          group->radius_above >= 0 || isfinite(group->radius_upto);
     }
     for (int g = 1; g < scene->groups; g++)
-        for (int other = 0; other < g; other++)
-            if (strcmp(scene->group[g].name, scene->group[other].name) == 0) {
-                char key[64];
-                snprintf(key, sizeof(key), "groups[%d].name", g - 1);
-                return finish_fail(scene, error, key, "'%s' is taken already", scene->group[g].name);
-            }
+        if (strcmp(scene->group[g].name, scene->group[0].name) == 0) {
+            char key[64];
+            snprintf(key, sizeof(key), "groups[%d].name", g - 1);
+            return finish_fail(scene, error, key, "'%s' is taken already: it is the group of all others",
+                               scene->group[g].name);
+        }
     return true;
 }
 
@@ -312,11 +330,7 @@ static bool finish_fields(struct scene *scene, struct error *error) {
 }
 
 bool finish_scene(struct scene *scene, struct error *error) {
-    if (!finish_box(scene, error) ||
-        !names_differ(scene, "materials", scene->material[0].name, sizeof(scene->material[0]),
-                      scene->materials, error) ||
-        !finish_pairs(scene, error) || !finish_walls(scene, error) ||
-        !names_differ(scene, "walls", scene->wall[0].name, sizeof(scene->wall[0]), scene->walls, error) ||
+    if (!finish_box(scene, error) || !finish_pairs(scene, error) || !finish_walls(scene, error) ||
         !finish_groups(scene, error) || !finish_sources(scene, error) || !finish_fields(scene, error))
         return false;
     finish_step(scene);

@@ -3,9 +3,15 @@
 #define SCREE_SCENE_FINISH_H
 
 #include "scene/scene.h"
+#include "scene/tree.h"
 
 /* Before reading: what is there without being named (the group "free"). */
 void finish_prepare(struct scene *scene);
+
+/* Before the tree `root` is read, as a name that stands twice makes all that refers to it unclear: the names
+ * of materials, walls, groups and regions of observables, each list for itself, differ. Fails (user) with the
+ * lines of both. */
+bool finish_names(const struct scene *scene, const struct tree_node *root, struct error *error);
 
 /* After reading: derived values. Fails (user) where a value that is needed is missing, or a file with the box
  * cannot be read. */

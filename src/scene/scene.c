@@ -74,7 +74,7 @@ static bool read_scene(struct scene *scene, const char *text, const struct scene
             return false;
     const struct tree_node *units = tree_nearest(scene->tree->root, "units");
     reader.units = !(units->kind == TREE_SCALAR && strcmp(units->text, "none") == 0);
-    return schema_read(&reader, scene->tree->root);
+    return finish_names(scene, scene->tree->root, error) && schema_read(&reader, scene->tree->root);
 }
 
 struct scene *scene_parse(const char *file, const char *text, const struct scene_setting *set, int sets,

@@ -350,10 +350,6 @@ static bool check_output(const struct scene *scene, struct error *error) {
     for (int k = 0; k < output->observables.regions; k++) {
         const struct output_region *region = &output->observables.region[k];
         char key[80];
-        snprintf(key, sizeof(key), "observables.regions[%d].name", k);
-        for (int other = 0; other < k; other++)
-            if (strcmp(region->name, output->observables.region[other].name) == 0)
-                return finish_fail(scene, error, key, "'%s' is taken already", region->name);
         snprintf(key, sizeof(key), "observables.regions[%d].upper", k);
         for (int d = 0; region->shape == OUTPUT_REGION_BOX && d < 3; d++)
             if (!(region->upper[d] > region->lower[d]))

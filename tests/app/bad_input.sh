@@ -370,7 +370,7 @@ bad 'command line' 'a folder that exists' "there|exists already|--overwrite" "$s
 bad 'command line' 'a file in place of the folder' "good.yaml|not a directory" "$scree" run good.yaml -o good.yaml --overwrite
 bad 'command line' 'a folder in a folder that is missing' "no/where|No such file" "$scree" run good.yaml -o no/where
 bad 'command line' 'info of a foreign file' "good.yaml" "$scree" info good.yaml
-bad 'command line' 'convert over a file' "good.yaml|there already" "$scree" convert there/trajectory.h5 good.yaml --to lammps-data
+bad 'command line' 'convert over a file' "good.yaml|there already|--overwrite replaces it" "$scree" convert there/trajectory.h5 good.yaml --to lammps-data
 
 echo '== on two ranks'
 RANKS=2
