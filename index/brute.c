@@ -29,8 +29,7 @@ static void pair_images(const struct index_view *view, size_t i, size_t j, struc
         for (image[1] = -reach[1]; image[1] <= reach[1]; image[1]++) {
             for (image[0] = -reach[0]; image[0] <= reach[0]; image[0]++) {
                 if (exact_near(view, i, j, image)) {
-                    index_sink_put(sink, (uint32_t)i, (uint32_t)j,
-                                   index_image_code(image[0], image[1], image[2]));
+                    index_sink_put(sink, (uint32_t)i, (uint32_t)j, image_code(image[0], image[1], image[2]));
                 }
             }
         }

@@ -101,7 +101,7 @@ static void fill_rows(struct cross_pairs *cross, size_t first, size_t last, size
         for (size_t k = 0; k < found->count; k++) {
             size_t row = found->j[k] & particle_mask;
             if (row - first < last - first) {
-                unsigned code = index_image_opposite(found->j[k] >> INDEX_IMAGE_SHIFT);
+                unsigned code = image_opposite(found->j[k] >> INDEX_IMAGE_SHIFT);
                 cross->partner[cross->end[row]++] = found->i[k] | code << INDEX_IMAGE_SHIFT;
             }
         }

@@ -25,12 +25,4 @@ static inline bool exact_home(const struct index_view *view, size_t i, size_t j)
                            view->id[j]);
 }
 
-/* The image vector of a code. */
-static inline void exact_image(unsigned code, int image[3]) {
-    int k = (int)((code + 13) % 27);
-    image[0] = k % 3 - 1;
-    image[1] = k / 3 % 3 - 1;
-    image[2] = k / 9 - 1;
-}
-
 #endif

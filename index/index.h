@@ -47,12 +47,13 @@
 #define SCREE_INDEX_INDEX_H
 
 #include "core/error.h"
+#include "core/image.h"
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 
-enum { INDEX_CLASS_MAX = 32, INDEX_IMAGE_CODES = 27, INDEX_WHY_MAX = 512 };
+enum { INDEX_CLASS_MAX = 32, INDEX_WHY_MAX = 512 };
 
 /* Read-only view of the particles. The index owns nothing of it. */
 struct index_view {
@@ -93,25 +94,14 @@ enum index_instructions { INDEX_BEST, INDEX_PLAIN, INDEX_AVX2, INDEX_AVX512 };
 enum index_cross { INDEX_CROSS_AUTO, INDEX_CROSS_SMALLER, INDEX_CROSS_LARGER };
 
 /* Receives pairs. The index writes pair k to i[k], j[k] while k < capacity, and counts on beyond; a sink with
- * capacity 0 only counts. j carries the image code in its upper 5 bits: j | code << 27 (see index_pair). The
- * arrays may be overwritten up to INDEX_SINK_PAD entries beyond `count`, if within capacity: whoever owns
- * them allocates capacity + INDEX_SINK_PAD. */
+ * capacity 0 only counts. j carries the code of the image that is added to j (core/image.h) in its upper 5
+ * bits: j | code << 27. The arrays may be overwritten up to INDEX_SINK_PAD entries beyond `count`, if within
+ * capacity: whoever owns them allocates capacity + INDEX_SINK_PAD. */
 struct index_sink {
     uint32_t *i, *j;
     size_t count, capacity;
 };
 enum { INDEX_SINK_PAD = 32, INDEX_IMAGE_SHIFT = 27 };
-
-/* Image codes: 0 none, else one of the vectors of {-1, 0, 1}^3 that is *added to j*, times the box edge (as
- * in particles/box.h). */
-static inline unsigned index_image_code(int sx, int sy, int sz) {
-    return (unsigned)((sx + 1) + 3 * (sy + 1) + 9 * (sz + 1) + 14) % 27u;
-}
-
-/* The code of the opposite vector. */
-static inline unsigned index_image_opposite(unsigned code) {
-    return (27u - code) % 27u;
-}
 
 /* The home of a pair: the particle whose owner computes it with newton on. The smaller radius; of equal ones
  * a fixed choice from the two ids, which spreads the work over both. True if i is the home. Symmetric:

@@ -15,7 +15,7 @@ struct window {
 };
 
 LANES_INLINE uint32_t image_bits(int sx, int sy, int sz) {
-    return (sx | sy | sz) == 0 ? 0 : index_image_code(sx, sy, sz) << INDEX_IMAGE_SHIFT;
+    return (sx | sy | sz) == 0 ? 0 : image_code(sx, sy, sz) << INDEX_IMAGE_SHIFT;
 }
 
 /* The window [low, high] in direction d. The unshifted box comes first. */

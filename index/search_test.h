@@ -53,7 +53,7 @@ LANES_INLINE unsigned decide(const struct quest *quest, uint32_t i, const uint32
         uint32_t tagged = candidate[k] | bits;
         uint32_t j = tagged & (((uint32_t)1 << INDEX_IMAGE_SHIFT) - 1);
         int image[3];
-        exact_image(tagged >> INDEX_IMAGE_SHIFT, image);
+        image_vector(tagged >> INDEX_IMAGE_SHIFT, image);
         bool keep =
             exact_near(quest->view, i, j, image) && (!quest->search->home || exact_home(quest->view, i, j));
         kept |= (unsigned)keep << k;

@@ -48,10 +48,9 @@ static inline void hand_segment(struct pairlist *list, const struct particles *p
     size_t n = p->owned;
     for (size_t i = first; i < last; i++)
         for (size_t j = 0; j < n; j++)
-            for (unsigned code = 0; code < (o->edge > 0.0 ? BOX_IMAGE_CODES : 1u); code++) {
+            for (unsigned code = 0; code < (o->edge > 0.0 ? IMAGE_CODES : 1u); code++) {
                 bool busy_i = hand_is_busy(p, i, o), busy_j = hand_is_busy(p, j, o);
-                bool row_is_i =
-                    busy_i == busy_j ? i < j || (i == j && code > box_image_opposite(code)) : busy_j;
+                bool row_is_i = busy_i == busy_j ? i < j || (i == j && code > image_opposite(code)) : busy_j;
                 bool crosses = hand_thread_of(i, n, o->threads) != hand_thread_of(j, n, o->threads);
                 int where = !row_is_i ? (crosses && !busy_i ? 3 : -1) : busy_j ? 2 : crosses ? 1 : 0;
                 if (where == segment && (i != j || code) && hand_near(p, list, i, j, code, o->margin))

@@ -11,7 +11,7 @@ struct spring_table {
 };
 
 static double *spring_of(const struct spring_table *t, size_t i, size_t j, unsigned code) {
-    return t->value[(i * COUNT + j) * BOX_IMAGE_CODES + code];
+    return t->value[(i * COUNT + j) * IMAGE_CODES + code];
 }
 
 static bool plain_touch(const struct particle_state *a, const struct particle_state *b,
@@ -45,13 +45,13 @@ static struct law_contact plain_contact(const struct particles *p, const struct 
 
 /* All contacts of the cloud once, forces into `force` (8 a particle); returns the sums. */
 static struct force_sums plain_forces(const struct particles *p, const struct law *law, double dt,
-                                      const double shift[BOX_IMAGE_CODES][4], struct spring_table *springs,
+                                      const double shift[IMAGE_CODES][4], struct spring_table *springs,
                                       double (*force)[8]) {
     struct force_sums sums = {0};
     struct law_case kind = law_case_of(&law->options, true);
     for (size_t i = 0; i < p->owned; i++)
         for (size_t j = i + 1; j < p->owned; j++)
-            for (unsigned code = 0; code < BOX_IMAGE_CODES; code++) {
+            for (unsigned code = 0; code < IMAGE_CODES; code++) {
                 double *spring = spring_of(springs, i, j, code);
                 struct law_contact in = {0};
                 if (plain_touch(&p->state[i], &p->state[j], shift[code]))
@@ -111,14 +111,14 @@ static void test_against_plain(void **state) {
     (void)state;
     const struct layout layouts[] = {{1, 0.0, NULL}, {2, 0.0, NULL}, {3, 1.0, NULL}};
     struct spring_table springs = {
-        memory_allocate((size_t)COUNT * COUNT * BOX_IMAGE_CODES, sizeof *springs.value, "springs")};
+        memory_allocate((size_t)COUNT * COUNT * IMAGE_CODES, sizeof *springs.value, "springs")};
     for (int k = 0; k < LAWS; k++) {
         struct law law = law_number(k, k % 2 ? 1 : MATERIALS);
         struct particles *p = cloud(&law, COUNT, edge);
         struct rig rig;
         double(*force)[8] = memory_allocate_zero(COUNT, sizeof *force, "forces");
         struct force_sums sums = {0};
-        memset(springs.value, 0, (size_t)COUNT * COUNT * BOX_IMAGE_CODES * sizeof *springs.value);
+        memset(springs.value, 0, (size_t)COUNT * COUNT * IMAGE_CODES * sizeof *springs.value);
         rig_make(&rig, &law, layouts[0]);
         for (int n = 0; n < 3; n++) {
             double dt = n == 0 ? 0.0 : 2e-3;

@@ -63,7 +63,7 @@ static void test_conservation(void **state) {
         struct law law = law_number(k, MATERIALS);
         struct rig rig;
         rig_make(&rig, &law, (struct layout){3, 1.0, NULL});
-        for (int code = 1; code < BOX_IMAGE_CODES; code++)
+        for (int code = 1; code < IMAGE_CODES; code++)
             for (int c = 0; c < 3; c++)
                 rig.list.shift[code][c] = 100.0; /* no contact over the box's sides */
         rig_run(&rig);
@@ -103,7 +103,7 @@ static void test_mirrored_springs(void **state) {
                 unsigned code = pair_image(rig.list.j[k]);
                 if (rig.list.i[k] != pair_partner(rig.list.j[l]) ||
                     rig.list.i[l] != pair_partner(rig.list.j[k]) ||
-                    pair_image(rig.list.j[l]) != box_image_opposite(code))
+                    pair_image(rig.list.j[l]) != image_opposite(code))
                     continue;
                 for (int c = 0; c < 6; c++)
                     assert_true(mine->value[6 * a + (size_t)c] == -theirs->value[6 * b + (size_t)c]);

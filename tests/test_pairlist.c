@@ -79,7 +79,7 @@ static int64_t *shares(const struct cloud *c) {
             uint32_t i = list->i[k], j = pair_partner(list->j[k]);
             share[i] += id[j] * (1 + pair_image(list->j[k]));
             if (k < block->one_sided || k >= block->slotted)
-                share[j] += id[i] * (1 + box_image_opposite(pair_image(list->j[k])));
+                share[j] += id[i] * (1 + image_opposite(pair_image(list->j[k])));
         }
     }
     return share;

@@ -218,13 +218,13 @@ static void test_wrap_counts_images(void **state) {
 static void test_image_codes_and_shifts(void **state) {
     (void)state;
     struct box box = {.dimension = 3, .edge = {4, 5, 6}};
-    double shift[BOX_IMAGE_CODES][4];
+    double shift[IMAGE_CODES][4];
     box_image_shifts(&box, shift);
-    assert_int_equal(box_image_code(0, 0, 0), 0);
-    for (unsigned code = 0; code < BOX_IMAGE_CODES; code++)
+    assert_int_equal(image_code(0, 0, 0), 0);
+    for (unsigned code = 0; code < IMAGE_CODES; code++)
         for (int d = 0; d < 3; d++)
-            assert_true(shift[code][d] == -shift[box_image_opposite(code)][d]);
-    assert_true(shift[box_image_code(1, -1, 0)][0] == 4 && shift[box_image_code(1, -1, 0)][1] == -5);
+            assert_true(shift[code][d] == -shift[image_opposite(code)][d]);
+    assert_true(shift[image_code(1, -1, 0)][0] == 4 && shift[image_code(1, -1, 0)][1] == -5);
 }
 
 static void test_classes_by_ratio_and_by_cuts(void **state) {

@@ -63,11 +63,11 @@ static void classes_make(const struct scree_spheres *spheres, double margin, str
 }
 
 static void pairs_copy(const struct index_sink *sink, struct scree_pair *pair) {
-    int8_t image[INDEX_IMAGE_CODES][3];
+    int8_t image[IMAGE_CODES][3];
     for (int z = -1; z <= 1; z++)
         for (int y = -1; y <= 1; y++)
             for (int x = -1; x <= 1; x++)
-                memcpy(image[index_image_code(x, y, z)], (int8_t[3]){(int8_t)x, (int8_t)y, (int8_t)z}, 3);
+                memcpy(image[image_code(x, y, z)], (int8_t[3]){(int8_t)x, (int8_t)y, (int8_t)z}, 3);
     for (size_t k = 0; k < sink->count; k++) {
         pair[k].i = sink->i[k];
         pair[k].j = pair_partner(sink->j[k]);

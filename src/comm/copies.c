@@ -104,7 +104,7 @@ static void find_copies(const struct selection *selection, size_t k, struct foun
         double distance2 = domain_place_distance2(selection->domain, place, ball.x, image);
         bool needed = distance2 <= ball.radius * ball.radius;
         if (needed || (far && distance2 <= ball.relay * ball.relay))
-            found_put(found, place->rank, (uint32_t)k, box_image_code(image[0], image[1], image[2]),
+            found_put(found, place->rank, (uint32_t)k, image_code(image[0], image[1], image[2]),
                       (far ? COPY_FAR : 0u) | (needed ? 0u : COPY_RELAY));
     }
 }

@@ -221,7 +221,7 @@ static void touching_tree(struct touching *search) {
     for (int d = 0; d < 3; d++)
         images[d] = domain->periodic[d] && !domain->wrapped[d] ? 1 : 0;
     struct domain_tree_search leaves = {from, to, search->radius, domain->wrapped, touching_put, search};
-    for (int turn = 0; turn < DOMAIN_IMAGES; turn++) {
+    for (int turn = 0; turn < IMAGE_CODES; turn++) {
         const int image[3] = {turn / 9 - 1, turn / 3 % 3 - 1, turn % 3 - 1};
         bool exists = true;
         for (int d = 0; d < 3; d++) {

@@ -13,8 +13,6 @@
 #include "comm/comm.h"
 #include "particles/box.h"
 
-enum { DOMAIN_IMAGES = 27 };
-
 enum domain_kind { DOMAIN_BRICK, DOMAIN_BISECTION };
 enum domain_weights { DOMAIN_WEIGHTS_PAIRS, DOMAIN_WEIGHTS_TIME, DOMAIN_WEIGHTS_PARTICLES };
 

@@ -31,7 +31,7 @@ struct ghosts {
     char *to_buffer, *from_buffer; /* values of all copies sent, and of all held */
     size_t to_room, from_room;
     struct exchange_message *to_message, *from_message;
-    double shift[BOX_IMAGE_CODES][4];
+    double shift[IMAGE_CODES][4];
     uint64_t revision; /* of the particles when the copies were made */
     uint64_t migrated;
     uint64_t class_count[CLASS_MAX], class_bytes[CLASS_MAX];

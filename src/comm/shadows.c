@@ -102,7 +102,7 @@ static void hold(struct shadows *shadows, const struct head *head, const char *f
 
 /* Takes one copy that came. */
 static void take(struct spread *spread, const struct head *head, const char *fields, int sender) {
-    if (head->image >= BOX_IMAGE_CODES || head->step >= BOX_IMAGE_CODES || head->owner < 0 ||
+    if (head->image >= IMAGE_CODES || head->step >= IMAGE_CODES || head->owner < 0 ||
         head->owner >= spread->place->exchange->comm->size)
         error_fatal("copies: rank %d sent image code %d of a particle of rank %d", sender, head->image,
                     head->owner);
@@ -193,7 +193,7 @@ static bool round_of_owners(struct spread *spread, const struct copies *copies) 
 /* Number of the place from which `step` led here; `count` if it is none. */
 static size_t place_of_sender(const struct domain_place *places, size_t count, int rank, unsigned step) {
     int way[3];
-    box_image_vector(step, way);
+    image_vector(step, way);
     for (size_t p = 0; p < count; p++)
         if (places[p].rank == rank && places[p].image[0] == -way[0] && places[p].image[1] == -way[1] &&
             places[p].image[2] == -way[2])
@@ -214,14 +214,14 @@ static void hand_on(struct spread *spread, const struct arrival *arrival, const 
                     const struct copy_ball *ball) {
     int image[3];
     struct head head = arrival->order.head;
-    box_image_vector(head.image, image);
+    image_vector(head.image, image);
     for (int d = 0; d < 3; d++) {
         image[d] += to->image[d];
         if (abs(image[d]) > 1)
             return;
     }
-    head.image = (uint8_t)box_image_code(image[0], image[1], image[2]);
-    head.step = (uint8_t)box_image_code(to->image[0], to->image[1], to->image[2]);
+    head.image = (uint8_t)image_code(image[0], image[1], image[2]);
+    head.step = (uint8_t)image_code(to->image[0], to->image[1], to->image[2]);
     if (to->rank == head.owner && head.image == 0)
         return;
     double distance2 = domain_place_distance2(spread->place->domain, to, ball->x, image);

@@ -265,7 +265,7 @@ static inline __attribute__((always_inline)) void force_enter(const struct force
     force_add(share, b, k, side, components);
     ledger.particle[at] = side ? b->j[k] : b->i[k];
     ledger.source[at] =
-        (struct force_source){id[side ? b->i[k] : b->j[k]], side ? box_image_opposite(image) : image};
+        (struct force_source){id[side ? b->i[k] : b->j[k]], side ? image_opposite(image) : image};
     memcpy(ledger.share + at * stride, share, stride * sizeof *share);
 }
 

@@ -61,7 +61,7 @@ static void wall_find_images(struct wall *wall, const struct box *box) {
     for (int z = -along[2]; z <= along[2]; z++)
         for (int y = -along[1]; y <= along[1]; y++)
             for (int x = -along[0]; x <= along[0]; x++)
-                wall->image[wall->image_count++] = (int)box_image_code(x, y, z);
+                wall->image[wall->image_count++] = (int)image_code(x, y, z);
 }
 
 static void wall_find_reach(struct wall *wall) {

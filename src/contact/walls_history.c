@@ -42,16 +42,11 @@ static int32_t find_vanished(const struct walls *walls, size_t k, int w, const s
     return found;
 }
 
-/* Where an image comes if they are sorted by z, y and x. */
-static unsigned image_place(int code) {
-    return ((unsigned)code + 13) % BOX_IMAGE_CODES;
-}
-
 void walls_sort_images(struct wall_touch *touch, size_t count) {
     for (size_t a = 0; a + 1 < count; a++)
         for (size_t b = a + 1; b < count; b++)
             if (touch[a].feature == touch[b].feature &&
-                image_place(touch[a].image) > image_place(touch[b].image)) {
+                image_place((unsigned)touch[a].image) > image_place((unsigned)touch[b].image)) {
                 struct wall_touch other = touch[a];
                 touch[a] = touch[b];
                 touch[b] = other;

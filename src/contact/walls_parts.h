@@ -40,7 +40,7 @@ struct wall {
     bool images;                           /* felt through periodic images */
     double wrap[3];                        /* brings the centre into the box, by walls_wrap */
     int image_count;
-    int image[BOX_IMAGE_CODES]; /* codes of the images to look at */
+    int image[IMAGE_CODES]; /* codes of the images to look at */
 };
 
 struct wall_piece {
@@ -94,7 +94,7 @@ struct walls {
     double extent[2][3];               /* lower and upper corner: holds the box and all particles */
     const struct law *law;             /* borrowed */
     const struct force_kernel *kernel; /* the law over a batch of contacts */
-    double shift[BOX_IMAGE_CODES][4];
+    double shift[IMAGE_CODES][4];
 
     size_t candidates, candidate_capacity, piece_capacity;
     uint32_t *particle; /* of each candidate, increasing */

@@ -6,6 +6,7 @@ libcore_la_SOURCES = \
 	src/core/error.h \
 	src/core/exact.c \
 	src/core/exact.h \
+	src/core/image.h \
 	src/core/memory.c \
 	src/core/memory.h \
 	src/core/random.c \

@@ -144,9 +144,9 @@ void pairlist_add_images(struct pairlist *list, size_t owned, const uint8_t *ima
         for (size_t k = block->first_pair; k < block->end_pair; k++) {
             uint32_t j = pair_partner(list->j[k]);
             int found[3], copy[3];
-            box_image_vector(pair_image(list->j[k]), found);
-            box_image_vector(image[j - owned], copy);
-            unsigned code = box_image_code(found[0] + copy[0], found[1] + copy[1], found[2] + copy[2]);
+            image_vector(pair_image(list->j[k]), found);
+            image_vector(image[j - owned], copy);
+            unsigned code = image_code(found[0] + copy[0], found[1] + copy[1], found[2] + copy[2]);
             list->j[k] = j | code << PARTICLE_INDEX_BITS;
         }
     }

@@ -64,7 +64,7 @@ struct pairlist {
     size_t slot_count; /* 0 with one thread */
     int32_t *slot_of;  /* slot of particle k (owned or ghost), if it is of a busy class; else not set */
     size_t busy_capacity, slot_of_capacity;
-    double shift[BOX_IMAGE_CODES][4]; /* image code -> vector added to x_j */
+    double shift[IMAGE_CODES][4]; /* image code -> vector added to x_j */
     struct pairlist_build *build;
 };
 

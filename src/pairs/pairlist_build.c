@@ -129,7 +129,7 @@ static void region_append(struct pairlist *list, struct pairlist_worker *worker,
 
 /* The mirror image of a pair (i, j). */
 static uint32_t mirror_partner(uint32_t i, uint32_t j) {
-    return i | box_image_opposite(pair_image(j)) << PARTICLE_INDEX_BITS;
+    return i | image_opposite(pair_image(j)) << PARTICLE_INDEX_BITS;
 }
 
 /* Rows of one class that lie together and belong to one thread: partners among them need no look at whose

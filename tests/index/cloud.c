@@ -171,7 +171,7 @@ void cloud_reorder(struct cloud *cloud, const uint32_t *order) {
 static uint64_t key_of(const struct index_view *view, uint32_t i, uint32_t tagged) {
     uint32_t j = tagged & ((1u << INDEX_IMAGE_SHIFT) - 1);
     uint64_t code = tagged >> INDEX_IMAGE_SHIFT;
-    assert_true(i < view->owned && j < view->total && code < INDEX_IMAGE_CODES);
+    assert_true(i < view->owned && j < view->total && code < IMAGE_CODES);
     uint64_t a = (uint64_t)view->id[i], b = (uint64_t)view->id[j];
     if (j < view->owned && a > b) {
         uint64_t swap = a;

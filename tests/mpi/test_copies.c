@@ -16,7 +16,7 @@ enum { PARTICLES = 240 };
  * is 0; -1 if there is none. *count copies were found. */
 static long find_copy(const struct fixture *fixture, size_t k, const int image[3], int *count) {
     const struct particles *particles = fixture->particles;
-    unsigned code = box_image_code(image[0], image[1], image[2]);
+    unsigned code = image_code(image[0], image[1], image[2]);
     long found = -1;
     *count = 0;
     for (size_t g = 0; g < particles->ghosts; g++) {

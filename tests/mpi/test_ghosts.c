@@ -21,7 +21,7 @@ static void expect_values(struct fixture *fixture, unsigned use, unsigned stamp)
     for (size_t g = particles->owned; g < particles->owned + particles->ghosts; g++) {
         int64_t id = particles->id[g];
         unsigned code = ghosts_image(fixture->ghosts, g - particles->owned);
-        double shift[BOX_IMAGE_CODES][4];
+        double shift[IMAGE_CODES][4];
         box_image_shifts(&fixture->cloud.box, shift);
         for (int d = 0; d < 3; d++)
             team_expect(fixture->team,
@@ -117,7 +117,7 @@ static double expected_sum(const struct fixture *fixture, size_t k, int componen
         for (int turn = 0; turn < 27; turn++) {
             int image[3];
             if (fixture_image(fixture, turn, image) && fixture_needs(fixture, rank, k, image))
-                sum += share(k, rank, box_image_code(image[0], image[1], image[2]), component);
+                sum += share(k, rank, image_code(image[0], image[1], image[2]), component);
         }
     }
     return sum;

@@ -113,7 +113,7 @@ static void expect_copies(struct flight *flight) {
         size_t count = 0;
         for (size_t g = 0; g < particles->ghosts; g++) {
             const struct particle_state *copy = &particles->state[particles->owned + g];
-            if (ghosts_image(flight->ghosts, g) != box_image_code(image[0], image[1], image[2]))
+            if (ghosts_image(flight->ghosts, g) != image_code(image[0], image[1], image[2]))
                 continue;
             count++;
             for (int d = 0; d < 3; d++)
