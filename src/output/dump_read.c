@@ -6,7 +6,7 @@
 #include <inttypes.h>
 #include <string.h>
 
-enum { COLUMNS_MAX = 64 };
+enum { COLUMNS_MAX = 1024 };
 
 /* What a column of the file goes into. */
 enum meaning {
@@ -56,14 +56,14 @@ static const struct {
 struct layout {
     int columns;
     int meaning[COLUMNS_MAX];
-    unsigned present;
+    unsigned present; /* bits of enum rows_column */
 };
 
 /* The head of a frame: step, number of particles, box. */
 struct head {
     int64_t step, count;
     double time, lower[3], upper[3];
-    bool periodic[3];
+    bool periodic[3], box_given;
     struct layout layout;
 };
 
@@ -101,12 +101,39 @@ static bool read_box(struct lines *lines, struct head *head, struct error *error
         head->lower[d] = value[0];
         head->upper[d] = value[1];
     }
+    head->box_given = true;
+    return true;
+}
+
+/* Vectors are whole or absent: a component that the file lacks is not taken for 0. */
+static bool check_vectors(const struct lines *lines, const struct layout *layout, struct error *error) {
+    static const struct {
+        unsigned column;
+        int first[2]; /* meanings of the x component */
+        const char *names;
+    } vectors[] = {{ROWS_POSITION, {X, SCALED}, "x y z (or xu yu zu, xs ys zs)"},
+                   {ROWS_VELOCITY, {V, V}, "vx vy vz"},
+                   {ROWS_ANGULAR_VELOCITY, {OMEGA, OMEGA}, "omegax omegay omegaz"},
+                   {ROWS_IMAGE, {IMAGE, IMAGE}, "ix iy iz"}};
+    for (size_t v = 0; v < sizeof vectors / sizeof vectors[0]; v++) {
+        unsigned have = 0;
+        for (int c = 0; c < layout->columns; c++)
+            for (int d = 0; d < 3; d++)
+                if (layout->meaning[c] == vectors[v].first[0] + d ||
+                    layout->meaning[c] == vectors[v].first[1] + d)
+                    have |= 1u << d;
+        if (have != 7 && (layout->present & vectors[v].column))
+            return lines_refuse(lines, error, "there is no column for the %c component among %s",
+                                have & 1 ? have & 2 ? 'z' : 'y' : 'x', vectors[v].names);
+    }
     return true;
 }
 
 static bool read_layout(struct lines *lines, struct layout *layout, struct error *error) {
     char *word[COLUMNS_MAX + 2];
     int words = lines_words(lines, word, COLUMNS_MAX + 2);
+    if (words > COLUMNS_MAX + 2)
+        return lines_refuse(lines, error, "there are more than %d columns", COLUMNS_MAX);
     *layout = (struct layout){.columns = words - 2};
     for (int c = 0; c < layout->columns; c++)
         for (size_t k = 0; k < sizeof known_columns / sizeof known_columns[0]; k++)
@@ -114,7 +141,9 @@ static bool read_layout(struct lines *lines, struct layout *layout, struct error
                 layout->meaning[c] = known_columns[k].meaning;
                 layout->present |= known_columns[k].column;
             }
-    return (layout->present & ROWS_POSITION) || lines_refuse(lines, error, "there are no columns x y z");
+    if (!(layout->present & ROWS_POSITION))
+        return lines_refuse(lines, error, "there are no columns x y z");
+    return check_vectors(lines, layout, error);
 }
 
 /* A count that the file cannot hold is a damaged file, not a reason to run out of memory. */
@@ -145,7 +174,8 @@ static bool read_head(struct lines *lines, struct head *head, struct error *erro
             if (!read_box(lines, head, error))
                 return false;
         } else if (strncmp(text, "ITEM: ATOMS", 11) == 0 && head->count >= 0) {
-            return read_layout(lines, &head->layout, error);
+            return (head->box_given || lines_refuse(lines, error, "there is no ITEM: BOX BOUNDS before")) &&
+                   read_layout(lines, &head->layout, error);
         } else {
             return lines_refuse(lines, error, "\"%.60s\" is not what a LAMMPS dump holds here", text);
         }
@@ -156,13 +186,15 @@ static bool read_head(struct lines *lines, struct head *head, struct error *erro
 }
 
 static bool store(const struct head *head, struct rows *rows, size_t row, int meaning, double value) {
+    int64_t whole;
     switch (meaning) {
     case ID:
-        rows->id[row] = (int64_t)value;
-        return value >= 1 && value == (double)rows->id[row];
+        return lines_whole(value, 1, LINES_WHOLE_MAX, &rows->id[row]);
     case TYPE:
-        rows->material[row] = (int32_t)value - 1;
-        return value >= 1 && value == (int32_t)value;
+        if (!lines_whole(value, 1, INT32_MAX, &whole))
+            return false;
+        rows->material[row] = (int32_t)(whole - 1);
+        return true;
     case RADIUS:
         rows->radius[row] = value;
         return value >= 0;
@@ -176,9 +208,11 @@ static bool store(const struct head *head, struct rows *rows, size_t row, int me
         break;
     }
     int d = (meaning - X) % 3;
-    if (meaning >= IMAGE)
-        rows->image[row][d] = (int32_t)value;
-    else if (meaning >= OMEGA)
+    if (meaning >= IMAGE) {
+        if (!lines_whole(value, -INT32_MAX, INT32_MAX, &whole))
+            return false;
+        rows->image[row][d] = (int32_t)whole;
+    } else if (meaning >= OMEGA)
         rows->angular_velocity[row][d] = value;
     else if (meaning >= V)
         rows->velocity[row][d] = value;
@@ -196,7 +230,8 @@ static bool read_rows(struct lines *lines, const struct head *head, struct rows 
             return false;
         int words = lines_words(lines, word, COLUMNS_MAX);
         if (words != head->layout.columns)
-            return lines_refuse(lines, error, "has %d columns instead of %d", words, head->layout.columns);
+            return lines_refuse(lines, error, "has %s%d columns instead of %d",
+                                words > COLUMNS_MAX ? "at least " : "", words, head->layout.columns);
         for (int c = 0; c < words; c++) {
             double value = 0;
             if (head->layout.meaning[c] == SKIP)

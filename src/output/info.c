@@ -79,15 +79,15 @@ static void print_radii(const struct rows *rows, FILE *file) {
         return;
     uint64_t bin[BINS] = {0}, most = 0;
     for (size_t k = 0; k < rows->count; k++) {
-        int b = (int)(BINS * log(rows->radius[k] / low) / log(high / low));
+        int b = (int)(BINS * (log(rows->radius[k]) - log(low)) / (log(high) - log(low)));
         bin[b < BINS ? b : BINS - 1]++;
     }
     for (int b = 0; b < BINS; b++)
         most = bin[b] > most ? bin[b] : most;
     for (int b = 0; b < BINS; b++) {
         int length = (int)((double)bin[b] / (double)most * BAR + 0.5);
-        fprintf(file, "  %12.5g %12" PRIu64 " %.*s\n", low * pow(high / low, (b + 0.5) / BINS), bin[b],
-                length, "########################################");
+        fprintf(file, "  %12.5g %12" PRIu64 " %.*s\n", low * exp((log(high) - log(low)) * (b + 0.5) / BINS),
+                bin[b], length, "########################################");
     }
 }
 

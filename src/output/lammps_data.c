@@ -43,8 +43,10 @@ static int section_of(const char *line, char *hint, size_t size) {
     return -1;
 }
 
+/* True if the line holds blanks or a comment alone. */
 static bool is_blank(const char *line) {
-    return line[strspn(line, " \t\r")] == '\0';
+    char first = line[strspn(line, " \t\r")];
+    return first == '\0' || first == '#';
 }
 
 /* A line of the head: counts and bounds. */
@@ -55,6 +57,8 @@ static bool read_head_line(struct reading *r, struct error *error) {
     if (comment)
         *comment = '\0';
     int words = lines_words(lines, word, 8);
+    if (words == 0)
+        return true; /* a comment alone */
     double lower, upper;
     static const char *const low[] = {"xlo", "ylo", "zlo"};
     for (int d = 0; d < 3; d++)
@@ -95,7 +99,7 @@ static bool read_head(struct reading *r, struct error *error) {
                             "this is a LAMMPS dump, not a data file; `scree convert %s OUT.data` makes one",
                             lines->path);
     while (!r->pending && lines_next(lines)) {
-        if (is_blank(lines->text) || lines->text[0] == '#')
+        if (is_blank(lines->text))
             continue;
         if (section_of(lines->text, hint, sizeof hint) >= 0)
             r->pending = true;
@@ -142,12 +146,12 @@ static bool read_section(struct reading *r, int64_t count, int least, int most,
 /* id type diameter density x y z [ix iy iz] */
 static bool take_atom(struct reading *r, size_t row, const double *value, int n, struct error *error) {
     struct rows *rows = r->rows;
-    rows->id[row] = (int64_t)value[0];
-    rows->material[row] = (int32_t)value[1] - 1;
-    if (value[0] < 1 || value[0] != (double)rows->id[row])
-        return lines_refuse(&r->lines, error, "%g is not an id (a whole number from 1)", value[0]);
-    if (value[1] < 1 || value[1] != (int32_t)value[1] || (r->types > 0 && value[1] > (double)r->types))
-        return lines_refuse(&r->lines, error, "%g is not a type (1 ... %" PRId64 ")", value[1], r->types);
+    int64_t types = r->types > 0 && r->types < INT32_MAX ? r->types : INT32_MAX, type, image;
+    if (!lines_whole(value[0], 1, LINES_WHOLE_MAX, &rows->id[row]))
+        return lines_refuse(&r->lines, error, "%g is not an id (a whole number from 1 to 2^53)", value[0]);
+    if (!lines_whole(value[1], 1, types, &type))
+        return lines_refuse(&r->lines, error, "%g is not a type (1 ... %" PRId64 ")", value[1], types);
+    rows->material[row] = (int32_t)(type - 1);
     if (value[2] <= 0 || value[3] <= 0)
         return lines_refuse(&r->lines, error, "diameter and density must be positive");
     if (n != 7 && n != 10)
@@ -156,8 +160,12 @@ static bool take_atom(struct reading *r, size_t row, const double *value, int n,
     rows->radius[row] = radius;
     rows->mass[row] = value[3] * (4.0 / 3.0) * M_PI * radius * radius * radius;
     memcpy(rows->position[row], value + 4, sizeof rows->position[row]);
-    for (int d = 0; n == 10 && d < 3; d++)
-        rows->image[row][d] = (int32_t)value[7 + d];
+    for (int d = 0; n == 10 && d < 3; d++) {
+        if (!lines_whole(value[7 + d], -INT32_MAX, INT32_MAX, &image))
+            return lines_refuse(&r->lines, error, "%g is not an image flag (a whole number of 32 bits)",
+                                value[7 + d]);
+        rows->image[row][d] = (int32_t)image;
+    }
     return true;
 }
 

@@ -87,8 +87,9 @@ int lines_numbers(const struct lines *lines, double *value, int most) {
 int lines_words(struct lines *lines, char **word, int most) {
     int n = 0;
     char *rest = lines->text;
-    for (char *next; n < most && (next = strtok_r(rest, " \t\r", &rest)) != NULL;)
-        word[n++] = next;
+    for (char *next; n <= most && (next = strtok_r(rest, " \t\r", &rest)) != NULL; n++)
+        if (n < most)
+            word[n] = next;
     return n;
 }
 
@@ -113,4 +114,11 @@ bool lines_real(const char *word, double *value) {
     char *end;
     *value = strtod(word, &end);
     return end != word && *end == '\0' && isfinite(*value);
+}
+
+bool lines_whole(double value, int64_t least, int64_t most, int64_t *whole) {
+    if (!(value >= (double)least && value <= (double)most && value == nearbyint(value)))
+        return false;
+    *whole = (int64_t)value;
+    return true;
 }

@@ -35,7 +35,8 @@ bool lines_next_filled(struct lines *lines);
  * (finite) number. */
 int lines_numbers(const struct lines *lines, double *value, int most);
 
-/* Splits the line into words, in place; returns how many, at most `most`. */
+/* Splits the line into words, in place; returns how many, or `most` + 1 if there are more than `most`, of
+ * which the first `most` are stored. Words beyond those returned are left unset. */
 int lines_words(struct lines *lines, char **word, int most);
 
 /* Sets a user's error "PATH:LINE: ..."; returns false. */
@@ -47,5 +48,12 @@ bool lines_integer(const char *word, int64_t *value);
 
 /* The finite number of a word; false if it is none. */
 bool lines_real(const char *word, double *value);
+
+/* Largest id or count that a column of numbers can give: doubles hold whole numbers exactly up to here. */
+#define LINES_WHOLE_MAX ((int64_t)1 << 53)
+
+/* The whole number that `value` is, into *whole; false, and *whole untouched, if it has a fraction or is
+ * below `least` or above `most` (neither beyond LINES_WHOLE_MAX in size). */
+bool lines_whole(double value, int64_t least, int64_t most, int64_t *whole);
 
 #endif
