@@ -6,10 +6,10 @@
  * particles give the same choice, in a repeated run and in a resumed one. A step changes where the scene
  * does; then all is chosen anew. With `measure` a few variants of the choice are offered to be timed
  * (index_trials); who selects one by the clock gives that up. */
-#include "index/auto.h"
+#include "index/choose/auto.h"
 
 #include "core/memory.h"
-#include "index/levels.h"
+#include "index/grids/levels.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
  * ones the smaller look up the larger, or the larger the smaller where that costs less (cross.h); with newton
  * off owned large ones look up small ghosts too. After section 3 of the ARCHER eCSE report on multi-level
  * contact detection (2018), which became the style `multi` of LAMMPS. */
-#include "index/levels_index.h"
+#include "index/grids/levels_index.h"
 
 static const double CELL_FACTOR = 1.4;
 

@@ -2,7 +2,7 @@
  * a particle searches its own level, and all coarser or finer ones (Ogarko and Luding, Comput. Phys. Commun.
  * 183 (2012) 931; Krijgsman, Ogarko and Luding, Comput. Part. Mech. 1 (2014) 357, on the choice of levels).
  */
-#include "index/levels_index.h"
+#include "index/grids/levels_index.h"
 
 static const double CELL_FACTOR = 1.4;
 

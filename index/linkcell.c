@@ -1,7 +1,7 @@
 /* linkcell: one grid for all particles, its cells as large as the largest cut-off. Good where all particles
  * are of about one size; a cell full of small ones is searched for every other small one if large ones are
  * about. */
-#include "index/levels_index.h"
+#include "index/grids/levels_index.h"
 
 static const double CELL_FACTOR = 1.0;
 

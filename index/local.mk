@@ -1,49 +1,49 @@
 noinst_LTLIBRARIES += libindex.la
 libindex_la_SOURCES = \
 	index/auto.c \
-	index/auto.h \
-	index/auto_choose.c \
 	index/brute.c \
 	index/bytype.c \
-	index/cells.c \
-	index/cells.h \
-	index/cells_sort.c \
-	index/cells_sort.h \
-	index/cost.c \
-	index/cost.h \
-	index/cross.c \
-	index/cross.h \
 	index/exact.h \
-	index/frame.c \
-	index/frame.h \
-	index/grid.c \
-	index/grid.h \
 	index/hgrid.c \
 	index/index.c \
 	index/index.h \
-	index/lanes_avx2.h \
-	index/lanes_avx512.h \
-	index/lanes_plain.h \
-	index/levels.c \
-	index/levels.h \
-	index/levels_index.c \
-	index/levels_index.h \
-	index/levels_plan.c \
-	index/levels_plan.h \
 	index/linkcell.c \
-	index/locate.c \
-	index/locate.h \
-	index/members.c \
-	index/members.h \
 	index/multi.c \
 	index/registry.c \
-	index/search.h \
-	index/search_avx2.c \
-	index/search_avx512.c \
-	index/search_direct.h \
-	index/search_gather.h \
-	index/search_plain.c \
-	index/search_rows.h \
-	index/search_test.h \
-	index/stencil.c \
-	index/stencil.h
+	index/choose/auto.h \
+	index/choose/auto_choose.c \
+	index/choose/cost.c \
+	index/choose/cost.h \
+	index/grids/cells.c \
+	index/grids/cells.h \
+	index/grids/cells_sort.c \
+	index/grids/cells_sort.h \
+	index/grids/cross.c \
+	index/grids/cross.h \
+	index/grids/frame.c \
+	index/grids/frame.h \
+	index/grids/grid.c \
+	index/grids/grid.h \
+	index/grids/levels.c \
+	index/grids/levels.h \
+	index/grids/levels_index.c \
+	index/grids/levels_index.h \
+	index/grids/levels_plan.c \
+	index/grids/levels_plan.h \
+	index/grids/locate.c \
+	index/grids/locate.h \
+	index/grids/members.c \
+	index/grids/members.h \
+	index/grids/stencil.c \
+	index/grids/stencil.h \
+	index/search/lanes_avx2.h \
+	index/search/lanes_avx512.h \
+	index/search/lanes_plain.h \
+	index/search/search.h \
+	index/search/search_avx2.c \
+	index/search/search_avx512.c \
+	index/search/search_direct.h \
+	index/search/search_gather.h \
+	index/search/search_pairs.h \
+	index/search/search_plain.c \
+	index/search/search_rows.h

@@ -2,7 +2,7 @@
  * long where the class has far partners. The approach of in 't Veld, Plimpton and Grest (Comput. Phys.
  * Commun. 179 (2008) 320), as section 2.1 of the ARCHER eCSE report on multi-level contact detection (2018)
  * describes it. */
-#include "index/levels_index.h"
+#include "index/grids/levels_index.h"
 
 static const double CELL_FACTOR = 1.0;
 

@@ -4,7 +4,7 @@
  *
  *     checkpoint_lines CHECKPOINT */
 #include "comm/comm.h"
-#include "output/checkpoint.h"
+#include "formats/checkpoint.h"
 #include "particles/fields.h"
 
 #include <stdio.h>

@@ -40,9 +40,9 @@ check_PROGRAMS += \
 	tests/test_timestep
 EXTRA_DIST += tests/forces_by_hand.h tests/laws_by_hand.h tests/near.h tests/pairs_by_hand.h
 tests_test_force_SOURCES = tests/test_force.c
-tests_test_force_LDADD = $(CONTACT_LIBS) $(TEST_LIBS)
+tests_test_force_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
 tests_test_force_loop_SOURCES = tests/test_force_loop.c
-tests_test_force_loop_LDADD = $(CONTACT_LIBS) $(TEST_LIBS)
+tests_test_force_loop_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
 tests_test_force_loop_CPPFLAGS = $(AM_CPPFLAGS)
 if X86_KERNELS
 tests_test_force_loop_CPPFLAGS += -DFORCE_X86_KERNELS
@@ -50,9 +50,9 @@ endif
 tests_test_integrator_SOURCES = tests/test_integrator.c
 tests_test_integrator_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_law_SOURCES = tests/test_law.c
-tests_test_law_LDADD = $(CONTACT_LIBS) $(TEST_LIBS)
+tests_test_law_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
 tests_test_law_impact_SOURCES = tests/test_law_impact.c
-tests_test_law_impact_LDADD = $(CONTACT_LIBS) $(TEST_LIBS)
+tests_test_law_impact_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
 tests_test_timestep_SOURCES = tests/test_timestep.c
 tests_test_timestep_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 
@@ -119,7 +119,7 @@ tests_test_units_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
 check_PROGRAMS += tests/test_describe
 tests_test_describe_SOURCES = tests/test_describe.c
 tests_test_describe_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
-tests_test_describe_LDADD = $(OUTPUT_LIBS) $(TEST_LIBS)
+tests_test_describe_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
 
 check_PROGRAMS += tests/test_lammps
 tests_test_lammps_SOURCES = tests/test_lammps.c
@@ -128,7 +128,7 @@ tests_test_lammps_LDADD = $(OUTPUT_LIBS) $(TEST_LIBS)
 
 check_PROGRAMS += tests/test_output_options
 tests_test_output_options_SOURCES = tests/test_output_options.c
-tests_test_output_options_LDADD = $(OUTPUT_LIBS) $(TEST_LIBS)
+tests_test_output_options_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
 
 check_PROGRAMS += tests/test_library
 tests_test_library_SOURCES = tests/test_library.c
@@ -198,4 +198,4 @@ CLEANFILES += tests/checkpoint_lines
 tests/app/reproducible.log: tests/checkpoint_lines
 tests_checkpoint_lines_SOURCES = tests/checkpoint_lines.c
 tests_checkpoint_lines_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
-tests_checkpoint_lines_LDADD = $(OUTPUT_LIBS)
+tests_checkpoint_lines_LDADD = $(OBSERVE_LIBS)

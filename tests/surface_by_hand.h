@@ -2,7 +2,7 @@
 #ifndef SCREE_TESTS_SURFACE_BY_HAND_H
 #define SCREE_TESTS_SURFACE_BY_HAND_H
 
-#include "contact/wall_mesh.h"
+#include "walls/wall_mesh.h"
 #include "mesh_by_hand.h"
 
 static const struct wall_mesh_place as_it_is = {.scale = 1.0};

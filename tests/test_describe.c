@@ -5,8 +5,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "output/describe.h"
-#include "output/report.h"
+#include "observe/describe.h"
+#include "observe/report.h"
 
 #include <ctype.h>
 #include <stdlib.h>
@@ -48,7 +48,7 @@ static char *described(char *page, struct error *error) {
     return text;
 }
 
-/* `make src/output/document && src/output/document <docs/output.md >new` */
+/* `make src/observe/document && src/observe/document <docs/output.md >new` */
 static void page_is_current(void **state) {
     (void)state;
     struct error error = {0};

@@ -1,6 +1,6 @@
 /* Reading of meshes: what is accepted, and what is refused with which place. */
-#include "contact/mesh.h"
-#include "contact/numbers.h"
+#include "walls/mesh.h"
+#include "files/numbers.h"
 #include "core/memory.h"
 #include <setjmp.h>
 #include <stdarg.h>

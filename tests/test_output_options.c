@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "output/output_options.h"
+#include "formats/output_options.h"
 
 static void never_unless_asked(void **state) {
     (void)state;

@@ -1,5 +1,5 @@
 /* Walls in the step: closed forms, planes against meshes, edges, periodic images, what is refused. */
-#include "contact/wall.h"
+#include "walls/wall.h"
 #include "contact/law_kernel.h"
 #include <setjmp.h>
 #include <stdarg.h>

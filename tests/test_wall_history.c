@@ -1,6 +1,6 @@
 /* Histories of wall contacts: round an edge, over threads, reorderings and migration, after a resume; sums
  * and energy. */
-#include "contact/wall.h"
+#include "walls/wall.h"
 #include "contact/law_kernel.h"
 #include <setjmp.h>
 #include <stdarg.h>

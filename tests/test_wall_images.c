@@ -1,6 +1,6 @@
 /* Walls felt through periodic images: springs of contacts with several of them, and walls far outside of the
  * box. */
-#include "contact/wall.h"
+#include "walls/wall.h"
 #include "contact/law_kernel.h"
 #include <setjmp.h>
 #include <stdarg.h>

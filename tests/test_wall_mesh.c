@@ -1,8 +1,8 @@
 /* Surfaces of meshes: vertices merged, patches and features found, repairs noted, triangles found by the
  * grid. */
-#include "contact/wall_grid.h"
-#include "contact/wall_mesh.h"
-#include "contact/wall_touch.h"
+#include "walls/wall_grid.h"
+#include "walls/wall_mesh.h"
+#include "walls/wall_touch.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

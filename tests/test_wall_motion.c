@@ -1,5 +1,5 @@
 /* Motions: closed forms, velocities against displacements, composition, tables, servo. */
-#include "contact/wall_motion.h"
+#include "walls/wall_motion.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

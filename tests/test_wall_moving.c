@@ -1,5 +1,5 @@
 /* Walls that move: piston, servo, drum, conveyor, bounds of displacements. */
-#include "contact/wall.h"
+#include "walls/wall.h"
 #include "contact/law_kernel.h"
 #include <setjmp.h>
 #include <stdarg.h>

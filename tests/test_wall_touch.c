@@ -1,7 +1,7 @@
 /* Where a sphere touches a mesh or a cylinder, against exact distances. */
-#include "contact/wall_grid.h"
-#include "contact/wall_mesh.h"
-#include "contact/wall_touch.h"
+#include "walls/wall_grid.h"
+#include "walls/wall_mesh.h"
+#include "walls/wall_touch.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

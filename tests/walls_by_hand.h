@@ -3,7 +3,7 @@
 #ifndef SCREE_TESTS_WALLS_BY_HAND_H
 #define SCREE_TESTS_WALLS_BY_HAND_H
 
-#include "contact/wall.h"
+#include "walls/wall.h"
 #include "core/memory.h"
 #include "integrate/integrator.h"
 #include <stdio.h>

@@ -136,7 +136,7 @@ lengths_section() {
 ## What has the length of the rank count
 
 **In the step: nothing.** A step is one message to and from each rank of the plan (\`src/comm/ghosts.c\`, \`exchange.c\`) and one non-blocking
-reduction of 2 x classes + 4 numbers (\`src/app/step.c\`). \`grep -n 'comm->size\\|->ranks' src/comm/*.c\` shows all places that see the rank count:
+reduction of 2 x classes + 4 numbers (\`src/engine/step.c\`). \`grep -n 'comm->size\\|->ranks' src/comm/*.c\` shows all places that see the rank count:
 
 | where | when | what |
 |---|---|---|
@@ -144,9 +144,9 @@ reduction of 2 x classes + 4 numbers (\`src/app/step.c\`). \`grep -n 'comm->size
 | \`domain_tree.c\` | set-up, division | the cut tree of a bisection: 16 bytes a rank, on every rank, kept |
 | \`balance_zoltan.c\` | division of a bisection | corners, places and order of all subdomains, 84 bytes a rank, and what Zoltan takes |
 | \`comm.c\` (\`comm_gather_varying\`) | text dumps | 8 bytes a rank and a loop over ranks, on rank 0 |
-| \`output/report.c\` | end of the run | copies, messages and bytes of all ranks: 24 bytes a rank, on every rank |
-| \`output/checkpoint.c\` | checkpoints | a row of each rank in the file; a resume on as many ranks reads 8 bytes a rank |
-| \`output/dump.c\` | text dumps | rank after rank is written by rank 0 |
+| \`observe/report.c\` | end of the run | copies, messages and bytes of all ranks: 24 bytes a rank, on every rank |
+| \`formats/checkpoint.c\` | checkpoints | a row of each rank in the file; a resume on as many ranks reads 8 bytes a rank |
+| \`formats/dump.c\` | text dumps | rank after rank is written by rank 0 |
 | \`scene/source.c\` | set-up | every rank walks through all particles of the scene and keeps its own: time and 32 bytes a particle of the whole scene |
 
 Sorting by rank (\`groups.c\`), which each rebuild does four times, follows the items and the ranks that occur among them.

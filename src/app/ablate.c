@@ -155,7 +155,7 @@ static bool variants_run(const struct comm *comm, const struct command_line *lin
 
 static bool table_make(const struct comm *comm, const struct command_line *line, const struct variants *v,
                        struct error *error) {
-    char path[OUTPUT_PATH_MAX];
+    char path[FILE_PATH_MAX];
     FILE *table = NULL;
     snprintf(path, sizeof path, "%s/ablate.csv", line->directory);
     if (comm->rank == 0 && (table = fopen(path, "w")) == NULL)

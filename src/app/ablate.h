@@ -3,7 +3,7 @@
 #define SCREE_APP_ABLATE_H
 
 #include "app/command.h"
-#include "app/run.h"
+#include "engine/run.h"
 
 /* Runs a scene without files; `watch` and `report` may be NULL. A signal that ends the run is an error of
  * kind ERROR_SIGNAL + number. Collective. */

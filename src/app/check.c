@@ -1,7 +1,7 @@
 /* `scree check`: what a scene needs, and why. */
 #include "app/command.h"
-#include "app/outputs.h"
-#include "app/simulation.h"
+#include "engine/outputs.h"
+#include "engine/simulation.h"
 #include "core/memory.h"
 #include "particles/fields.h"
 #include <math.h>

@@ -1,8 +1,8 @@
 #include "app/command.h"
-#include "app/run.h"
+#include "engine/run.h"
 #include "core/memory.h"
-#include "output/convert.h"
-#include "output/info.h"
+#include "formats/convert.h"
+#include "formats/info.h"
 #include "pack/options.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -249,7 +249,7 @@ struct scene *command_scene(const struct comm *comm, const struct command_line *
 }
 
 static int run_run(const struct comm *comm, const struct command_line *line, struct error *error) {
-    char newest[OUTPUT_PATH_MAX] = "";
+    char newest[FILE_PATH_MAX] = "";
     if (line->directory == NULL) {
         error_set(error, ERROR_USER, "command line: scree run needs -o DIR for its files");
         return error->kind;

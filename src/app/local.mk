@@ -1,30 +1,22 @@
 noinst_LTLIBRARIES += libapp.la
 libapp_la_SOURCES = \
-	src/app/ablate.c src/app/ablate.h \
+	src/app/ablate.c \
+	src/app/ablate.h \
 	src/app/ablate_error.c \
 	src/app/check.c \
-	src/app/command.c src/app/command.h \
-	src/app/folder.c src/app/folder.h \
-	src/app/guards.c src/app/guards.h \
-	src/app/library.c src/scree.h \
-	src/app/load.c src/app/load.h \
-	src/app/outputs.c src/app/outputs.h \
+	src/app/command.c \
+	src/app/command.h \
+	src/app/library.c \
 	src/app/pack.c \
 	src/app/program.c \
-	src/app/rebuild.c \
-	src/app/resume.c \
-	src/app/run.c src/app/run.h \
-	src/app/run_report.c src/app/run_report.h \
-	src/app/sample.c src/app/sample.h \
-	src/app/simulation.c src/app/simulation.h \
-	src/app/sources.c \
-	src/app/speed_error.c src/app/speed_error.h \
+	src/app/sample.c \
+	src/app/sample.h \
+	src/app/speed_error.c \
+	src/app/speed_error.h \
 	src/app/speed_write.c \
-	src/app/step.c \
-	src/app/timing.c \
-	src/app/tune.c \
-	src/app/variant.c src/app/variant.h
-
+	src/app/variant.c \
+	src/app/variant.h \
+	src/scree.h
 libapp_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 
 # The library for other codes exports scree_* alone; the program is a main that calls it

@@ -2,9 +2,9 @@
 #include "app/command.h"
 #include "core/memory.h"
 #include "core/timer.h"
-#include "output/file.h"
-#include "output/h5md.h"
-#include "output/lammps_data.h"
+#include "files/file.h"
+#include "formats/h5md.h"
+#include "formats/lammps_data.h"
 #include "pack/pack.h"
 #include <inttypes.h>
 #include <string.h>
@@ -58,9 +58,9 @@ static bool is_h5md(const char *path) {
 /* Asked before the work, not after it. */
 static bool folder_holds(const char *path, struct error *error) {
     const char *slash = strrchr(path, '/');
-    char folder[OUTPUT_PATH_MAX];
+    char folder[FILE_PATH_MAX];
     int length = slash ? (int)(slash - path) + 1 : 2;
-    if (snprintf(folder, sizeof folder, "%.*s", length, slash ? path : "./") >= OUTPUT_PATH_MAX)
+    if (snprintf(folder, sizeof folder, "%.*s", length, slash ? path : "./") >= FILE_PATH_MAX)
         return error_set(error, ERROR_USER, "%.60s...: this path is too long", path);
     return access(folder, W_OK | X_OK) == 0 ||
            error_set(error, ERROR_USER, "%s: its folder is not there, or may not be written to", path);

@@ -1,6 +1,6 @@
 #include "app/command.h"
 #include "core/version.h"
-#include "output/output.h"
+#include "formats/output.h"
 #include "scree.h"
 #include <errno.h>
 #include <signal.h>

@@ -3,8 +3,8 @@
 #ifndef SCREE_APP_SAMPLE_H
 #define SCREE_APP_SAMPLE_H
 
-#include "app/run.h"
-#include "output/observables.h"
+#include "engine/run.h"
+#include "observe/observables.h"
 
 enum { SAMPLE_COLUMNS_MAX = 256, SAMPLE_TRACKED_MAX = 20000 };
 

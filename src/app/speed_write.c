@@ -20,7 +20,7 @@ static const char *column_of(const struct speed_reference *reference, int column
 }
 
 static FILE *file_open(const char *directory, const char *name, char *path, struct error *error) {
-    snprintf(path, OUTPUT_PATH_MAX, "%s/%s", directory, name);
+    snprintf(path, FILE_PATH_MAX, "%s/%s", directory, name);
     FILE *file = fopen(path, "w");
     if (file == NULL)
         error_set_errno(error, "%s", path);
@@ -33,7 +33,7 @@ static bool file_close(FILE *file, const char *path, struct error *error) {
 
 static bool rows_write(const struct speed_row *row, int rows, const struct speed_reference *reference,
                        const char *directory, struct error *error) {
-    char path[OUTPUT_PATH_MAX];
+    char path[FILE_PATH_MAX];
     FILE *file = file_open(directory, "speed_error.csv", path, error);
     if (file == NULL)
         return false;
@@ -58,7 +58,7 @@ static bool rows_write(const struct speed_row *row, int rows, const struct speed
 static bool reference_write(const struct speed_reference *reference, const char *directory,
                             struct error *error) {
     const struct sample_record *record = finest(reference);
-    char path[OUTPUT_PATH_MAX];
+    char path[FILE_PATH_MAX];
     FILE *file = file_open(directory, "speed_error_reference.csv", path, error);
     if (file == NULL)
         return false;
@@ -106,7 +106,7 @@ static void quote(FILE *file, const char *text) {
 
 static void plot_say(FILE *file, const struct speed_row *row, int rows,
                      const struct speed_reference *reference, const char *directory) {
-    char path[OUTPUT_PATH_MAX + 32], data[4096] = "";
+    char path[FILE_PATH_MAX + 32], data[4096] = "";
     bool front = points_write(file, row, rows, NULL, true);
     for (int k = 0; k < rows; k++) {
         size_t used = strlen(data);
@@ -253,7 +253,7 @@ void speed_print(const struct speed_report *report, FILE *file) {
 }
 
 static bool text_write(const struct speed_report *report, const char *directory, struct error *error) {
-    char path[OUTPUT_PATH_MAX];
+    char path[FILE_PATH_MAX];
     FILE *file = file_open(directory, "speed_error.txt", path, error);
     if (file == NULL)
         return false;
@@ -262,7 +262,7 @@ static bool text_write(const struct speed_report *report, const char *directory,
 }
 
 bool speed_write(const struct speed_report *report, const char *directory, struct error *error) {
-    char path[OUTPUT_PATH_MAX];
+    char path[FILE_PATH_MAX];
     if (!rows_write(report->row, report->rows, report->reference, directory, error) ||
         !reference_write(report->reference, directory, error) || !text_write(report, directory, error))
         return false;

@@ -5,7 +5,7 @@
 #ifndef SCREE_APP_VARIANT_H
 #define SCREE_APP_VARIANT_H
 
-#include "app/simulation.h"
+#include "engine/simulation.h"
 
 enum { VARIANTS_MAX = 64, VARIANT_CHANGES_MAX = 8, VARIANT_TEXT_MAX = 200 };
 

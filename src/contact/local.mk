@@ -12,30 +12,7 @@ libcontact_la_SOURCES = \
 	src/contact/force_physics.h \
 	src/contact/law.c \
 	src/contact/law.h \
-	src/contact/law_kernel.h \
-	src/contact/mesh.c \
-	src/contact/mesh.h \
-	src/contact/mesh_stl.c \
-	src/contact/numbers.c \
-	src/contact/numbers.h \
-	src/contact/wall.h \
-	src/contact/wall_grid.c \
-	src/contact/wall_grid.h \
-	src/contact/wall_mesh.c \
-	src/contact/wall_mesh.h \
-	src/contact/wall_motion.c \
-	src/contact/wall_motion.h \
-	src/contact/wall_patch.c \
-	src/contact/wall_rows.c \
-	src/contact/wall_touch.c \
-	src/contact/wall_touch.h \
-	src/contact/walls.c \
-	src/contact/walls_force.c \
-	src/contact/walls_history.c \
-	src/contact/walls_near.c \
-	src/contact/walls_overlap.c \
-	src/contact/walls_parts.h \
-	src/contact/walls_touch.c
+	src/contact/law_kernel.h
 libcontact_la_CPPFLAGS = $(AM_CPPFLAGS)
 libcontact_la_LIBADD = libforce_baseline.la
 

@@ -1,7 +1,7 @@
 #include "pack/draw.h"
 
 #include "core/random.h"
-#include "output/lines.h"
+#include "files/lines.h"
 #include "scene/sizes.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
 #ifndef SCREE_PACK_PACK_H
 #define SCREE_PACK_PACK_H
 
-#include "output/rows.h"
+#include "formats/rows.h"
 #include "pack/options.h"
 #include "pack/relax.h"
 

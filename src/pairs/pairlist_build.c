@@ -10,7 +10,7 @@
  * repeated. So it is if the set of busy classes turns out otherwise than assumed. */
 #include "pairs/pairlist_build.h"
 #include "core/memory.h"
-#include "index/members.h"
+#include "index/grids/members.h"
 #include <assert.h>
 #include <omp.h>
 #include <string.h>

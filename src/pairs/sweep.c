@@ -1,6 +1,6 @@
 #include "pairs/sweep.h"
 #include "core/memory.h"
-#include "index/members.h"
+#include "index/grids/members.h"
 #include <omp.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 #include "particles/classes.h"
 #include "core/memory.h"
-#include "index/auto.h"
+#include "index/choose/auto.h"
 #include <math.h>
 #include <stdlib.h>
 

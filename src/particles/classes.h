@@ -18,9 +18,9 @@ enum classes_method { CLASSES_AUTO, CLASSES_ONE, CLASSES_CUTS, CLASSES_QUANTILES
 
 struct classes_options {
     enum classes_method
-        method;    /* CLASSES_AUTO: as a search costs least (index/auto.h), and between sizes far apart */
-    int count;     /* QUANTILES and GEOMETRIC: how many, 1 ... CLASS_MAX */
-    int cut_count; /* CUTS: number of given cuts, 0 ... CLASS_MAX - 1 */
+        method; /* CLASSES_AUTO: as a search costs least (index/choose/auto.h), and between sizes far apart */
+    int count;  /* QUANTILES and GEOMETRIC: how many, 1 ... CLASS_MAX */
+    int cut_count;         /* CUTS: number of given cuts, 0 ... CLASS_MAX - 1 */
     double cut[CLASS_MAX]; /* CUTS: radii, increasing, length unit */
     bool skin_given;       /* true: `skin` is a length, the same for all class pairs */
     double skin;           /* length unit */

@@ -3,8 +3,8 @@
 #include "scene/finish.h"
 
 #include "integrate/timestep.h"
-#include "output/h5md_read.h"
-#include "output/lammps_data.h"
+#include "formats/h5md_read.h"
+#include "formats/lammps_data.h"
 
 #include <math.h>
 #include <stdarg.h>

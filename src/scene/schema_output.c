@@ -1,6 +1,6 @@
 /* Rows of the schema: output and observables. */
-#include "output/observables.h"
-#include "output/output_options.h"
+#include "observe/observables.h"
+#include "formats/output_options.h"
 #include "scene/schema_rows.h"
 
 #include <string.h>

@@ -6,8 +6,8 @@
 
 #include "core/checksum.h"
 #include "core/memory.h"
-#include "output/h5md_read.h"
-#include "output/lammps_data.h"
+#include "formats/h5md_read.h"
+#include "formats/lammps_data.h"
 #include "scene/unique.h"
 
 #include <math.h>

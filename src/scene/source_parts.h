@@ -3,7 +3,7 @@
 #ifndef SCREE_SCENE_SOURCE_PARTS_H
 #define SCREE_SCENE_SOURCE_PARTS_H
 
-#include "output/rows.h"
+#include "formats/rows.h"
 #include "scene/finish.h"
 #include "scene/placegrid.h"
 #include "scene/scene.h"

@@ -2,7 +2,7 @@
 #ifndef SCREE_TESTS_INDEX_BENCH_FIT_H
 #define SCREE_TESTS_INDEX_BENCH_FIT_H
 
-#include "index/cost.h"
+#include "index/choose/cost.h"
 
 /* One measured rebuild: events and seconds (of all threads together). */
 struct bench_sample {

@@ -2,7 +2,7 @@
 
 #include "core/memory.h"
 #include "core/random.h"
-#include "output/lammps_data.h"
+#include "formats/lammps_data.h"
 #include "particles/box.h"
 #include "scene/placegrid.h"
 

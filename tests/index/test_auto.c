@@ -1,6 +1,6 @@
 /* What auto chooses: levels, cuts and cells for scenes with a clear answer, and the same for the same scene.
  */
-#include "index/auto.h"
+#include "index/choose/auto.h"
 #include "tests/index/cloud.h"
 
 #include <math.h>

@@ -5,7 +5,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "index/search.h"
+#include "index/search/search.h"
 #include "tests/index/cloud.h"
 
 #include <stdio.h>

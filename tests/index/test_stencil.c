@@ -6,9 +6,9 @@
 #include <cmocka.h>
 
 #include "core/random.h"
-#include "index/frame.h"
-#include "index/grid.h"
-#include "index/stencil.h"
+#include "index/grids/frame.h"
+#include "index/grids/grid.h"
+#include "index/grids/stencil.h"
 
 #include <math.h>
 #include <stdlib.h>

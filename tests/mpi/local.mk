@@ -62,7 +62,7 @@ check_PROGRAMS += \
 
 OUTPUT_TEST_SOURCES = tests/mpi/team.c tests/mpi/team.h tests/mpi/cloud.c tests/mpi/cloud.h tests/mpi/folder.c tests/mpi/folder.h
 OUTPUT_TEST_FLAGS = $(MPI_TEST_FLAGS) $(HDF5_CFLAGS)
-OUTPUT_TEST_LIBS = $(OUTPUT_LIBS) $(TEST_LIBS) $(HDF5_LIBS) $(MPI_LIBS)
+OUTPUT_TEST_LIBS = $(OBSERVE_LIBS) $(TEST_LIBS) $(HDF5_LIBS) $(MPI_LIBS)
 
 tests_mpi_test_checkpoint_SOURCES = tests/mpi/test_checkpoint.c tests/mpi/state.h $(OUTPUT_TEST_SOURCES)
 tests_mpi_test_checkpoint_CPPFLAGS = $(OUTPUT_TEST_FLAGS)

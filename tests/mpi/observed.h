@@ -5,7 +5,7 @@
 #include "cloud.h"
 #include "core/memory.h"
 #include "folder.h"
-#include "output/observables_kinds.h"
+#include "observe/observables_kinds.h"
 #include "particles/fields.h"
 #include "team.h"
 

@@ -6,8 +6,8 @@
 #include "core/memory.h"
 #include "core/random.h"
 #include "folder.h"
-#include "output/checkpoint.h"
-#include "output/checkpoint_table.h"
+#include "formats/checkpoint.h"
+#include "formats/checkpoint_table.h"
 #include "particles/fields.h"
 #include "team.h"
 

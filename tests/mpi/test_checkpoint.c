@@ -216,7 +216,7 @@ static void old_ones_are_deleted(void **state) {
     struct team *team = *state;
     struct fixture f;
     struct error error = {0};
-    char path[OUTPUT_PATH_MAX], expected[FOLDER_MAX + 64];
+    char path[FILE_PATH_MAX], expected[FOLDER_MAX + 64];
     fixture_make(&f, team, &team->comm, 0);
     team_expect(team, !checkpoint_find_newest(f.folder.path, path), "there is one");
     static const uint64_t steps[] = {100, 90, 1000, 1100};

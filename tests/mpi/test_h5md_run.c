@@ -6,7 +6,7 @@
 #include <stdint.h>
 #include <cmocka.h>
 
-#include "output/file.h"
+#include "files/file.h"
 #include "trajectory.h"
 
 #include <sys/resource.h>

@@ -9,9 +9,9 @@
 #include "core/memory.h"
 #include "core/version.h"
 #include "folder.h"
-#include "output/file.h"
-#include "output/progress.h"
-#include "output/report.h"
+#include "files/file.h"
+#include "observe/progress.h"
+#include "observe/report.h"
 #include "team.h"
 
 #include <math.h>

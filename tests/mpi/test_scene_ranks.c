@@ -1,6 +1,6 @@
 /* Particle sources on many ranks. Ranks: 1 2 3 5 */
 #include "comm/domain.h"
-#include "output/convert.h"
+#include "formats/convert.h"
 #include "tests/mpi/folder.h"
 #include "tests/scene_by_hand.h"
 

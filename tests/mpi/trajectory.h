@@ -5,8 +5,8 @@
 #include "cloud.h"
 #include "core/memory.h"
 #include "folder.h"
-#include "output/h5md.h"
-#include "output/h5md_read.h"
+#include "formats/h5md.h"
+#include "formats/h5md_read.h"
 #include "particles/fields.h"
 #include "team.h"
 

@@ -1,0 +1,218 @@
+#include "index/choose/auto.h"
+
+#include <math.h>
+
+enum { LEVELS_TRIED = 8, LEVELS_PATIENCE = 2, ROUNDS = 4 };
+
+/* Cell edges tried, as multiples of the cut-off of a level. For the level with most particles the model is
+ * nearly flat from 1 to 2 and the clock is not: larger ones are for the others, and for it where cells of the
+ * cut-off would be nearly all empty. */
+static const double factors[] = {0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 8.0, 16.0};
+enum { FACTORS = sizeof factors / sizeof factors[0], FACTORS_CROWDED = 4 };
+
+/* Worth less than this is not worth it: a level more, or another cut. */
+static const double gain_least = 0.005;
+
+static const double occupancy_dilute = 0.1;
+static const double gap_ratio = 1.5, gap_price = 1.1;
+
+void auto_bins(struct cost_scene *scene, const double *radii, size_t n, double weight) {
+    double low = log(radii[0]), high = log(radii[n - 1]);
+    scene->bins = 0;
+    int previous = -1;
+    for (size_t k = 0; k < n; k++) {
+        int bin = high > low ? (int)((log(radii[k]) - low) / (high - low) * (COST_BINS - 1)) : 0;
+        if (bin > previous) {
+            scene->radius_min[scene->bins] = radii[k];
+            scene->count[scene->bins++] = 0;
+            previous = bin;
+        }
+        scene->count[scene->bins - 1] += weight;
+        scene->radius_max[scene->bins - 1] = radii[k];
+    }
+}
+
+/* The level with most particles. */
+static int crowded(const struct cost_scene *scene, const struct cost_plan *plan) {
+    int best = 0;
+    double most = 0;
+    for (int g = 0, bin = 0; g < plan->levels; g++) {
+        double count = 0;
+        for (; bin <= plan->last[g]; bin++) {
+            count += scene->count[bin];
+        }
+        best = count > most ? g : best;
+        most = count > most ? count : most;
+    }
+    return best;
+}
+
+double auto_edges(const struct cost_scene *scene, struct cost_plan *plan) {
+    double cutoff[INDEX_CLASS_MAX];
+    int most = crowded(scene, plan), limit = FACTORS;
+    for (int g = 0; g < plan->levels; g++) {
+        cutoff[g] = plan->edge[g] = cost_cutoff(scene, plan, g);
+        plan->edge[g] = cutoff[g] = cutoff[g] > 0 ? cutoff[g] : 1;
+    }
+    double particles = 0;
+    for (int bin = 0; bin < scene->bins; bin++) {
+        particles += scene->count[bin];
+    }
+    if (particles * pow(cutoff[most], scene->dimension) > occupancy_dilute * scene->volume) {
+        limit = FACTORS_CROWDED;
+    }
+    double best = cost_seconds(scene, plan);
+    bool better = true;
+    for (int round = 0; round < ROUNDS && better; round++) {
+        better = false;
+        for (int g = 0; g < plan->levels; g++) {
+            double kept = plan->edge[g];
+            for (int f = 0; f < (g == most ? limit : FACTORS); f++) {
+                plan->edge[g] = factors[f] * cutoff[g];
+                double cost = cost_seconds(scene, plan);
+                if (cost < best * (1 - gain_least)) {
+                    best = cost;
+                    kept = plan->edge[g];
+                    better = true;
+                }
+            }
+            plan->edge[g] = kept;
+        }
+    }
+    return best;
+}
+
+/* Levels of equal occupancy whose top bins end where a level of occupancy m does; returns their number. */
+static int cut_at(const struct cost_scene *scene, double occupancy, struct cost_plan *plan) {
+    plan->levels = 0;
+    double count = 0;
+    for (int bin = 0; bin < scene->bins; bin++) {
+        double next = count + scene->count[bin];
+        if (bin > 0 && count > 0 && next * pow(scene->radius_max[bin], scene->dimension) > occupancy &&
+            plan->levels < INDEX_CLASS_MAX - 1) {
+            plan->last[plan->levels++] = bin - 1;
+            next = scene->count[bin];
+        }
+        count = next;
+    }
+    plan->last[plan->levels] = scene->bins - 1;
+    return ++plan->levels;
+}
+
+void auto_equal(const struct cost_scene *scene, int levels, struct cost_plan *plan) {
+    double low = 0, high = 0;
+    *plan = (struct cost_plan){0};
+    for (int bin = 0; bin < scene->bins; bin++) {
+        high += scene->count[bin];
+    }
+    high *= pow(scene->radius_max[scene->bins - 1], scene->dimension) * 2;
+    for (int k = 0; k < 100; k++) {
+        double middle = (low + high) / 2;
+        if (cut_at(scene, middle, plan) > levels) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    cut_at(scene, high, plan);
+    for (int g = 0; g < plan->levels; g++) {
+        plan->edge[g] = cost_cutoff(scene, plan, g);
+    }
+}
+
+/* Moves one cut to where it costs least, all others kept. True if that gained. */
+static bool move_cut(const struct cost_scene *scene, int cut, struct cost_plan *plan, double *best) {
+    int low = cut > 0 ? plan->last[cut - 1] + 1 : 0, high = plan->last[cut + 1] - 1;
+    struct cost_plan kept = *plan;
+    bool better = false;
+    for (int bin = low; bin <= high; bin++) {
+        struct cost_plan trial = *plan;
+        trial.last[cut] = bin;
+        for (int g = cut; g <= cut + 1; g++) {
+            double old = cost_cutoff(scene, plan, g), now = cost_cutoff(scene, &trial, g);
+            trial.edge[g] = old > 0 ? plan->edge[g] * now / old : now;
+        }
+        double cost = cost_seconds(scene, &trial);
+        if (cost < *best * (1 - gain_least)) {
+            *best = cost;
+            kept = trial;
+            better = true;
+        }
+    }
+    *plan = kept;
+    return better;
+}
+
+/* Sizes that lie a factor apart are different sizes: between them there is a cut, unless that costs much. */
+static void cut_gaps(const struct cost_scene *scene, int most, struct cost_plan *plan) {
+    for (int bin = 0; bin + 1 < scene->bins && plan->levels < most; bin++) {
+        int g = 0;
+        while (plan->last[g] < bin) {
+            g++;
+        }
+        if (plan->last[g] == bin || scene->radius_min[bin + 1] < gap_ratio * scene->radius_max[bin]) {
+            continue;
+        }
+        struct cost_plan trial = *plan;
+        for (int h = trial.levels++; h > g; h--) {
+            trial.last[h] = trial.last[h - 1];
+        }
+        trial.last[g] = bin;
+        double before = cost_seconds(scene, plan);
+        if (auto_edges(scene, &trial) < gap_price * before) {
+            *plan = trial;
+        }
+    }
+}
+
+void auto_levels(const struct cost_scene *scene, int most, struct cost_plan *plan) {
+    double best = INFINITY;
+    int best_levels = 0;
+    most = most < LEVELS_TRIED ? most : LEVELS_TRIED;
+    for (int levels = 1; levels <= most && levels <= scene->bins && levels <= best_levels + LEVELS_PATIENCE;
+         levels++) {
+        struct cost_plan trial;
+        auto_equal(scene, levels, &trial);
+        double cost = auto_edges(scene, &trial);
+        bool better = trial.levels > 1;
+        for (int round = 0; round < ROUNDS && better; round++) {
+            better = false;
+            for (int cut = 0; cut + 1 < trial.levels; cut++) {
+                better = move_cut(scene, cut, &trial, &cost) || better;
+            }
+            double with_edges = auto_edges(scene, &trial);
+            cost = with_edges;
+        }
+        if (cost < best * (1 - gain_least)) {
+            best = cost;
+            best_levels = levels;
+            *plan = trial;
+        }
+    }
+    cut_gaps(scene, most, plan);
+}
+
+void auto_group(const struct cost_scene *scene, struct cost_plan *plan) {
+    *plan = (struct cost_plan){.levels = scene->bins};
+    for (int c = 0; c < scene->bins; c++) {
+        plan->last[c] = c;
+    }
+    double best = auto_edges(scene, plan);
+    for (bool better = true; better && plan->levels > 1;) {
+        struct cost_plan kept = *plan;
+        better = false;
+        for (int cut = 0; cut + 1 < plan->levels; cut++) {
+            struct cost_plan trial = {.levels = plan->levels - 1};
+            for (int g = 0; g < trial.levels; g++) {
+                trial.last[g] = plan->last[g < cut ? g : g + 1];
+            }
+            double cost = auto_edges(scene, &trial);
+            if (cost < best * (1 - gain_least)) {
+                best = cost;
+                kept = trial;
+                better = true;
+            }
+        }
+        *plan = kept;
+    }
+}

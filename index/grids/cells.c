@@ -1,0 +1,349 @@
+/* Building a table, in three sweeps over the particles:
+ *
+ * 1. Keys: every particle's cell, and, hoping that the particles are in order already (they are after a
+ * reorder), its coordinates at once into their places. If so, only the cell beginnings remain to be written.
+ * 2. Otherwise the keys are sorted (cells_sort.c): by thread and bucket, then within each bucket.
+ * 3. And the coordinates are gathered in the new order.
+ *
+ * Where the order of the particles was made from the same grid, 1 and 2 are done by then: cells_order keeps
+ * the beginnings, and cells_fill only writes coordinates. */
+#include "index/grids/cells.h"
+
+#include "core/memory.h"
+#include "index/grids/cells_sort.h"
+#include "index/grids/locate.h"
+
+#include <omp.h>
+#include <string.h>
+
+struct range {
+    size_t begin, end;
+};
+
+static struct range my_range(size_t count) {
+    size_t threads = (size_t)omp_get_num_threads();
+    size_t thread = (size_t)omp_get_thread_num();
+    return (struct range){count * thread / threads, count * (thread + 1) / threads};
+}
+
+static void *ensure(void *array, size_t old, size_t count, size_t size, const char *what) {
+    if (old >= count && array != NULL) {
+        return array;
+    }
+    memory_free(array);
+    return memory_allocate(count, size, what);
+}
+
+static void reserve_slots(struct cells *cells, size_t count, bool coordinates) {
+    size_t old = cells->capacity;
+    cells->particle = ensure(cells->particle, old, count, sizeof(uint32_t), "index particles");
+    cells->capacity = count > old ? count : old;
+    if (!coordinates) {
+        return;
+    }
+    old = cells->place_capacity;
+    cells->x = ensure(cells->x, old, count, sizeof(float), "index coordinates");
+    cells->y = ensure(cells->y, old, count, sizeof(float), "index coordinates");
+    cells->z = ensure(cells->z, old, count, sizeof(float), "index coordinates");
+    cells->r = ensure(cells->r, old, count, sizeof(float), "index radii");
+    cells->place_capacity = count > old ? count : old;
+}
+
+/* Puts the particles of a batch into the slots from `slot` on; what it finds goes into the bounds of `cells`,
+ * a thread's own copy. */
+static void put_slots(struct cells *cells, const struct frame *frame, size_t slot,
+                      const struct located *located) {
+    const double scale = frame->scale;
+    const size_t n = located->count;
+    float *restrict r = cells->r + slot;
+    float least = cells->r_min, most = cells->r_max;
+    memcpy(cells->x + slot, located->x[0], n * sizeof(float));
+    memcpy(cells->y + slot, located->x[1], n * sizeof(float));
+    memcpy(cells->z + slot, located->x[2], n * sizeof(float));
+    for (size_t k = 0; k < n; k++) {
+        r[k] = (float)(located->r[k] * scale * (1 + CELLS_RADIUS_EXCESS));
+    }
+    for (size_t k = 0; k < n; k++) {
+        least = r[k] < least ? r[k] : least;
+        most = r[k] > most ? r[k] : most;
+    }
+    cells->r_min = least;
+    cells->r_max = most;
+}
+
+/* Keys of a batch. */
+static void put_keys(const struct cells_source *source, const struct located *located,
+                     uint64_t *restrict key) {
+    const uint32_t *x = located->cell[0], *y = located->cell[1], *z = located->cell[2];
+    const uint32_t nx = (uint32_t)source->grid->n[0], ny = (uint32_t)source->grid->n[1];
+    if (source->sparse) {
+        for (size_t k = 0; k < located->count; k++) {
+            key[k] = (uint64_t)z[k] << 2 * CELLS_SPARSE_BITS | (uint64_t)y[k] << CELLS_SPARSE_BITS | x[k];
+        }
+    } else { /* fewer than 2^31 cells */
+        for (size_t k = 0; k < located->count; k++) {
+            key[k] = (z[k] * ny + y[k]) * nx + x[k];
+        }
+    }
+}
+
+static void start_bounds(struct cells *cells) {
+    cells->clamped = false;
+    cells->r_min = cells->count > 0 ? 1e30f : 0;
+    cells->r_max = 0;
+}
+
+static void merge_bounds(struct cells *cells, const struct cells *mine, bool ordered) {
+#pragma omp critical(scree_cells_bounds)
+    {
+        cells->r_min = mine->r_min < cells->r_min ? mine->r_min : cells->r_min;
+        cells->r_max = mine->r_max > cells->r_max ? mine->r_max : cells->r_max;
+        cells->clamped = cells->clamped || mine->clamped;
+        cells->in_order = cells->in_order && ordered;
+    }
+}
+
+/* The k-th particles of the group on, as the members list them, into a batch. */
+static void locate_members(struct located *located, const struct cells_source *source, size_t k) {
+    const struct members *members = source->members;
+    size_t at = members->begin[source->group] + k;
+    locate_particles(located, source->view, source->frame, members->contiguous ? NULL : members->list + at,
+                     members->first + at);
+}
+
+static void number_members(uint32_t *particle, const struct cells_source *source, size_t k, size_t n) {
+    const struct members *members = source->members;
+    size_t at = members->begin[source->group] + k;
+    for (size_t m = 0; m < n; m++) {
+        particle[m] = (uint32_t)members_get(members, at + m);
+    }
+}
+
+/* Sweep 1; without `coordinates` for the keys alone. */
+static void find_keys(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
+                      bool coordinates) {
+    cells->in_order = true;
+    start_bounds(cells);
+#pragma omp parallel num_threads(source->view->threads) if (cells->count > CELLS_THREADED)
+    {
+        struct range range = my_range(cells->count);
+        struct cells mine = *cells;
+        struct located located;
+        uint64_t *key = scratch->key;
+        bool ordered = true;
+        for (size_t k = range.begin; k < range.end; k += located.count) {
+            located.count = range.end - k < LOCATE_BATCH ? range.end - k : LOCATE_BATCH;
+            locate_members(&located, source, k);
+            locate_cells(&located, source->grid);
+            put_keys(source, &located, key + k);
+            number_members(cells->particle + k, source, k, located.count);
+            mine.clamped = mine.clamped || located.clamped;
+            if (coordinates) {
+                put_slots(&mine, source->frame, k, &located);
+            }
+            for (size_t m = k > range.begin ? k : k + 1; m < k + located.count; m++) {
+                ordered = ordered && key[m] >= key[m - 1];
+            }
+        }
+#pragma omp barrier
+        if (range.begin > 0 && range.begin < range.end) {
+            ordered = ordered && key[range.begin - 1] <= key[range.begin];
+        }
+        merge_bounds(cells, &mine, ordered);
+    }
+}
+
+/* Sweep 3. */
+static void gather_slots(struct cells *cells, const struct cells_source *source) {
+#pragma omp parallel num_threads(source->view->threads) if (cells->count > CELLS_THREADED)
+    {
+        struct range range = my_range(cells->count);
+        struct cells mine = *cells;
+        struct located located;
+        for (size_t slot = range.begin; slot < range.end; slot += located.count) {
+            located.count = range.end - slot < LOCATE_BATCH ? range.end - slot : LOCATE_BATCH;
+            locate_particles(&located, source->view, source->frame, cells->particle + slot, 0);
+            put_slots(&mine, source->frame, slot, &located);
+        }
+    }
+}
+
+/* Cell beginnings from keys in order: each particle writes those of the cells after its predecessor's. */
+static void dense_begins(struct cells *cells, const uint64_t *key, size_t all_cells, int threads) {
+#pragma omp parallel num_threads(threads) if (cells->count > CELLS_THREADED)
+    {
+        struct range range = my_range(cells->count);
+        for (size_t k = range.begin; k < range.end; k++) {
+            uint64_t from = k > 0 ? key[k - 1] + 1 : 0;
+            for (uint64_t c = from; c <= key[k]; c++) {
+                cells->begin[c] = (uint32_t)k;
+            }
+        }
+    }
+    for (uint64_t c = cells->count > 0 ? key[cells->count - 1] + 1 : 0; c <= all_cells; c++) {
+        cells->begin[c] = (uint32_t)cells->count;
+    }
+}
+
+static void fill_hash(struct cells *cells) {
+    cells->hash_bits = 2;
+    while ((size_t)1 << cells->hash_bits < 2 * cells->pencils) {
+        cells->hash_bits++;
+    }
+    size_t room = (size_t)1 << cells->hash_bits;
+    cells->hash_key = ensure(cells->hash_key, cells->hash_capacity, room, sizeof(uint64_t), "index hash");
+    cells->hash_pencil =
+        ensure(cells->hash_pencil, cells->hash_capacity, room, sizeof(uint32_t), "index hash");
+    cells->hash_capacity = room > cells->hash_capacity ? room : cells->hash_capacity;
+    memset(cells->hash_key, 0xff, room * sizeof(uint64_t));
+    for (size_t p = 0; p < cells->pencils; p++) {
+        uint64_t k = (cells->pencil[p] * 0x9e3779b97f4a7c15u) >> (64 - cells->hash_bits);
+        while (cells->hash_key[k] != UINT64_MAX) {
+            k = (k + 1) & (room - 1);
+        }
+        cells->hash_key[k] = cells->pencil[p];
+        cells->hash_pencil[k] = (uint32_t)p;
+    }
+}
+
+/* Pencils, their slices and x cells from keys in order. */
+static void sparse_pencils(struct cells *cells, const uint64_t *key) {
+    const uint64_t mask = ((uint64_t)1 << CELLS_SPARSE_BITS) - 1;
+    size_t pencils = 0, occupied = 0;
+    for (size_t k = 0; k < cells->count; k++) {
+        pencils += k == 0 || key[k] >> CELLS_SPARSE_BITS != key[k - 1] >> CELLS_SPARSE_BITS;
+        occupied += k == 0 || key[k] != key[k - 1];
+    }
+    cells->pencils = pencils;
+    cells->occupied = occupied;
+    size_t old = cells->pencil_capacity;
+    cells->pencil = ensure(cells->pencil, old, pencils, sizeof(uint64_t), "index pencils");
+    cells->pencil_capacity = pencils > old ? pencils : old;
+    size_t p = 0;
+    for (size_t k = 0; k < cells->count; k++) {
+        uint64_t row = key[k] >> CELLS_SPARSE_BITS;
+        if (k == 0 || row != key[k - 1] >> CELLS_SPARSE_BITS) {
+            cells->pencil[p] = (row & mask) | (row >> CELLS_SPARSE_BITS) << 32;
+            cells->begin[p++] = (uint32_t)k;
+        }
+        cells->x_cell[k] = (uint32_t)(key[k] & mask);
+    }
+    cells->begin[p] = (uint32_t)cells->count;
+    fill_hash(cells);
+}
+
+/* Makes room for everything and takes the keys. */
+static void start(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
+                  bool coordinates) {
+    const struct members *members = source->members;
+    cells->count = members->begin[source->group + 1] - members->begin[source->group];
+    cells->sparse = source->sparse;
+    reserve_slots(cells, cells->count, coordinates);
+    cells_scratch_reserve(scratch, cells->count);
+    size_t begins = source->sparse ? cells->count + 1 : (size_t)source->grid->cells + 1;
+    if (cells->begin_capacity > 4 * begins + 4096) {
+        cells->begin_capacity = 0;
+    }
+    cells->begin = ensure(cells->begin, cells->begin_capacity, begins, sizeof(uint32_t), "index cells");
+    cells->begin_capacity = begins > cells->begin_capacity ? begins : cells->begin_capacity;
+    find_keys(cells, scratch, source, coordinates);
+}
+
+static void sort(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source) {
+    struct cells_sort_job job = {
+        .count = cells->count, .cells = source->grid->cells, .threads = source->view->threads};
+    if (source->sparse) {
+        cells_sort_sparse(scratch, &job, cells->particle);
+    } else {
+        cells_sort_dense(scratch, &job, cells->particle, cells->begin);
+    }
+}
+
+/* What the table needs beside the slots, from the keys in order. */
+static void finish(struct cells *cells, const struct cells_scratch *scratch,
+                   const struct cells_source *source) {
+    if (cells->sparse) {
+        size_t old = cells->x_cell_capacity;
+        cells->x_cell = ensure(cells->x_cell, old, cells->count, sizeof(uint32_t), "index x cells");
+        cells->x_cell_capacity = cells->count > old ? cells->count : old;
+        sparse_pencils(cells, scratch->key);
+    } else if (cells->in_order) { /* else the sort did it */
+        dense_begins(cells, scratch->key, (size_t)source->grid->cells, source->view->threads);
+    }
+}
+
+static void set_slots(const struct cells *cells, int threads, uint32_t *slot_of) {
+#pragma omp parallel for num_threads(threads) if (cells->count > CELLS_THREADED)
+    for (size_t slot = 0; slot < cells->count; slot++) {
+        slot_of[cells->particle[slot]] = (uint32_t)slot;
+    }
+}
+
+void cells_build(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
+                 uint32_t *slot_of) {
+    start(cells, scratch, source, true);
+    if (!cells->in_order) {
+        sort(cells, scratch, source);
+        gather_slots(cells, source);
+    }
+    finish(cells, scratch, source);
+    if (slot_of != NULL) {
+        set_slots(cells, source->view->threads, slot_of);
+    }
+}
+
+void cells_order(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
+                 bool keep, uint32_t *order) {
+    start(cells, scratch, source, false);
+    if (!cells->in_order) {
+        sort(cells, scratch, source);
+    }
+    if (keep) {
+        finish(cells, scratch, source);
+    }
+    memcpy(order, cells->particle, cells->count * sizeof order[0]);
+}
+
+void cells_fill(struct cells *cells, const struct cells_source *source, uint32_t *slot_of) {
+    reserve_slots(cells, cells->count, true);
+    start_bounds(cells);
+    cells->in_order = true;
+#pragma omp parallel num_threads(source->view->threads) if (cells->count > CELLS_THREADED)
+    {
+        struct range range = my_range(cells->count);
+        struct cells mine = *cells;
+        struct located located;
+        for (size_t k = range.begin; k < range.end; k += located.count) {
+            located.count = range.end - k < LOCATE_BATCH ? range.end - k : LOCATE_BATCH;
+            locate_members(&located, source, k);
+            mine.clamped = mine.clamped || located.clamped;
+            put_slots(&mine, source->frame, k, &located);
+            number_members(cells->particle + k, source, k, located.count);
+        }
+        /* every thread has its copy of the bounds by then */
+#pragma omp barrier
+        merge_bounds(cells, &mine, true);
+    }
+    set_slots(cells, source->view->threads, slot_of);
+}
+
+void cells_free(struct cells *cells) {
+    memory_free(cells->x);
+    memory_free(cells->y);
+    memory_free(cells->z);
+    memory_free(cells->r);
+    memory_free(cells->particle);
+    memory_free(cells->begin);
+    memory_free(cells->pencil);
+    memory_free(cells->x_cell);
+    memory_free(cells->hash_key);
+    memory_free(cells->hash_pencil);
+    *cells = (struct cells){0};
+}
+
+size_t cells_memory(const struct cells *cells) {
+    return cells->capacity * sizeof(uint32_t) + cells->place_capacity * 4 * sizeof(float) +
+           (cells->x_cell_capacity + cells->begin_capacity) * sizeof(uint32_t) +
+           cells->pencil_capacity * sizeof(uint64_t) +
+           cells->hash_capacity * (sizeof(uint64_t) + sizeof(uint32_t));
+}

@@ -1,0 +1,125 @@
+/* A table of particles in cell order: the part of a grid that holds the owned particles, or the ghosts.
+ *
+ * Slots are sorted by (z cell, y cell, x cell), and within a cell by particle number. A *pencil* is a row of
+ * cells in x, so that the particles of any run of cells of a pencil are one slice of slots. Two forms:
+ *
+ *   dense    begin[cell], for every cell of the grid
+ *   sparse   only pencils with particles: their keys in order, their slices, the x cell of each slot
+ * (searched by bisection), and a hash from key to pencil. Memory grows with the particles alone. */
+#ifndef SCREE_INDEX_CELLS_H
+#define SCREE_INDEX_CELLS_H
+
+#include "index/grids/grid.h"
+#include "index/grids/members.h"
+
+struct cells {
+    size_t count;
+    float *x, *y, *z;   /* frame coordinates of each slot */
+    float *r;           /* radius of each slot, frame unit, larger by a factor 1 + CELLS_RADIUS_EXCESS */
+    uint32_t *particle; /* number of each slot's particle */
+    float r_min, r_max; /* over r; 0 if empty */
+    bool in_order;      /* the particles came in the order of the slots */
+    bool clamped;       /* some coordinate was clamped by the frame */
+    bool sparse;
+    uint32_t *begin;    /* dense: grid cells + 1; sparse: pencils + 1 */
+    size_t pencils;     /* sparse only, as all below */
+    uint64_t *pencil;   /* y + (z << 32) of each pencil, ascending in (z, y) */
+    uint32_t *x_cell;   /* of each slot */
+    uint64_t *hash_key; /* open addressing; HASH_EMPTY where free */
+    uint32_t *hash_pencil;
+    unsigned hash_bits;
+    size_t capacity, place_capacity, begin_capacity, pencil_capacity, hash_capacity, x_cell_capacity;
+    size_t occupied; /* sparse: cells with particles */
+};
+
+#define CELLS_RADIUS_EXCESS 0x1p-19
+
+/* Scratch of the sort, one for all tables of an index. */
+struct cells_scratch {
+    uint64_t *key, *bucket_key;
+    uint32_t *bucket_particle;
+    size_t capacity;
+    size_t *histogram;
+    size_t histogram_capacity;
+};
+
+/* What a table is built from: group g of the members. */
+struct cells_source {
+    const struct index_view *view;
+    const struct frame *frame;
+    const struct grid *grid;
+    const struct members *members;
+    int group;
+    bool sparse;
+};
+
+/* Builds the table; slot_of[particle] is set for all its particles unless slot_of is NULL. Opens teams of
+ * threads. The result depends on the particles alone, not on the number of threads. */
+void cells_build(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
+                 uint32_t *slot_of);
+
+/* Writes the particle numbers of the group in cell order to order[]. `cells` serves as scratch; with `keep`
+ * it becomes a table without coordinates: cells_fill makes it whole once the particles lie in that order.
+ * Opens teams of threads. */
+void cells_order(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
+                 bool keep, uint32_t *order);
+
+/* As cells_build, for the table that cells_order kept: the particle at place k of the group is the one of
+ * order[k], and none has moved. */
+void cells_fill(struct cells *cells, const struct cells_source *source, uint32_t *slot_of);
+
+void cells_free(struct cells *cells);
+void cells_scratch_free(struct cells_scratch *scratch);
+
+/* Bytes held. */
+size_t cells_memory(const struct cells *cells);
+size_t cells_scratch_memory(const struct cells_scratch *scratch);
+
+/* The pencil number of (y, z) in a sparse table, or -1. */
+static inline int64_t cells_find_pencil(const struct cells *cells, int y, int z) {
+    uint64_t key = (uint64_t)(uint32_t)y | (uint64_t)(uint32_t)z << 32;
+    uint64_t mask = ((uint64_t)1 << cells->hash_bits) - 1;
+    uint64_t k = (key * 0x9e3779b97f4a7c15u) >> (64 - cells->hash_bits);
+    while (cells->hash_key[k] != UINT64_MAX) {
+        if (cells->hash_key[k] == key) {
+            return cells->hash_pencil[k];
+        }
+        k = (k + 1) & mask;
+    }
+    return -1;
+}
+
+/* The first slot of sparse pencil p whose x cell is at least x. */
+static inline uint32_t cells_bisect(const struct cells *cells, int64_t p, int x) {
+    uint32_t low = cells->begin[p], high = cells->begin[p + 1];
+    while (low < high) {
+        uint32_t middle = low + (high - low) / 2;
+        if (cells->x_cell[middle] < (uint32_t)x) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+struct cells_slice {
+    uint32_t begin, end;
+};
+
+/* The slots in the cells (x0 ... x1, y, z), ends included. */
+static inline struct cells_slice cells_run(const struct cells *cells, const struct grid *grid, int x0, int x1,
+                                           int y, int z) {
+    if (!cells->sparse) {
+        const uint32_t *begin =
+            cells->begin + ((size_t)z * (size_t)grid->n[1] + (size_t)y) * (size_t)grid->n[0];
+        return (struct cells_slice){begin[x0], begin[x1 + 1]};
+    }
+    int64_t p = cells_find_pencil(cells, y, z);
+    if (p < 0) {
+        return (struct cells_slice){0, 0};
+    }
+    return (struct cells_slice){cells_bisect(cells, p, x0), cells_bisect(cells, p, x1 + 1)};
+}
+
+#endif

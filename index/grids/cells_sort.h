@@ -1,0 +1,27 @@
+/* The threaded sort of particles by cell; stable, and the same for any number of threads. Two passes: into
+ * buckets of neighbouring cells (a histogram a thread, so that nobody waits for anybody), then every bucket
+ * by itself. For cells.c alone. */
+#ifndef SCREE_INDEX_CELLS_SORT_H
+#define SCREE_INDEX_CELLS_SORT_H
+
+#include "index/grids/cells.h"
+
+enum { CELLS_SPARSE_BITS = 21, CELLS_THREADED = 8192 }; /* fewer particles than that are one thread's work */
+
+struct cells_sort_job {
+    size_t count;
+    double cells; /* of the dense grid */
+    int threads;
+};
+
+void cells_scratch_reserve(struct cells_scratch *scratch, size_t count);
+
+/* Sorts scratch->key[count] together with particle[count]. Dense: keys are cell numbers below job->cells, and
+ * begin[cells + 1] gets the first slot of each cell; scratch->key is not kept. */
+void cells_sort_dense(struct cells_scratch *scratch, const struct cells_sort_job *job, uint32_t *particle,
+                      uint32_t *begin);
+
+/* Any keys; scratch->key is sorted afterwards. */
+void cells_sort_sparse(struct cells_scratch *scratch, const struct cells_sort_job *job, uint32_t *particle);
+
+#endif

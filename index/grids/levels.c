@@ -1,0 +1,299 @@
+#include "index/grids/levels.h"
+
+#include "core/memory.h"
+#include "index/grids/levels_plan.h"
+#include "index/search/search.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    X_CELLS = 2,      /* cells in x for one in y or z: they cost only a table entry */
+    VISIT_ROWS = 128, /* rows between two lots of pairs with larger particles */
+};
+
+/* An edge that the user did not fix may grow so far to keep the grid dense. */
+static const double GROWTH = 2.5;
+
+struct levels_cutoffs levels_cutoffs(const struct index_view *view, int first, int last) {
+    struct levels_cutoffs cutoffs = {INFINITY, 0};
+    for (int c = first; c <= last; c++) {
+        double cutoff = 2 * view->radius_max[c] + view->margin[c][c];
+        if (cutoff > 0) {
+            cutoffs.smallest = fmin(cutoffs.smallest, cutoff);
+            cutoffs.largest = fmax(cutoffs.largest, cutoff);
+        }
+    }
+    return cutoffs.largest > 0 ? cutoffs : (struct levels_cutoffs){1, 1};
+}
+
+void levels_start(struct levels *levels, const struct index_params *params) {
+    int best = search_instructions();
+    int wanted = params->instructions;
+    levels->instructions = wanted > INDEX_BEST && wanted < best ? wanted : best;
+    levels->cross_search = params->cross_search;
+    levels->searches.list =
+        memory_allocate_zero(INDEX_CLASS_MAX, sizeof levels->searches.list[0], "index searches");
+    levels->cross_searches.list =
+        memory_allocate_zero(INDEX_CLASS_MAX, sizeof levels->searches.list[0], "index searches");
+}
+
+void levels_free(struct levels *levels) {
+    for (int g = 0; g < INDEX_CLASS_MAX; g++) {
+        cells_free(&levels->level[g].owned);
+        cells_free(&levels->level[g].ghosts);
+        stencil_free(&levels->stencil[g]);
+    }
+    members_free(&levels->owned);
+    members_free(&levels->ghosts);
+    cells_scratch_free(&levels->scratch);
+    cells_free(&levels->order_cells);
+    memory_free(levels->slot_of);
+    cross_free(&levels->cross);
+    memory_free(levels->searches.list);
+    memory_free(levels->cross_searches.list);
+}
+
+/* How many cells of this edge the owned particles' extent has, and in how many directions there are several.
+ */
+static double cells_of(const struct frame *frame, double edge, int *directions) {
+    double cells = 1;
+    *directions = 0;
+    for (int d = 0; d < 3; d++) {
+        double n = ((double)frame->owned_high[d] - frame->owned_low[d]) * frame->unit / edge;
+        *directions += n > 1;
+        cells *= n > 1 ? n : 1;
+    }
+    return cells * X_CELLS;
+}
+
+/* Lays out grid g for so many owned particles: the wanted edge, or a somewhat larger one if that keeps it
+ * dense. */
+static void lay_grid(struct levels *levels, int g, size_t owned) {
+    const struct frame *frame = &levels->frame;
+    double edge = levels->plan.edge[g];
+    int directions;
+    double cells = cells_of(frame, edge, &directions);
+    double room = LEVELS_CELLS_A_PARTICLE * (double)owned * 0.9 + LEVELS_CELLS_FREE * 0.5;
+    if (!levels->plan.fixed[g] && cells > room && directions > 0) {
+        double growth = pow(cells / room, 1.0 / directions);
+        edge *= growth <= GROWTH ? growth : 1;
+    }
+    grid_make(&levels->level[g].grid, frame, edge, edge / X_CELLS);
+}
+
+double levels_cells(double volume, double edge, int dimension) {
+    return X_CELLS * volume / pow(edge, dimension);
+}
+
+bool levels_too_many_cells(double cells, double particles) {
+    return cells > LEVELS_CELLS_A_PARTICLE * particles + LEVELS_CELLS_FREE || cells > 0x1p31;
+}
+
+static bool too_many_cells(const struct grid *grid, size_t particles) {
+    return levels_too_many_cells(grid->cells, (double)particles);
+}
+
+static size_t members_count(const struct members *members, int group) {
+    return members->begin[group + 1] - members->begin[group];
+}
+
+static void reserve_slot_of(struct levels *levels, size_t owned) {
+    if (owned > levels->slot_capacity || levels->slot_of == NULL) {
+        memory_free(levels->slot_of);
+        levels->slot_of = memory_allocate(owned, sizeof(uint32_t), "index slots");
+        levels->slot_capacity = owned;
+    }
+}
+
+/* The tables of grid g; that of the owned particles is only completed where it was kept. */
+static void build_level(struct levels *levels, const struct index_view *view, int g) {
+    struct level *level = &levels->level[g];
+    size_t owned = members_count(&levels->owned, g), ghosts = members_count(&levels->ghosts, g);
+    if (!levels->kept) {
+        lay_grid(levels, g, owned);
+    }
+    struct cells_source source = {.view = view,
+                                  .frame = &levels->frame,
+                                  .grid = &level->grid,
+                                  .members = &levels->owned,
+                                  .group = g,
+                                  .sparse = too_many_cells(&level->grid, owned + ghosts)};
+    if (levels->kept) {
+        cells_fill(&level->owned, &source, levels->slot_of);
+    } else {
+        cells_build(&level->owned, &levels->scratch, &source, levels->slot_of);
+    }
+    source.members = &levels->ghosts;
+    source.sparse = source.sparse || (ghosts == 0 && level->grid.cells > LEVELS_CELLS_FREE);
+    cells_build(&level->ghosts, &levels->scratch, &source, NULL);
+    levels->frame.clamped = levels->frame.clamped || level->owned.clamped || level->ghosts.clamped;
+}
+
+static bool same_grids(const struct levels_plan *a, const struct levels_plan *b, int classes) {
+    bool same = a->grids == b->grids;
+    for (int c = 0; c < classes && same; c++) {
+        same = a->grid_of[c] == b->grid_of[c];
+    }
+    for (int g = 0; g < a->grids && same; g++) {
+        same = a->edge[g] == b->edge[g] && a->fixed[g] == b->fixed[g];
+    }
+    return same;
+}
+
+void levels_build(struct levels *levels, const struct levels_plan *plan, const struct index_view *view) {
+    levels->kept = levels->kept && view->ordered && view->total == view->owned &&
+                   levels->owned.begin[INDEX_CLASS_MAX] == view->owned &&
+                   same_grids(plan, &levels->plan, view->classes);
+    levels->ghosts_met = view->total > view->owned;
+    levels->plan = *plan;
+    if (levels->kept) {
+        levels->owned.contiguous = true;
+    } else {
+        frame_make(&levels->frame, view);
+        members_split(&levels->owned, view, 0, view->owned, plan->grid_of);
+    }
+    members_split(&levels->ghosts, view, view->owned, view->total, plan->grid_of);
+    reserve_slot_of(levels, view->owned);
+    for (int g = 0; g < plan->grids; g++) {
+        build_level(levels, view, g);
+    }
+    levels->kept = false;
+    for (int c = 0; c < INDEX_CLASS_MAX; c++) {
+        levels->radius_max[c] = c < view->classes ? view->radius_max[c] : 0;
+        levels->radius_min[c] = c > 0 ? levels->radius_max[c - 1] : 0;
+    }
+    levels_plan_searches(levels, view);
+    cross_find(&levels->cross, levels, view);
+}
+
+void levels_order(struct levels *levels, const struct levels_plan *plan, const struct index_view *view,
+                  uint32_t *order) {
+    levels->plan = *plan;
+    frame_make(&levels->frame, view);
+    int class_of[INDEX_CLASS_MAX];
+    size_t owned[INDEX_CLASS_MAX] = {0};
+    for (int c = 0; c < INDEX_CLASS_MAX; c++) {
+        class_of[c] = c;
+    }
+    members_split(&levels->owned, view, 0, view->owned, class_of);
+    for (int c = 0; c < view->classes; c++) {
+        owned[plan->grid_of[c]] += members_count(&levels->owned, c);
+    }
+    for (int g = 0; g < plan->grids; g++) {
+        lay_grid(levels, g, owned[g]);
+    }
+    levels->kept = plan->grids == view->classes && !levels->ghosts_met; /* a class a grid, then */
+    for (int c = 0; c < view->classes; c++) {
+        struct level *level = &levels->level[plan->grid_of[c]];
+        size_t count = members_count(&levels->owned, c);
+        struct cells_source source = {.view = view,
+                                      .frame = &levels->frame,
+                                      .grid = &level->grid,
+                                      .members = &levels->owned,
+                                      .group = c,
+                                      .sparse = too_many_cells(&level->grid, count)};
+        cells_order(levels->kept ? &level->owned : &levels->order_cells, &levels->scratch, &source,
+                    levels->kept, order + levels->owned.begin[c]);
+    }
+}
+
+void levels_search(const struct levels *levels, const struct searches *searches,
+                   const struct index_view *view, size_t first, size_t last, struct index_sink *sink) {
+    if (levels->instructions == INDEX_AVX512) {
+        search_avx512(levels, searches, view, first, last, sink);
+    } else if (levels->instructions == INDEX_AVX2) {
+        search_avx2(levels, searches, view, first, last, sink);
+    } else {
+        search_plain(levels, searches, view, first, last, sink);
+    }
+}
+
+/* Pairs with larger particles come soon after the others of their rows, for the sake of who reads the list.
+ */
+void levels_visit(const struct levels *levels, const struct index_view *view, size_t first, size_t last,
+                  struct index_sink *sink) {
+    const size_t step = levels->cross.rows > 0 ? VISIT_ROWS : last - first;
+    for (size_t row = first, end; row < last; row = end) {
+        end = row + step < last ? row + step : last;
+        levels_search(levels, &levels->searches, view, row, end, sink);
+        cross_visit(&levels->cross, row, end, sink);
+    }
+}
+
+/* Every slot holds the particle it should, in the cell it should. */
+static bool check_cells(const struct levels *levels, const struct index_view *view, const struct level *level,
+                        const struct cells *cells, char why[INDEX_WHY_MAX]) {
+    for (size_t slot = 0; slot < cells->count; slot++) {
+        size_t i = cells->particle[slot];
+        const double *x = view->position + i * view->stride;
+        int cell[3];
+        for (int d = 0; d < 3; d++) {
+            cell[d] = grid_cell(&level->grid, d, frame_coordinate(&levels->frame, d, x[d]));
+        }
+        struct cells_slice slice = cells_run(cells, &level->grid, cell[0], cell[0], cell[1], cell[2]);
+        bool known = i >= view->owned || levels->slot_of[i] == slot;
+        if (slot < slice.begin || slot >= slice.end || !known) {
+            snprintf(why, INDEX_WHY_MAX, "particle %zu is in a wrong slot or cell", i);
+            return false;
+        }
+        if (slot > slice.begin && cells->particle[slot - 1] >= i) {
+            snprintf(why, INDEX_WHY_MAX, "particle %zu is out of order in its cell", i);
+            return false;
+        }
+    }
+    return true;
+}
+
+bool levels_check(const struct levels *levels, const struct index_view *view, char why[INDEX_WHY_MAX]) {
+    size_t owned = 0, ghosts = 0;
+    for (int g = 0; g < levels->plan.grids; g++) {
+        const struct level *level = &levels->level[g];
+        owned += level->owned.count;
+        ghosts += level->ghosts.count;
+        if (!check_cells(levels, view, level, &level->owned, why) ||
+            !check_cells(levels, view, level, &level->ghosts, why)) {
+            return false;
+        }
+    }
+    if (owned != view->owned || ghosts != view->total - view->owned) {
+        snprintf(why, INDEX_WHY_MAX, "%zu owned particles and %zu ghosts indexed, of %zu and %zu", owned,
+                 ghosts, view->owned, view->total - view->owned);
+        return false;
+    }
+    return true;
+}
+
+void levels_describe(const struct levels *levels, struct index_description *description) {
+    description->levels = levels->plan.grids;
+    for (int g = 0; g < levels->plan.grids; g++) {
+        const struct level *level = &levels->level[g];
+        struct index_level *line = &description->level[g];
+        line->cell = (double)level->grid.size[1] * levels->frame.unit;
+        line->sparse = level->owned.sparse;
+        line->cells = level->owned.sparse ? level->owned.occupied : (size_t)level->grid.cells;
+        line->particles = level->owned.count + level->ghosts.count;
+        line->radius_min = INFINITY;
+        for (int c = 0; c < INDEX_CLASS_MAX; c++) {
+            if (levels->plan.grid_of[c] == g && levels->radius_max[c] > 0) {
+                line->radius_min = fmin(line->radius_min, levels->radius_min[c]);
+                line->radius_max = fmax(line->radius_max, levels->radius_max[c]);
+            }
+        }
+        line->radius_min = fmin(line->radius_min, line->radius_max);
+    }
+}
+
+size_t levels_memory(const struct levels *levels) {
+    size_t bytes = levels->slot_capacity * sizeof(uint32_t) + cells_scratch_memory(&levels->scratch) +
+                   cells_memory(&levels->order_cells) +
+                   (levels->owned.capacity + levels->ghosts.capacity) * sizeof(uint32_t) +
+                   2 * INDEX_CLASS_MAX * sizeof levels->searches.list[0] + cross_memory(&levels->cross);
+    for (int g = 0; g < INDEX_CLASS_MAX; g++) {
+        bytes += cells_memory(&levels->level[g].owned) + cells_memory(&levels->level[g].ghosts) +
+                 levels->stencil[g].capacity * sizeof(struct stencil_run);
+    }
+    return bytes;
+}

@@ -1,0 +1,14 @@
+#include "index/search/search.h"
+
+#if defined(__x86_64__)
+#include "index/search/lanes_avx512.h"
+#else
+#include "index/search/lanes_plain.h"
+#endif
+#include "index/search/search_rows.h"
+
+LANES_TARGET void search_avx512(const struct levels *levels, const struct searches *searches,
+                                const struct index_view *view, size_t first, size_t last,
+                                struct index_sink *sink) {
+    search_rows(levels, searches, view, first, last, sink);
+}

@@ -1,0 +1,22 @@
+#include "index/search/search.h"
+
+#include "index/search/lanes_plain.h"
+#include "index/search/search_rows.h"
+
+void search_plain(const struct levels *levels, const struct searches *searches, const struct index_view *view,
+                  size_t first, size_t last, struct index_sink *sink) {
+    search_rows(levels, searches, view, first, last, sink);
+}
+
+int search_instructions(void) {
+#if defined(__x86_64__)
+    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+        return INDEX_AVX512;
+    }
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
+        return INDEX_AVX2;
+    }
+#endif
+    return INDEX_PLAIN;
+}

@@ -1,0 +1,155 @@
+/* The search of a range of rows, written once for all instruction sets: a file that includes this one has
+ * included a lanes_*.h before.
+ *
+ * Rows are taken in blocks: up to ROWS consecutive particles of one class in consecutive slots (or nearly) of
+ * one pencil, as they lie in memory after a reorder. Their own table, where it is dense, each row searches by
+ * itself (search_direct.h); so do rows that look through smaller particles, unless their windows are so wide
+ * that pencils at the corners had better be left out. Any other table a span of rows searches at once: the
+ * whole block, OWN_ROWS where it is their own, one where it holds smaller particles. The candidates of the
+ * whole span are copied to a small buffer, shifted by their image, and every row is tested against it, eight
+ * or sixteen candidates at a time. So cells are looked up once a span, no image appears in the inner loop,
+ * and that loop has no short runs. Where rows lie in any other order, blocks are single rows: as right, only
+ * slower.
+ *
+ * The filter is in single precision and loses nothing (frame.h): distances that are possible but not certain
+ * are decided by the exact test.
+ *
+ * Within one table of owned particles a pair is kept by the row in the *earlier slot*, whatever the image: of
+ * (i, j, image) and (j, i, opposite image) exactly one is. In the buffer the candidates of the row's own
+ * pencil come first, beginning behind the span's first slot, so that a row skips as many as its slot is
+ * later. Slices of an image that hold slots of the span itself would break that; then the box is thin, and
+ * rows go one by one. */
+#ifndef SCREE_INDEX_SEARCH_ROWS_H
+#define SCREE_INDEX_SEARCH_ROWS_H
+
+#include "index/search/search_direct.h"
+
+#include <string.h>
+
+/* Selects the rows from ... to - 1 of the block. */
+LANES_INLINE void span_set(struct quest *quest, int from, int to) {
+    const struct block *block = &quest->block;
+    const struct grid *grid = &quest->levels->level[quest->levels->plan.grid_of[block->size_class]].grid;
+    struct span *span = &quest->span;
+    span->from = from;
+    span->to = to;
+    span->first_slot = block->slot[from];
+    for (int d = 0; d < 3; d++) {
+        float low = block->x[d][from], high = low;
+        for (int k = from; k < to; k++) {
+            float x = block->x[d][k];
+            low = x < low ? x : low;
+            high = x > high ? x : high;
+        }
+        span->low[d] = low;
+        span->high[d] = high;
+        span->own_low[d] = grid_cell(grid, d, low);
+        span->own_high[d] = grid_cell(grid, d, high);
+    }
+    float r_max = block->r[from];
+    for (int k = from; k < to; k++) {
+        r_max = block->r[k] > r_max ? block->r[k] : r_max;
+    }
+    span->r_max = r_max;
+}
+
+/* Radii and coordinates of the rows from their slots. */
+LANES_INLINE void block_load(struct block *block, const struct cells *cells) {
+    const int n = block->rows;
+    const uint32_t first = block->slot[0];
+    if (block->slot[n - 1] - first == (uint32_t)n - 1) {
+        memcpy(block->x[0], cells->x + first, (size_t)n * sizeof(float));
+        memcpy(block->x[1], cells->y + first, (size_t)n * sizeof(float));
+        memcpy(block->x[2], cells->z + first, (size_t)n * sizeof(float));
+        memcpy(block->r, cells->r + first, (size_t)n * sizeof(float));
+        return;
+    }
+    for (int k = 0; k < n; k++) {
+        uint32_t slot = block->slot[k];
+        block->x[0][k] = cells->x[slot];
+        block->x[1][k] = cells->y[slot];
+        block->x[2][k] = cells->z[slot];
+        block->r[k] = cells->r[slot];
+    }
+}
+
+/* The end of the slots that may share a block with this one. */
+LANES_INLINE uint32_t block_end(const struct quest *quest, const struct level *level, uint32_t slot) {
+    const struct cells *cells = &level->owned;
+    const struct grid *grid = &level->grid;
+    const int cell[3] = {grid_cell(grid, 0, cells->x[slot]), grid_cell(grid, 1, cells->y[slot]),
+                         grid_cell(grid, 2, cells->z[slot])};
+    int last = quest->levels->plan.stencils ? cell[0] : grid->n[0] - 1;
+    uint32_t end = cells_run(cells, grid, cell[0], last, cell[1], cell[2]).end;
+    uint32_t limit = slot + SLOTS_APART;
+    return end < limit ? end : limit;
+}
+
+/* Makes the block that begins with particle i and does not reach `last`; returns the particle after it. */
+LANES_INLINE size_t next_block(struct quest *quest, size_t i, size_t last) {
+    const uint32_t *slot_of = quest->levels->slot_of;
+    const uint8_t *size_class = quest->view->size_class;
+    struct block *block = &quest->block;
+    block->size_class = size_class[i];
+    const struct level *level = &quest->levels->level[quest->levels->plan.grid_of[block->size_class]];
+    const uint32_t end = block_end(quest, level, slot_of[i]);
+    const int most = last - i < ROWS ? (int)(last - i) : ROWS;
+    int rows = 0;
+    do {
+        block->particle[rows] = (uint32_t)i;
+        block->slot[rows] = slot_of[i];
+        rows++, i++;
+    } while (rows < most && slot_of[i] > block->slot[rows - 1] && slot_of[i] < end &&
+             size_class[i] == block->size_class);
+    block->rows = rows;
+    block_load(block, &level->owned);
+    return i;
+}
+
+/* The present search for the rows from ... to - 1. */
+LANES_INLINE void search_span(struct quest *quest, int from, int to) {
+    span_set(quest, from, to);
+    if (gather(quest)) {
+        flush(quest);
+        return;
+    }
+    for (int k = from; k < to; k++) {
+        span_set(quest, k, k + 1);
+        gather(quest);
+        flush(quest);
+    }
+}
+
+/* The present search, which is `direct`, for all rows of the block. */
+LANES_INLINE void search_direct(struct quest *quest) {
+    struct windows windows;
+    windows_make(quest, &windows);
+    direct_rows(quest, &windows);
+}
+
+LANES_INLINE void search_rows(const struct levels *levels, const struct searches *searches,
+                              const struct index_view *view, size_t first, size_t last,
+                              struct index_sink *sink) {
+    struct quest quest;
+    quest.levels = levels;
+    quest.view = view;
+    quest.sink = *sink;
+    for (size_t i = first; i < last;) {
+        i = next_block(&quest, i, last);
+        int c = quest.block.size_class;
+        for (int s = 0; s < searches->count[c]; s++) {
+            quest.search = &searches->list[c][s];
+            if (quest.search->direct) {
+                search_direct(&quest);
+                continue;
+            }
+            int step = quest.search->half ? OWN_ROWS : quest.search->single ? 1 : ROWS;
+            for (int from = 0; from < quest.block.rows; from += step) {
+                search_span(&quest, from, from + step < quest.block.rows ? from + step : quest.block.rows);
+            }
+        }
+    }
+    sink->count = quest.sink.count;
+}
+
+#endif

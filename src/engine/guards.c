@@ -1,0 +1,217 @@
+/* Guards: physical nonsense stops the run (or warns, once), naming particles, place and time. */
+#include "engine/guards.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* The balance of energies is looked at every so many steps. */
+enum { ENERGY_EVERY = 20 };
+
+/* Stops or warns. */
+static void guard_trip(struct simulation *s, enum scene_guard guard, int which, const char *text) {
+    if (guard == SCENE_GUARD_STOP) {
+        error_set(&s->error, ERROR_PHYSICS, "%s", text);
+    } else if (guard == SCENE_GUARD_WARN && !(s->guard_warned & 1u << which)) {
+        s->guard_warned |= 1u << which;
+        fprintf(stderr, "scree: warning: %s (said once)\n", text);
+    }
+}
+
+/* "particle 5 at (1, 2, 3)" in the user's coordinates. */
+static void name_at(const struct simulation *s, size_t k, char *text, size_t room) {
+    const double *x = s->particles->state[k].x, *origin = s->scene->box.origin;
+    snprintf(text, room, "particle %lld at (%.6g, %.6g, %.6g)", (long long)s->particles->id[k],
+             x[0] + origin[0], x[1] + origin[1], x[2] + origin[2]);
+}
+
+/* The same for a partner by id: a wall (negative) by its name. */
+static void name_partner(const struct simulation *s, int64_t id, char *text, size_t room) {
+    if (id < 0 && -id <= s->scene->walls) {
+        snprintf(text, room, "wall '%s'", s->scene->wall[-id - 1].name);
+        return;
+    }
+    for (size_t k = 0; k < s->particles->owned + s->particles->ghosts; k++)
+        if (s->particles->id[k] == id) {
+            name_at(s, k, text, room);
+            return;
+        }
+    snprintf(text, room, "particle %lld", (long long)id);
+}
+
+static void guard_overlap(struct simulation *s) {
+    if (s->scene->guards.overlap == SCENE_GUARD_OFF ||
+        !(s->sums.overlap_max > s->scene->guards.overlap_bound))
+        return;
+    char text[640], one[160], other[160];
+    name_partner(s, s->sums.overlap_id[0], one, sizeof one);
+    name_partner(s, s->sums.overlap_id[1], other, sizeof other);
+    snprintf(text, sizeof text,
+             "guards.overlap: %s and %s overlap by %.3g of the smaller radius (bound %g) at step %llu, "
+             "t = %.9g",
+             one, other, s->sums.overlap_max, s->scene->guards.overlap_bound, (unsigned long long)s->step,
+             s->time);
+    guard_trip(s, s->scene->guards.overlap, 0, text);
+}
+
+/* The free or moved particle of this rank that is fastest. */
+static size_t fastest_find(const struct simulation *s, double *speed) {
+    size_t worst = 0;
+    double most = -1;
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        const double *v = s->particles->state[k].v;
+        double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        if (v2 > most) {
+            most = v2;
+            worst = k;
+        }
+    }
+    *speed = sqrt(fmax(most, 0));
+    return worst;
+}
+
+/* A particle that moves by more than the smallest radius in a step may pass through another unseen. A speed
+ * that is no number shows here at once. */
+static void guard_speed(struct simulation *s) {
+    double fastest = 0;
+    bool finite = true;
+    for (int t = 0; t < s->threads; t++)
+        for (int c = 0; c < s->classes.count; c++) {
+            finite = finite && isfinite(s->speed[t][c]);
+            fastest = fmax(fastest, s->speed[t][c]);
+        }
+    if (!finite) {
+        guards_check_positions(s);
+        return;
+    }
+    double bound = s->classes.radius_min[0], speed;
+    if (s->scene->guards.speed == SCENE_GUARD_OFF || s->classes.count == 0 ||
+        !(sqrt(fastest) * s->dt > bound) || s->particles->owned == 0)
+        return;
+    char text[512], one[160];
+    size_t worst = fastest_find(s, &speed);
+    if (!(speed * s->dt > bound))
+        return;
+    name_at(s, worst, one, sizeof one);
+    snprintf(text, sizeof text,
+             "guards.speed: %s moves %.3g in a step, more than the smallest radius %.3g: it may pass through "
+             "others unseen (step %llu, t = %.9g)",
+             one, speed * s->dt, bound, (unsigned long long)s->step, s->time);
+    guard_trip(s, s->scene->guards.speed, 1, text);
+}
+
+void guards_check(struct simulation *s) {
+    guard_overlap(s);
+    guard_speed(s);
+}
+
+static bool state_finite(const struct particle_state *p) {
+    return isfinite(p->x[0] + p->x[1] + p->x[2] + p->v[0] + p->v[1] + p->v[2]);
+}
+
+/* Positions that are no numbers would break the search, so they always stop the run. */
+void guards_check_positions(struct simulation *s) {
+    size_t bad = s->particles->owned;
+#pragma omp parallel for schedule(static) reduction(min : bad)
+    for (size_t k = 0; k < s->particles->owned; k++)
+        if (!state_finite(&s->particles->state[k]) && k < bad)
+            bad = k;
+    if (bad == s->particles->owned)
+        return;
+    char one[160];
+    name_at(s, bad, one, sizeof one);
+    error_set(&s->error, ERROR_PHYSICS,
+              "guards.nan: position or velocity of %s is not finite at step %llu, t = %.9g: the time step is "
+              "too large, or particles coincide",
+              one, (unsigned long long)s->step, s->time);
+    for (size_t k = bad; k < s->particles->owned; k++) {
+        struct particle_state *p = &s->particles->state[k];
+        if (state_finite(p))
+            continue;
+        for (int d = 0; d < 3; d++)
+            p->x[d] = p->v[d] = 0;
+    }
+}
+
+bool guards_prepare(struct simulation *s, struct error *error) {
+    const struct scene *scene = s->scene;
+    struct observables_options options = {.count = 1, .request = {{.name = "energy"}}};
+    struct output_run run = {
+        .directory = "", .scene = "", .materials = scene->materials, .material = scene->material};
+    struct output_view view = simulation_view(s);
+    char place[SCENE_PATH_MAX];
+    if (scene->guards.energy == SCENE_GUARD_OFF)
+        return true;
+    for (int g = 0; g < scene->groups; g++)
+        if (scene->group[g].motion == SCENE_MOVING)
+            return error_set(
+                error, ERROR_USER,
+                "%s: guards.energy: group '%s' moves by order, and what it gives to others is in no "
+                "balance; allowed here: off",
+                scene_place(scene, "guards.energy", place, sizeof place), scene->group[g].name);
+    s->sums_each_step = true;
+    if (!observables_create(&s->guard_energy.observables, &options, &view, &run, error))
+        return false;
+    if (s->step == 0) /* else there are no sums before the first step */
+        guards_check_energy(s);
+    return true;
+}
+
+void guards_destroy(struct simulation *s) {
+    if (s->guard_energy.observables)
+        observables_destroy(&s->guard_energy.observables);
+}
+
+bool guards_energy_due(const struct simulation *s, uint64_t step) {
+    return s->guard_energy.observables && step % ENERGY_EVERY == 0;
+}
+
+/* The balance, and the energy in play: the largest that any form has reached, potential energy left out, as
+ * its zero is arbitrary. */
+static bool energy_measure(struct simulation *s, double *balance, double *in_play) {
+    struct observables *observables = s->guard_energy.observables;
+    struct output_view view = simulation_view(s);
+    struct error error = {0};
+    *in_play = 0;
+    if (!observables_write(observables, &view, &error)) {
+        s->error = error;
+        return false;
+    }
+    for (int c = 0; c < observables_columns(observables); c++) {
+        const char *name = observables_column_name(observables, c);
+        double value = observables_values(observables)[c];
+        if (strcmp(name, "energy_balance") == 0)
+            *balance = value;
+        else if (strcmp(name, "energy_gravity") != 0)
+            *in_play = fmax(*in_play, fabs(value));
+    }
+    return true;
+}
+
+void guards_check_energy(struct simulation *s) {
+    struct guard_energy *energy = &s->guard_energy;
+    double balance = 0, in_play, speed;
+    uint64_t changes = s->inserted + s->deleted;
+    if (!energy_measure(s, &balance, &in_play))
+        return;
+    energy->in_play = fmax(energy->in_play, in_play);
+    if (!energy->begun || changes != energy->changes || s->sources_step > energy->step) {
+        energy->gained += energy->begun ? balance - energy->last : 0; /* brought by particles that came */
+        energy->start = energy->begun ? energy->start : balance;
+        energy->begun = true;
+    }
+    energy->changes = changes;
+    energy->last = balance;
+    energy->step = s->step;
+    double growth = balance - energy->start - energy->gained;
+    if (!(growth > s->scene->guards.energy_bound * energy->in_play) || s->particles->owned == 0)
+        return;
+    char text[512], one[160];
+    name_at(s, fastest_find(s, &speed), one, sizeof one);
+    snprintf(
+        text, sizeof text,
+        "guards.energy: energy has grown by %.3g without cause, %.3g of the %.3g in play (bound %g), at step "
+        "%llu, t = %.9g; fastest is %s with %.3g: the time step is too large, or a law is given wrongly",
+        growth, growth / energy->in_play, energy->in_play, s->scene->guards.energy_bound,
+        (unsigned long long)s->step, s->time, one, speed);
+    guard_trip(s, s->scene->guards.energy, 2, text);
+}

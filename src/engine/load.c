@@ -1,0 +1,178 @@
+/* The load of ranks, and the division of the box that follows it.
+ *
+ * Bricks are laid once, by the particles at the start; a bisection follows the load. A resume on as many
+ * ranks keeps the division of the checkpoint.
+ *
+ * The weight of a particle is what it costs: 1 for itself and half for each pair in its row (both about right
+ * for the force loop), or the same scaled by the seconds that its rank took for the weight it has, or 1. The
+ * bisection is made anew where the largest load exceeds the mean by the threshold, but not where the last
+ * division could do no better: a plane cannot cut through a particle. That is forgotten by and by, as
+ * particles come and move. */
+#include "engine/load.h"
+#include "comm/balance.h"
+#include "comm/domain_grid.h"
+#include "core/memory.h"
+#include <math.h>
+#include <string.h>
+
+/* What is left after a rebuild of the imbalance above 1 that the last division reached: it is tried again
+ * after some twenty. */
+static const double remembered = 0.995;
+
+double load_seconds(const struct simulation *s) {
+    static const enum timer_stage work[] = {TIMER_ADVANCE, TIMER_SWEEP, TIMER_CONTACT, TIMER_WALL,
+                                            TIMER_REORDER, TIMER_INDEX, TIMER_PAIRS,   TIMER_HISTORY};
+    double seconds = 0;
+    for (size_t k = 0; k < sizeof work / sizeof work[0]; k++)
+        seconds += s->timers.seconds[work[k]];
+    return seconds;
+}
+
+double load_waiting(const struct simulation *s) {
+    static const enum timer_stage wait[] = {TIMER_COMM, TIMER_DECIDE, TIMER_MIGRATE, TIMER_GHOSTS};
+    double seconds = 0;
+    for (size_t k = 0; k < sizeof wait / sizeof wait[0]; k++)
+        seconds += s->timers.seconds[wait[k]];
+    return seconds;
+}
+
+/* Weights of the owned particles by the last pair list; returns their sum. */
+static double weights_by_pairs(const struct simulation *s, double *weight) {
+    const struct pairlist *list = s->list;
+    size_t owned = s->particles->owned;
+    double sum = 0;
+    for (size_t k = 0; k < owned; k++)
+        weight[k] = 1;
+    for (int b = 0; b < list->block_count; b++)
+        for (size_t p = list->blocks[b].first_pair; p < list->blocks[b].end_pair; p++)
+            if (list->i[p] < owned)
+                weight[list->i[p]] += 0.5;
+    for (size_t k = 0; k < owned; k++)
+        sum += weight[k];
+    return sum;
+}
+
+/* Divides the box by positions as migration will see them; false if it stays as it is. */
+static bool divide(struct simulation *s, const double *weight) {
+    const struct box *box = &s->scene->box;
+    size_t owned = s->particles->owned;
+    double(*x)[3] = memory_allocate(owned, sizeof *x, "positions");
+    for (size_t k = 0; k < owned; k++)
+        for (int d = 0; d < 3; d++) {
+            x[k][d] = s->particles->state[k].x[d];
+            if (!isfinite(x[k][d]))
+                x[k][d] = 0; /* a guard will stop the run */
+            else if (box->periodic[d])
+                x[k][d] -= floor(x[k][d] / box->edge[d]) * box->edge[d];
+        }
+    struct balance_load load = {owned, (const double(*)[3])x, weight};
+    bool divided = balance_divide(s->domain, s->comm, box, &load);
+    domain_wrap(s->domain, s->wrap);
+    memory_free(x);
+    return divided;
+}
+
+/* The part of the box along axis d that a coordinate lies in. */
+static size_t density_bin(const struct box *box, int d, double x) {
+    double at = x / box->edge[d];
+    at = box->periodic[d] ? at - floor(at) : at;
+    return (size_t)fmin(fmax(at * DOMAIN_DENSITY_BINS, 0), DOMAIN_DENSITY_BINS - 1);
+}
+
+/* Where the particles of all ranks are; memory_free. */
+static double *density_map(const struct simulation *s) {
+    enum { BINS = DOMAIN_DENSITY_BINS };
+    double *density = memory_allocate_zero((size_t)BINS * BINS * BINS, sizeof *density, "map of particles");
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        const double *x = s->particles->state[k].x;
+        size_t bin[3];
+        for (int d = 0; d < 3; d++)
+            bin[d] = density_bin(&s->scene->box, d, x[d]);
+        density[bin[0] + BINS * (bin[1] + BINS * bin[2])]++;
+    }
+    comm_sum(s->comm, density, BINS * BINS * BINS);
+    return density;
+}
+
+/* True if a checkpoint's grid serves this run, too. */
+static bool grid_serves(const struct simulation *s, const int grid[3]) {
+    const int *wanted = s->scene->domain.grid;
+    for (int d = 0; d < 3; d++)
+        if (grid[d] < 1 || (wanted[d] != 0 && wanted[d] != grid[d]))
+            return false;
+    return (int64_t)grid[0] * grid[1] * grid[2] == s->comm->size;
+}
+
+void load_lay(struct simulation *s, const int resumed[3]) {
+    int grid[3];
+    if (s->alone || domain_bisects(s->domain))
+        return;
+    if (grid_serves(s, resumed)) {
+        memcpy(grid, resumed, sizeof grid);
+    } else {
+        double *density = density_map(s);
+        domain_grid_choose(s->comm->size, &s->scene->box, s->scene->domain.grid, density, grid);
+        memory_free(density);
+    }
+    domain_lay(s->domain, grid);
+    domain_wrap(s->domain, s->wrap);
+}
+
+void load_begin(struct simulation *s) {
+    if (s->alone || !domain_bisects(s->domain) || s->load.begun)
+        return;
+    s->load.begun = true;
+    double *weight = memory_allocate(s->particles->owned, sizeof *weight, "weights");
+    for (size_t k = 0; k < s->particles->owned; k++)
+        weight[k] = 1;
+    divide(s, weight);
+    memory_free(weight);
+}
+
+void load_restore(struct simulation *s, struct domain_tree *tree, bool fresh, double reached) {
+    domain_divide(s->domain, tree);
+    domain_wrap(s->domain, s->wrap);
+    s->load.begun = true;
+    s->load.fresh = fresh;
+    s->load.reached = reached;
+}
+
+/* The largest load over the mean. */
+static double imbalance_of(const struct simulation *s, double load) {
+    double sum = load, most = load;
+    comm_sum(s->comm, &sum, 1);
+    comm_max(s->comm, &most, 1);
+    return sum > 0 ? most * s->comm->size / sum : 1;
+}
+
+void load_balance(struct simulation *s) {
+    const struct domain_options *options = &s->scene->domain;
+    if (s->alone || !domain_bisects(s->domain) || options->threshold == 0)
+        return;
+    size_t owned = s->particles->owned;
+    double *weight = memory_allocate(owned, sizeof *weight, "weights");
+    double sum = weights_by_pairs(s, weight), load = sum;
+    if (options->weights == DOMAIN_WEIGHTS_PARTICLES) {
+        load = (double)owned;
+        for (size_t k = 0; k < owned; k++)
+            weight[k] = 1;
+    } else if (options->weights == DOMAIN_WEIGHTS_TIME) {
+        double seconds = load_seconds(s);
+        load = fmax(seconds - s->load.seconds, 1e-9);
+        s->load.seconds = seconds;
+        for (size_t k = 0; k < owned; k++)
+            weight[k] *= load / sum;
+    }
+    double imbalance = imbalance_of(s, load);
+    if (s->load.fresh)
+        s->load.reached = imbalance;
+    else
+        s->load.reached = 1 + remembered * (s->load.reached - 1);
+    s->load.fresh = false;
+    if (imbalance > options->threshold && imbalance > 1.05 * s->load.reached) {
+        s->load.fresh = divide(s, weight);
+        s->load.divisions += s->load.fresh;
+        s->load.reached = imbalance;
+    }
+    memory_free(weight);
+}

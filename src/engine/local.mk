@@ -1,0 +1,23 @@
+noinst_LTLIBRARIES += libengine.la
+libengine_la_SOURCES = \
+	src/engine/folder.c \
+	src/engine/folder.h \
+	src/engine/guards.c \
+	src/engine/guards.h \
+	src/engine/load.c \
+	src/engine/load.h \
+	src/engine/outputs.c \
+	src/engine/outputs.h \
+	src/engine/rebuild.c \
+	src/engine/resume.c \
+	src/engine/run.c \
+	src/engine/run.h \
+	src/engine/run_report.c \
+	src/engine/run_report.h \
+	src/engine/simulation.c \
+	src/engine/simulation.h \
+	src/engine/sources.c \
+	src/engine/step.c \
+	src/engine/timing.c \
+	src/engine/tune.c
+libengine_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)

@@ -1,0 +1,191 @@
+#include "engine/outputs.h"
+#include "core/memory.h"
+#include "formats/contact_list.h"
+#include "formats/dump.h"
+#include "formats/frame.h"
+#include "formats/h5md.h"
+#include <stdio.h>
+#include <string.h>
+
+struct outputs {
+    const struct output_options *options; /* borrowed from the scene */
+    const struct output_run *run;         /* borrowed */
+    struct observables *observables;      /* NULL: not asked for */
+    struct h5md *h5md;
+    struct dump *dump;
+};
+
+static bool h5md_wanted(const struct outputs *o) {
+    return output_interval_set(&o->options->trajectory.every) ||
+           output_interval_set(&o->options->trajectory.contacts);
+}
+
+/* Puts the place of `key` in the scene before the text of a user's error. */
+static bool fail_at(const struct simulation *s, const char *key, struct error *error) {
+    char place[SCENE_PATH_MAX];
+    struct error plain = *error;
+    if (plain.kind != ERROR_USER)
+        return false;
+    *error = (struct error){0};
+    error_set(error, ERROR_USER, "%s: %s", scene_place(s->scene, key, place, sizeof place), plain.text);
+    return false;
+}
+
+/* An id above all others stays without a particle where none are inserted. */
+static bool observables_check_ids(const struct simulation *s, struct error *error) {
+    const struct observables_options *options = &s->scene->output.observables;
+    for (int k = 0; s->scene->insertions == 0 && k < options->count; k++)
+        if (options->request[k].id >= s->next_id) {
+            char key[64];
+            snprintf(key, sizeof key, "observables.list[%d].id", k);
+            error_set(error, ERROR_USER, "%s: there is no particle %lld; ids go up to %lld", key,
+                      (long long)options->request[k].id, (long long)s->next_id - 1);
+            return fail_at(s, key, error);
+        }
+    return true;
+}
+
+static bool observables_prepare(struct outputs *o, const struct simulation *s, struct error *error) {
+    struct output_view view = simulation_view(s);
+    if (!observables_check_ids(s, error))
+        return false;
+    return observables_create(&o->observables, &o->options->observables, &view, o->run, error) ||
+           fail_at(s, "observables.list", error);
+}
+
+static bool files_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
+    int64_t step = resumed ? (int64_t)s->step : -1;
+    char path[FILE_PATH_MAX];
+    if (h5md_wanted(o)) {
+        struct h5md_head head = {.scene = o->run->scene,
+                                 .dimensionless = o->run->dimensionless,
+                                 .varying = o->run->varying,
+                                 .xdmf = o->options->trajectory.xdmf,
+                                 .seed = o->run->seed};
+        snprintf(path, sizeof path, "%s/trajectory.h5", o->run->directory);
+        if (!h5md_open(&o->h5md, s->comm, path, &head, step, error))
+            return false;
+    }
+    if (output_interval_set(&o->options->dump.every)) {
+        snprintf(path, sizeof path, "%s/dump.lammpstrj", o->run->directory);
+        if (!dump_open(&o->dump, s->comm, path, step, error))
+            return false;
+    }
+    return true;
+}
+
+struct output_run outputs_run(const struct simulation *s, const char *directory, const char *scene_text) {
+    const struct scene *scene = s->scene;
+    return (struct output_run){.directory = directory,
+                               .scene = scene_text,
+                               .dimensionless = scene->units == SCENE_UNITS_NONE,
+                               .varying =
+                                   scene->insertions > 0 || scene->deletions > 0 || simulation_may_lose(s),
+                               .seed = scene->seed,
+                               .materials = scene->materials,
+                               .material = scene->material};
+}
+
+bool outputs_create(struct outputs **outputs, const struct simulation *s, const struct output_run *run,
+                    struct error *error) {
+    struct outputs *o = memory_allocate_zero(1, sizeof *o, "outputs");
+    o->options = &s->scene->output;
+    o->run = run;
+    bool good = (frame_check_fields(&o->options->trajectory.fields, s->particles, error) ||
+                 fail_at(s, "output.trajectory.fields", error)) &&
+                (frame_check_fields(&o->options->dump.fields, s->particles, error) ||
+                 fail_at(s, "output.dump.fields", error));
+    if (good && output_interval_set(&o->options->observables.every))
+        good = observables_prepare(o, s, error);
+    *outputs = o;
+    if (comm_agree(s->comm, error) && good)
+        return true;
+    struct error second = {0};
+    outputs_close(outputs, s->comm, &second);
+    return false;
+}
+
+bool outputs_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
+    bool good = o->observables == NULL ||
+                observables_open(o->observables, s->comm, o->run->directory, resumed ? s->time : -1, error);
+    good = good && files_open(o, s, resumed, error);
+    return comm_agree(s->comm, error) && good;
+}
+
+bool outputs_want_sums(const struct outputs *o, const struct simulation *s, uint64_t step) {
+    double time = s->time_base + (double)(step - s->step_base) * s->dt;
+    return o->observables && observables_need_sums(o->observables) &&
+           output_interval_due(&o->options->observables.every, step, time, s->dt);
+}
+
+bool outputs_sum_each_step(const struct outputs *o) {
+    return o->observables && observables_need_work(o->observables);
+}
+
+static bool row_write(struct outputs *o, const struct output_view *view, struct error *error) {
+    if (!observables_write(o->observables, view, error))
+        return false;
+    if (o->h5md) {
+        struct h5md_observables row;
+        observables_row(o->observables, view, &row);
+        h5md_add_observables(o->h5md, &row);
+    }
+    return true;
+}
+
+static bool frame_write(struct outputs *o, const struct output_view *view, bool trajectory,
+                        struct error *error) {
+    struct frame frame;
+    frame_create(&frame, view, trajectory ? &o->options->trajectory.fields : &o->options->dump.fields);
+    bool good = trajectory ? h5md_write_frame(o->h5md, &frame, error) : dump_write(o->dump, &frame, error);
+    frame_free(&frame);
+    return good;
+}
+
+static bool contacts_write(struct outputs *o, const struct output_view *view, struct error *error) {
+    struct contact_list list;
+    contact_list_create(&list, view);
+    bool good = h5md_write_contacts(o->h5md, &list, view->box, error);
+    contact_list_free(&list);
+    return good;
+}
+
+bool outputs_write(struct outputs *o, const struct simulation *s, struct error *error) {
+    const struct output_options *options = o->options;
+    struct output_view view = simulation_view(s);
+    bool good = true;
+    if (o->observables && output_interval_due(&options->observables.every, s->step, s->time, s->dt))
+        good = row_write(o, &view, error);
+    if (good && o->h5md && output_interval_due(&options->trajectory.every, s->step, s->time, s->dt))
+        good = frame_write(o, &view, true, error);
+    if (good && o->h5md && output_interval_due(&options->trajectory.contacts, s->step, s->time, s->dt))
+        good = contacts_write(o, &view, error);
+    if (good && o->dump && output_interval_due(&options->dump.every, s->step, s->time, s->dt))
+        good = frame_write(o, &view, false, error);
+    return good;
+}
+
+bool outputs_flush(struct outputs *o, struct error *error) {
+    return o->h5md == NULL || h5md_flush(o->h5md, error);
+}
+
+bool outputs_close(struct outputs **outputs, const struct comm *comm, struct error *error) {
+    struct outputs *o = *outputs;
+    struct error own = {0};
+    if (o == NULL)
+        return true;
+    /* where the machine failed nothing more is tried; another error does not keep the rest from the files */
+    struct error *here = error->kind == ERROR_SYSTEM ? error : &own;
+    bool good = true;
+    if (o->h5md)
+        good = h5md_close(&o->h5md, here) && good;
+    if (o->dump)
+        good = dump_close(&o->dump, here) && good;
+    if (error->kind == ERROR_NONE)
+        *error = own;
+    if (o->observables)
+        observables_destroy(&o->observables);
+    memory_free(o);
+    *outputs = NULL;
+    return comm_agree(comm, error) && good;
+}

@@ -1,0 +1,246 @@
+/* The full rebuild. It stands between a drift and the forces: positions are new, forces are zero, histories
+ * are those of the last evaluation. Copies appear, vanish and migrate only here. */
+#include "engine/guards.h"
+#include "engine/load.h"
+#include "core/memory.h"
+#include <math.h>
+#include <string.h>
+
+/* True if every periodic edge is longer than two cut-offs. */
+static bool one_image(const struct simulation *s) {
+    const struct size_classes *classes = &s->classes;
+    int largest = classes->count - 1;
+    double reach = 2 * classes->radius_max[largest];
+    for (int c = 0; c < classes->count; c++)
+        reach = fmax(reach, 2 * classes->radius_max[largest] + classes->margin[c][largest]);
+    for (int d = 0; d < 3; d++)
+        if (s->scene->box.periodic[d] && s->scene->box.edge[d] <= 2 * reach)
+            return false;
+    return true;
+}
+
+/* How far images of a particle are apart that may meet the same partner; INFINITY: none may. */
+static double images_apart(const struct simulation *s) {
+    double apart = INFINITY;
+    if (one_image(s))
+        return apart;
+    for (int d = 0; d < 3; d++)
+        if (s->scene->box.periodic[d])
+            apart = fmin(apart, s->scene->box.edge[d]);
+    return apart;
+}
+
+void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
+    *rows = (struct rebuild_rows){0};
+    if (s->history)
+        history_detach(s->history, s->list, s->particles, both_ends, NULL, &rows->pairs);
+    if (s->walls && s->law.history_components)
+        walls_detach(s->walls, s->particles, &rows->walls);
+}
+
+void rebuild_rows_free(struct rebuild_rows *rows) {
+    history_rows_free(&rows->pairs);
+    history_kept_free(&rows->kept);
+    memory_free(rows->place);
+    wall_rows_free(&rows->walls);
+}
+
+/* Who stays keeps its histories here, and gets a place among those who do; what concerns others becomes rows.
+ */
+static void part_with_leavers(struct simulation *s, struct rebuild_rows *rows) {
+    size_t owned = s->particles->owned;
+    double lower[3], upper[3];
+    domain_bounds(s->domain, s->comm->rank, lower, upper);
+    timer_start(&s->timers, TIMER_HISTORY);
+    rows->before = owned;
+    rows->place = memory_allocate(owned, sizeof *rows->place, "places of particles");
+    uint8_t *leaves = memory_allocate(owned, 1, "particles that leave");
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < owned; k++)
+        leaves[k] = domain_owner_from(s->domain, s->comm->rank, lower, upper, s->particles->state[k].x) !=
+                    s->comm->rank;
+    particles_places(leaves, owned, rows->place);
+    memory_free(leaves);
+    history_detach(s->history, s->list, s->particles, true, rows->place, &rows->pairs);
+    timer_stop(&s->timers, TIMER_HISTORY);
+}
+
+/* Particles go to their owners, with their rows. */
+static void migrate(struct simulation *s, struct rebuild_rows *rows) {
+    struct migrate_rows set[2];
+    int n = 0, pairs = -1, walls = -1;
+    if (rows->pairs.start) {
+        pairs = n;
+        set[n++] = (struct migrate_rows){rows->pairs.start, rows->pairs.row, rows->pairs.count,
+                                         sizeof *rows->pairs.row};
+    }
+    if (rows->walls.start) {
+        walls = n;
+        set[n++] = (struct migrate_rows){rows->walls.start, rows->walls.row, rows->walls.count,
+                                         sizeof *rows->walls.row};
+    }
+    ghosts_migrate_rows(s->ghosts, s->particles, set, n);
+    if (pairs >= 0)
+        rows->pairs = (struct history_rows){set[pairs].start, set[pairs].row, set[pairs].count};
+    if (walls >= 0)
+        rows->walls = (struct wall_rows){set[walls].start, set[walls].row, set[walls].count};
+}
+
+/* Sorts the particles; returns the order, which the caller frees. */
+static uint32_t *reorder(struct simulation *s, struct rebuild_rows *rows) {
+    size_t owned = s->particles->owned;
+    uint32_t *order = memory_allocate(owned, sizeof *order, "particle order");
+    struct index_view view;
+    simulation_index_view(s, &view);
+    index_order(s->index, &view, order);
+    particles_reorder(s->particles, order);
+    if (rows->pairs.start)
+        history_rows_reorder(&rows->pairs, order, owned);
+    if (rows->walls.start)
+        wall_rows_reorder(&rows->walls, order, owned);
+    return order;
+}
+
+static void keep(struct simulation *s, struct rebuild_rows *rows, const uint32_t *order) {
+    struct history_numbers numbers = {order, s->particles->owned, rows->place,
+                                      rows->place ? rows->before : s->particles->owned};
+    if (rows->keep)
+        history_keep(s->history, s->list, &numbers, &rows->kept);
+}
+
+static void springs_restore(struct simulation *s, struct rebuild_rows *rows) {
+    struct history_twins twins = {0};
+    if (!s->alone)
+        twins.original = ghosts_own(s->ghosts, &twins.first, &twins.count);
+    history_restore(s->history, &rows->kept, &rows->pairs, &twins, s->list, s->particles);
+}
+
+static void attach(struct simulation *s, struct rebuild_rows *rows) {
+    if (rows->kept.start)
+        springs_restore(s, rows);
+    else if (rows->pairs.start)
+        history_attach(s->history, &rows->pairs, s->list, s->particles, images_apart(s));
+    if (rows->walls.start)
+        walls_attach(s->walls, &rows->walls, s->particles);
+    rebuild_rows_free(rows);
+}
+
+/* The copies, the index and the pairs of the particles where they now are. */
+static void search(struct simulation *s) {
+    timer_start(&s->timers, TIMER_GHOSTS);
+    if (!s->alone)
+        ghosts_make(s->ghosts, s->particles, &s->classes);
+    if (s->error.kind == ERROR_NONE)
+        ghosts_fit(s->ghosts, &s->error);
+    timer_stop(&s->timers, TIMER_GHOSTS);
+    timer_start(&s->timers, TIMER_INDEX);
+    simulation_index_view(s, &s->view);
+    s->view.ordered = true;
+    index_build(s->index, &s->view);
+    timer_stop(&s->timers, TIMER_INDEX);
+    timer_start(&s->timers, TIMER_PAIRS);
+    double start = timer_now();
+    pairlist_build(s->list, s->index, &s->view, &s->scene->box);
+    if (s->scene->ghosts.in_place && !s->alone)
+        pairlist_add_images(s->list, s->particles->owned, ghosts_unshift(s->ghosts, s->particles));
+    s->pairs_seconds += timer_now() - start;
+    timer_stop(&s->timers, TIMER_PAIRS);
+}
+
+void rebuild_plan(struct simulation *s) {
+    size_t count = 0;
+    if (!s->sweep->stale)
+        return;
+    timer_start(&s->timers, TIMER_PAIRS);
+    const uint32_t *originals = s->alone ? NULL : ghosts_originals(s->ghosts, &count);
+    sweep_build(s->sweep, s->list, s->particles->owned, originals, count);
+    timer_stop(&s->timers, TIMER_PAIRS);
+}
+
+/* Size classes: those that travelled have none, and where classes are chosen anew everybody's change. */
+static void classify(struct simulation *s) {
+    bool anew = s->classes_stale || !s->alone;
+    if (s->classes_stale)
+        simulation_classify(s, &s->error);
+    if (anew)
+        particles_classify(s->particles, &s->classes);
+}
+
+/* Walls that move are bounded by how far they move where particles are, those outside of an open box too. */
+static void walls_reach(struct simulation *s) {
+    double lower[3] = {INFINITY, INFINITY, INFINITY}, upper[3] = {-INFINITY, -INFINITY, -INFINITY};
+    if (!walls_move(s->walls))
+        return;
+    for (size_t k = 0; k < s->particles->owned; k++)
+        for (int d = 0; d < 3; d++) {
+            lower[d] = fmin(lower[d], s->particles->state[k].x[d]);
+            upper[d] = fmax(upper[d], s->particles->state[k].x[d]);
+        }
+    comm_min(s->comm, lower, 3);
+    comm_max(s->comm, upper, 3);
+    walls_set_extent(s->walls, lower, upper);
+}
+
+void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
+    timer_start(&s->timers, TIMER_MIGRATE);
+    ghosts_drop(s->ghosts, s->particles);
+    if (!particles_wrap(s->particles, &s->scene->box))
+        guards_check_positions(s);
+    sources_run(s, rows);
+    integrator_prescribe(s->particles, &s->motion); /* whom walls will meet depends on it */
+    load_begin(s);
+    if (!s->alone && rows->keep)
+        part_with_leavers(s, rows);
+    if (!s->alone)
+        migrate(s, rows);
+    classify(s);
+    timer_stop(&s->timers, TIMER_MIGRATE);
+    tune_begin(s);
+    timer_start(&s->timers, TIMER_REORDER);
+    uint32_t *order = reorder(s, rows);
+    timer_stop(&s->timers, TIMER_REORDER);
+    timer_start(&s->timers, TIMER_HISTORY);
+    keep(s, rows, order);
+    memory_free(order);
+    timer_stop(&s->timers, TIMER_HISTORY);
+    search(s);
+    tune_end(s);
+    timer_start(&s->timers, TIMER_WALL);
+    if (s->walls) {
+        walls_reach(s);
+        walls_build(s->walls, s->particles, &s->classes);
+    }
+    timer_stop(&s->timers, TIMER_WALL);
+    timer_start(&s->timers, TIMER_HISTORY);
+    attach(s, rows);
+    skin_reset(s->skin, s->particles);
+    timer_stop(&s->timers, TIMER_HISTORY);
+    force_loop_prepare(s->loop, &s->contact);
+    if (s->sweep)
+        s->sweep->stale = true;
+}
+
+/* Springs find their pairs by separations where images matter: copies must stand where particles now are. */
+static void copies_follow(struct simulation *s) {
+    if (s->alone || s->history == NULL || one_image(s))
+        return;
+    timer_start(&s->timers, TIMER_COMM);
+    ghosts_forward_begin(s->ghosts, s->particles);
+    ghosts_forward_end(s->ghosts, s->particles);
+    timer_stop(&s->timers, TIMER_COMM);
+}
+
+void rebuild_run(struct simulation *s) {
+    struct rebuild_rows rows = {0};
+    load_balance(s);
+    bool none_lost = !sources_due(s) && !simulation_may_lose(s);
+    copies_follow(s);
+    timer_start(&s->timers, TIMER_HISTORY);
+    rows.keep = s->history && none_lost && one_image(s);
+    if (!rows.keep)
+        rebuild_detach(s, !s->alone, &rows);
+    else if (s->walls)
+        walls_detach(s->walls, s->particles, &rows.walls);
+    timer_stop(&s->timers, TIMER_HISTORY);
+    rebuild_from_rows(s, &rows);
+}

@@ -1,0 +1,270 @@
+#include "engine/run.h"
+#include "engine/folder.h"
+#include "engine/guards.h"
+#include "engine/load.h"
+#include "engine/outputs.h"
+#include "engine/run_report.h"
+#include "core/memory.h"
+#include "formats/checkpoint.h"
+#include "observe/progress.h"
+#include <errno.h>
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+
+enum { POSITIONS_EVERY = 100 };
+
+/* The one thing that a signal handler may touch. */
+static volatile sig_atomic_t run_signal;
+
+static void on_signal(int number) {
+    run_signal = number;
+}
+
+/* One that came since an earlier run stays: it ends this one. */
+static void signals_catch(void) {
+    struct sigaction action = {.sa_handler = on_signal};
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGTERM, &action, NULL);
+    sigaction(SIGINT, &action, NULL);
+}
+
+/* A run in progress. */
+struct run {
+    struct simulation *s;
+    struct outputs *outputs; /* NULL: no files */
+    struct output_run output;
+    const struct run_options *options;
+    struct progress progress;
+    uint64_t last; /* step */
+    struct run_record record;
+    double checkpoint_last; /* seconds: the last checkpoint by wall clock */
+    bool checkpoint_due;    /* decided in the step before */
+    int lock;               /* of the folder */
+};
+
+bool run_directory(const struct comm *comm, const struct run_options *options, struct error *error) {
+    if (options->directory && options->directory[0] == '\0') {
+        error_set(error, ERROR_USER, "command line: -o: the name of the directory is empty");
+    } else if (comm->rank == 0 && options->directory) {
+        struct stat found;
+        bool there = stat(options->directory, &found) == 0;
+        if (there && !S_ISDIR(found.st_mode))
+            error_set(error, ERROR_USER, "%s: exists and is not a directory", options->directory);
+        else if (there && !options->overwrite && !options->resume)
+            error_set(error, ERROR_USER,
+                      "%s: exists already; nothing was written. Choose another -o, or give --overwrite or "
+                      "--resume FILE",
+                      options->directory);
+        else if (!there && mkdir(options->directory, 0777) != 0)
+            error_set(error, ERROR_USER, "%s: cannot make this directory: %s", options->directory,
+                      strerror(errno));
+    }
+    return comm_agree(comm, error);
+}
+
+static uint64_t last_step(const struct simulation *s) {
+    const struct scene *scene = s->scene;
+    if (scene->duration > 0) {
+        double left = (scene->duration - s->time) / s->dt;
+        return left > 0 ? s->step + (uint64_t)ceil(left - 1e-6) : s->step;
+    }
+    return scene->step.count > 0 ? (uint64_t)scene->step.count : 0;
+}
+
+static bool checkpoint_step(const struct run *run, uint64_t step) {
+    uint64_t every = run->s->scene->output.checkpoint.every_steps;
+    return run->options->directory && (run->checkpoint_due || (every > 0 && step % every == 0) ||
+                                       (step == run->last && run->s->scene->output.checkpoint.at_end));
+}
+
+/* What this rank knows before the step; decide makes it everybody's. */
+static void signals_ask(struct run *run) {
+    double minutes = run->s->scene->output.checkpoint.every_minutes;
+    run->s->signals = (struct step_signals){
+        .stop = run_signal != 0,
+        .checkpoint = minutes > 0 && timer_now() - run->checkpoint_last > 60 * minutes,
+        .error = run->s->error.kind != ERROR_NONE,
+    };
+}
+
+/* What a guard has condemned in this very step is none to go on from, nor a reason to delete an older one. */
+static bool checkpoint_regular(struct run *run, struct error *error) {
+    struct error condemned = run->s->error;
+    if (!comm_agree(run->s->comm, &condemned))
+        return true;
+    run->checkpoint_last = timer_now();
+    return (run->outputs == NULL || outputs_flush(run->outputs, error)) &&
+           resume_write(run->s, &run->output, "", error);
+}
+
+static bool step_once(struct run *run, struct error *error) {
+    struct simulation *s = run->s;
+    int64_t every = s->scene->step.rebuild_every;
+    bool checkpoint = checkpoint_step(run, s->step + 1);
+    bool rebuild = checkpoint || (every > 0 && (s->step + 1) % (uint64_t)every == 0);
+    const struct run_watch *watch = run->options->watch;
+    bool watched = watch && watch->due(watch->context, s->step + 1);
+    signals_ask(run);
+    s->contact.want_virial = watched || (run->outputs && outputs_want_sums(run->outputs, s, s->step + 1));
+    s->contact.want_sums = s->contact.want_virial || s->sums_each_step;
+    step_run(s, rebuild);
+    run->record.particle_steps += (double)s->total;
+    if (s->step % POSITIONS_EVERY == 0)
+        guards_check_positions(s);
+    if (guards_energy_due(s, s->step))
+        guards_check_energy(s);
+    timer_start(&s->timers, TIMER_OUTPUT);
+    bool good = run->outputs == NULL || outputs_write(run->outputs, s, error);
+    if (good && watched)
+        good = watch->look(watch->context, s, error);
+    if (good && checkpoint)
+        good = checkpoint_regular(run, error);
+    run->checkpoint_due = s->signals.stop || (s->signals.checkpoint && !checkpoint);
+    progress_update(&run->progress, s->step, s->total, s->time);
+    timer_stop(&s->timers, TIMER_OUTPUT);
+    return good;
+}
+
+/* Steps until the end, an error or a signal. A signal is seen by all ranks in one step, and the next writes
+ * the checkpoint. */
+static bool steps(struct run *run, struct error *error) {
+    struct simulation *s = run->s;
+    bool stopping = false;
+    while (s->step < run->last) {
+        if (!step_once(run, error))
+            return false;
+        if (s->signals.error || (s->alone && s->error.kind != ERROR_NONE))
+            return false;
+        if (stopping) {
+            int64_t number = run_signal;
+            comm_max_int(s->comm, &number, 1); /* one rank may be the only one that it came to */
+            run->record.stopped = (int)number;
+            return true;
+        }
+        stopping = s->signals.stop;
+    }
+    return true;
+}
+
+static bool report_out(const struct run *run, const struct report *report, struct error *error) {
+    if (run->s->comm->rank != 0)
+        return true;
+    if (!run->options->quiet)
+        report_print(report, stdout);
+    if (run->options->directory == NULL)
+        return true;
+    char path[FILE_PATH_MAX];
+    snprintf(path, sizeof path, "%s/report.json", run->options->directory);
+    return report_write_json(report, path, error);
+}
+
+/* A guard stopped the run: leave the state to look at. */
+static void stopped_checkpoint(struct run *run, const struct error *why) {
+    struct error second = {0};
+    if (run->options->directory == NULL || why->kind != ERROR_PHYSICS)
+        return;
+    if (!resume_write(run->s, &run->output, CHECKPOINT_STOPPED, &second) && run->s->comm->rank == 0)
+        fprintf(stderr, "scree: the state at the stop could not be written: %s\n", second.text);
+}
+
+/* Takes away what an earlier run left that would be taken for this one's. */
+static bool folder_prepare(const struct run *run, struct error *error) {
+    const struct comm *comm = run->s->comm;
+    const char *directory = run->options->directory;
+    return run->options->resume ? folder_rewind(comm, directory, run->s->step, error)
+                                : folder_clear(comm, directory, error);
+}
+
+static bool run_open(struct run *run, struct error *error) {
+    struct simulation *s = run->s;
+    if (run->options->directory == NULL)
+        return true;
+    if (!outputs_create(&run->outputs, s, &run->output, error) ||
+        !run_directory(s->comm, run->options, error) ||
+        !folder_lock(s->comm, run->options->directory, &run->lock, error) || !folder_prepare(run, error))
+        return false;
+    if (!outputs_open(run->outputs, s, run->options->resume != NULL, error))
+        return false;
+    s->sums_each_step = s->sums_each_step || outputs_sum_each_step(run->outputs);
+    return run->options->resume != NULL || outputs_write(run->outputs, s, error);
+}
+
+static bool watch_begin(const struct run *run, struct error *error) {
+    const struct run_watch *watch = run->options->watch;
+    return watch == NULL || watch->begin(watch->context, run->s, error);
+}
+
+static void run_loop(struct run *run, struct error *error) {
+    struct simulation *s = run->s;
+    struct progress_options progress = s->scene->output.progress;
+    run->record.first = s->step;
+    run->last = last_step(s);
+    ghosts_count(s->ghosts, &run->record.before);
+    s->load.seconds = 0;
+    memset(&s->timers, 0, sizeof s->timers);
+    timer_start(&s->timers, TIMER_OTHER);
+    run->record.began = run->checkpoint_last = timer_now();
+    if (run->options->quiet || s->comm->rank != 0)
+        progress.mode = PROGRESS_OFF;
+    progress_start(&run->progress, &progress, stderr, run->record.first, run->last);
+    steps(run, error);
+    progress_finish(&run->progress);
+    timer_stop(&s->timers, TIMER_OTHER);
+    if (error->kind == ERROR_NONE)
+        *error = s->error; /* also of the last step, which nobody has asked for yet */
+    if (!comm_agree(s->comm, error))
+        stopped_checkpoint(run, error);
+}
+
+/* A resume of what is over: says so, and there is nothing to write. */
+static bool over_already(const struct simulation *s, const char *resume) {
+    if (resume == NULL || last_step(s) > s->step)
+        return false;
+    if (s->comm->rank == 0)
+        fprintf(stderr,
+                "scree: %s is already at step %llu, time %.9g; nothing to do: give a longer duration%s\n",
+                resume, (unsigned long long)s->step, s->time,
+                s->scene->duration > 0 ? "" : " or a larger step.count");
+    return true;
+}
+
+int run_scene(const struct comm *comm, const struct scene *scene, const struct run_options *options,
+              struct report *report, struct error *error) {
+    struct run run = {.options = options, .lock = -1};
+    struct report own;
+    double start = timer_now();
+    run.s = simulation_create(comm, scene, options->resume, error);
+    if (run.s == NULL || over_already(run.s, options->resume)) {
+        simulation_destroy(&run.s);
+        return error->kind;
+    }
+    char *echo = scene_echo(scene);
+    run.output = outputs_run(run.s, options->directory, echo);
+    signals_catch();
+    if (run_open(&run, error) && watch_begin(&run, error)) {
+        run.record.setup = timer_now() - start;
+        run_loop(&run, error);
+        report_create(&own, comm->size);
+        run_report_fill(run.s, &run.record, &own);
+        outputs_close(&run.outputs, comm, error);
+        struct error unwritten = {0};
+        if (!report_out(&run, &own, &unwritten) && error->kind == ERROR_NONE)
+            *error = unwritten;
+        if (report)
+            *report = own;
+        else
+            report_destroy(&own);
+    }
+    comm_agree(comm, error);
+    outputs_close(&run.outputs, comm, error);
+    folder_unlock(&run.lock);
+    simulation_destroy(&run.s);
+    memory_free(echo);
+    if (error->kind != ERROR_NONE)
+        return error->kind;
+    return run.record.stopped ? ERROR_SIGNAL + run.record.stopped : 0;
+}

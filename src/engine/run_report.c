@@ -1,0 +1,166 @@
+#include "engine/run_report.h"
+#include "engine/load.h"
+#include "core/memory.h"
+#include <math.h>
+#include <stdio.h>
+
+/* The level table and the choice of the index. Ranks choose for themselves, so they may differ in both: the
+ * table has as many levels as the rank with most, its counts are sums, its bounds and cells the widest, and
+ * the words of a choice are those of rank 0. */
+static void report_levels(const struct simulation *s, struct report *report) {
+    struct index_description description;
+    int64_t counts[REPORT_LEVELS_MAX][2] = {0}, levels;
+    double widest[REPORT_LEVELS_MAX][3]; /* cell, largest radius, minus the smallest */
+    index_describe(s->index, &description);
+    int mine = description.levels < REPORT_LEVELS_MAX ? description.levels : REPORT_LEVELS_MAX;
+    for (int l = 0; l < REPORT_LEVELS_MAX; l++) {
+        const struct index_level *level = &description.level[l];
+        widest[l][0] = widest[l][1] = widest[l][2] = -INFINITY;
+        if (l >= mine)
+            continue;
+        counts[l][0] = (int64_t)level->cells;
+        counts[l][1] = (int64_t)level->particles;
+        widest[l][0] = level->cell;
+        widest[l][1] = level->radius_max;
+        widest[l][2] = -level->radius_min;
+    }
+    levels = mine;
+    comm_max_int(s->comm, &levels, 1);
+    comm_sum_int(s->comm, counts[0], 2 * (int)levels);
+    comm_max(s->comm, widest[0], 3 * (int)levels);
+    report->levels = (int)levels;
+    for (int l = 0; l < report->levels; l++)
+        report->level[l] = (struct report_level){.cell = widest[l][0],
+                                                 .cells = (uint64_t)counts[l][0],
+                                                 .particles = (uint64_t)counts[l][1],
+                                                 .radius_min = -widest[l][2],
+                                                 .radius_max = widest[l][1]};
+    snprintf(report->choice, sizeof report->choice, "%s", description.choice);
+    snprintf(report->choice_why, sizeof report->choice_why, "%s", description.why);
+    report->choices = description.choices;
+    double seconds[2] = {description.predicted, tune_measured(s)};
+    comm_max(s->comm, seconds, 2);
+    report->choice_predicted = seconds[0];
+    report->choice_measured = seconds[1];
+}
+
+/* Pairs by sides, as contacts: with newton off one that crosses ranks is in the lists of both. */
+static int64_t pair_sides(const struct pairlist *list) {
+    size_t sides = 0;
+    for (int b = 0; b < list->block_count; b++) {
+        const struct pair_block *block = &list->blocks[b];
+        size_t one = block->slotted - block->one_sided;
+        sides += 2 * (block->end_pair - block->first_pair) - one;
+    }
+    return (int64_t)sides;
+}
+
+/* How copies spread, and why. */
+static void report_sync(const struct simulation *s, const struct ghosts_counts *ghosts,
+                        struct report *report) {
+    static const char *const asked[] = {
+        [GHOSTS_AUTO] = "auto: ", [GHOSTS_NEIGHBOURS] = "", [GHOSTS_SHADOW] = "shadow: "};
+    double farthest[2] = {ghosts->reach, -ghosts->clearance};
+    comm_max(s->comm, farthest, 2);
+    const char *words = asked[s->scene->ghosts.sync];
+    if (s->alone)
+        snprintf(report->sync, sizeof report->sync, "%sone rank, no copies", words);
+    else if (ghosts->rounds <= 1)
+        snprintf(report->sync, sizeof report->sync,
+                 "%sneighbours (no particle must be known beyond them: what is no neighbour is %.4g away)",
+                 words, -farthest[1]);
+    else
+        snprintf(report->sync, sizeof report->sync,
+                 "%sshadow (a particle must be known up to %.4g away; what is no neighbour begins at %.4g), "
+                 "%d rounds",
+                 words, farthest[0], -farthest[1], ghosts->rounds);
+}
+
+static void report_classes(const struct simulation *s, const struct ghosts_counts *ghosts,
+                           struct report *report) {
+    int64_t sums[2 * CLASS_MAX];
+    report->classes = s->classes.count;
+    for (int c = 0; c < CLASS_MAX; c++) {
+        sums[c] = (int64_t)ghosts->ghosts_class[c];
+        sums[CLASS_MAX + c] = (int64_t)ghosts->bytes_class[c];
+    }
+    comm_sum_int(s->comm, sums, 2 * CLASS_MAX);
+    for (int c = 0; c < report->classes; c++)
+        report->size_class[c] = (struct report_class){.radius_min = s->classes.radius_min[c],
+                                                      .radius_max = s->classes.radius_max[c],
+                                                      .particles = s->classes.population[c],
+                                                      .ghosts = (uint64_t)sums[c],
+                                                      .bytes = (uint64_t)sums[CLASS_MAX + c]};
+}
+
+_Static_assert((int)REPORT_INSERTIONS_MAX >= (int)INSERTIONS_MAX,
+               "a report has room for all insertion regions");
+
+static void report_insertions(const struct simulation *s, struct report *report) {
+    report->insertions = s->scene->insertions;
+    for (int k = 0; k < report->insertions; k++) {
+        const char *name = s->scene->insertion[k].name;
+        struct report_insertion *row = &report->insertion[k];
+        if (name[0])
+            snprintf(row->name, sizeof row->name, "%s", name);
+        else
+            snprintf(row->name, sizeof row->name, "insertions[%d]", k);
+        row->asked = sources_asked(s, k);
+        row->placed = s->insertion_state[k].placed;
+    }
+}
+
+void run_report_fill(const struct simulation *s, const struct run_record *run, struct report *report) {
+    struct ghosts_counts ghosts;
+    ghosts_count(s->ghosts, &ghosts);
+    int64_t sums[6] = {pair_sides(s->list),
+                       (int64_t)s->sums.contact_sides,
+                       (int64_t)memory_peak(),
+                       (int64_t)memory_in_use(),
+                       (int64_t)(ghosts.rebuild_messages - run->before.rebuild_messages),
+                       (int64_t)(ghosts.rebuild_bytes - run->before.rebuild_bytes)};
+    comm_sum_int(s->comm, sums, 6);
+    report->steps = s->step - run->first;
+    report->particle_steps = run->particle_steps;
+    report->step_last = s->step;
+    report->time = s->time;
+    report->dt = s->dt;
+    report->particles = s->total;
+    report->ranks = s->comm->size;
+    report->threads = s->threads;
+    report->newton = s->scene->ghosts.newton;
+    report->reduced = s->scene->ghosts.reduced;
+    snprintf(report->simd, sizeof report->simd, "%s", force_loop_kernel(s->loop));
+    report->reproducible = s->scene->reproducible;
+    snprintf(report->index, sizeof report->index, "%s", s->scene->index.name);
+    snprintf(report->law, sizeof report->law, "%s", s->law.options.normal == LAW_HERTZ ? "hertz" : "hooke");
+    snprintf(report->integrator, sizeof report->integrator, "%s", s->scene->integrator);
+    report_levels(s, report);
+    report_sync(s, &ghosts, report);
+    report_classes(s, &ghosts, report);
+    report_insertions(s, report);
+    snprintf(report->domain, sizeof report->domain, "%s", domain_bisects(s->domain) ? "bisection" : "brick");
+    report->divisions = s->load.divisions;
+    report->pairs = (uint64_t)sums[0] / 2;
+    report->contacts = (uint64_t)sums[1] / 2;
+    report->rebuilds = s->skin->rebuilds > 0 ? s->skin->rebuilds - 1 : 0;
+    report->bytes_per_particle = s->total ? (double)sums[2] / (double)s->total : 0;
+    report->memory_held = (uint64_t)sums[3];
+    report->rebuild_messages = (uint64_t)sums[4];
+    report->rebuild_bytes = (uint64_t)sums[5];
+    report->inserted = s->inserted;
+    report->deleted = s->deleted;
+    report->seed = s->scene->seed;
+    report->dimensionless = s->scene->units == SCENE_UNITS_NONE;
+    if (run->stopped)
+        snprintf(report->stopped, sizeof report->stopped, "signal %d", run->stopped);
+    struct report_mine mine = {.timers = &s->timers,
+                               .ghosts = ghosts.ghosts,
+                               .messages = ghosts.messages - run->before.messages,
+                               .bytes = ghosts.bytes - run->before.bytes,
+                               .work = load_seconds(s),
+                               .waiting = load_waiting(s),
+                               .seconds = timer_now() - run->began,
+                               .seconds_setup = run->setup};
+    report_gather(report, s->comm, &mine);
+}

@@ -1,0 +1,22 @@
+/* What a run reports of itself at its end. */
+#ifndef SCREE_APP_RUN_REPORT_H
+#define SCREE_APP_RUN_REPORT_H
+
+#include "engine/simulation.h"
+#include "observe/report.h"
+
+/* What the loop notes of itself for the report. */
+struct run_record {
+    uint64_t first;              /* step before the loop */
+    double began, setup;         /* seconds: clock at the start of the loop; time before it */
+    double particle_steps;       /* sum over steps of the particles moved */
+    struct ghosts_counts before; /* the loop: what set-up sent */
+    int stopped;                 /* signal that ended it; 0: none */
+};
+
+/* Fills a report that report_create made. Collective: all ranks call, outside parallel regions; each may have
+ * chosen another index and other levels. */
+void run_report_fill(const struct simulation *simulation, const struct run_record *run,
+                     struct report *report);
+
+#endif

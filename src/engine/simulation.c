@@ -1,0 +1,390 @@
+#include "engine/guards.h"
+#include "engine/load.h"
+#include "comm/balance.h"
+#include "comm/cores.h"
+#include "core/memory.h"
+#include "core/threads.h"
+#include "integrate/integrator.h"
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Radii that stand for all when classes are chosen: of each of so many logarithmic bins the smallest and the
+ * largest, and more by weight. */
+enum { CLASS_BINS = 1024, CLASS_SAMPLE = 64 };
+
+struct radius_bins {
+    double least[CLASS_BINS], most[CLASS_BINS], count[CLASS_BINS];
+};
+
+static int radius_bin(double radius, double smallest, double largest) {
+    if (!(largest > smallest))
+        return 0;
+    int bin = (int)(CLASS_BINS * log(radius / smallest) / log(largest / smallest));
+    return bin < 0 ? 0 : bin >= CLASS_BINS ? CLASS_BINS - 1 : bin;
+}
+
+static void radius_bins_fill(struct simulation *s, struct radius_bins *bins) {
+    double bound[2] = {INFINITY, INFINITY}; /* smallest, minus largest */
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        double radius = s->particles->state[k].radius;
+        bound[0] = fmin(bound[0], radius);
+        bound[1] = fmin(bound[1], -radius);
+    }
+    comm_min(s->comm, bound, 2);
+    for (int b = 0; b < CLASS_BINS; b++) {
+        bins->least[b] = INFINITY;
+        bins->most[b] = bins->count[b] = 0;
+    }
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        double radius = s->particles->state[k].radius;
+        int b = radius_bin(radius, bound[0], -bound[1]);
+        bins->least[b] = fmin(bins->least[b], radius);
+        bins->most[b] = fmax(bins->most[b], radius);
+        bins->count[b]++;
+    }
+    comm_min(s->comm, bins->least, CLASS_BINS);
+    comm_max(s->comm, bins->most, CLASS_BINS);
+    comm_sum(s->comm, bins->count, CLASS_BINS);
+}
+
+static size_t radius_sample(const struct radius_bins *bins, double total, double *sample) {
+    size_t n = 0;
+    for (int b = 0; b < CLASS_BINS; b++) {
+        if (bins->count[b] == 0)
+            continue;
+        sample[n++] = bins->least[b];
+        sample[n++] = bins->most[b];
+        for (double w = 1; w < bins->count[b] / total * CLASS_SAMPLE * CLASS_BINS && w < bins->count[b]; w++)
+            sample[n++] = bins->most[b];
+    }
+    return n;
+}
+
+/* What choosing may know of the scene: functions of the radii and the box alone, so that a resume chooses
+ * alike. */
+static struct classes_options classes_wanted(const struct simulation *s, const struct radius_bins *bins,
+                                             double total) {
+    struct classes_options options = s->scene->classes;
+    const struct box *box = &s->scene->box;
+    double solid = 0, space = 1;
+    for (int b = 0; b < CLASS_BINS; b++) {
+        double radius = bins->most[b];
+        if (bins->count[b] > 0)
+            solid += bins->count[b] * M_PI * radius * radius * (box->dimension == 3 ? 4 * radius / 3 : 1);
+    }
+    for (int d = 0; d < box->dimension; d++)
+        space *= box->edge[d];
+    options.fraction = solid / space;
+    options.dimension = box->dimension;
+    options.particles = total;
+    return options;
+}
+
+/* Exact bounds and populations of the classes that were chosen from a sample. */
+static void classes_count(struct simulation *s) {
+    struct size_classes *classes = &s->classes;
+    double least[CLASS_MAX], most[CLASS_MAX];
+    int64_t population[CLASS_MAX] = {0};
+    for (int c = 0; c < classes->count; c++) {
+        least[c] = INFINITY;
+        most[c] = 0;
+    }
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        double radius = s->particles->state[k].radius;
+        int c = classes_of(classes, radius);
+        least[c] = fmin(least[c], radius);
+        most[c] = fmax(most[c], radius);
+        population[c]++;
+    }
+    comm_min(s->comm, least, classes->count);
+    comm_max(s->comm, most, classes->count);
+    comm_sum_int(s->comm, population, classes->count);
+    for (int c = 0; c < classes->count; c++) {
+        classes->population[c] = (uint64_t)population[c];
+        if (population[c] == 0)
+            continue;
+        classes->radius_min[c] = least[c];
+        classes->radius_max[c] = most[c];
+    }
+    classes_set_margins(classes, &s->scene->classes, s->law.range);
+}
+
+bool simulation_classify(struct simulation *s, struct error *error) {
+    struct radius_bins *bins = memory_allocate(1, sizeof *bins, "radius histogram");
+    radius_bins_fill(s, bins);
+    double total = 0;
+    for (int b = 0; b < CLASS_BINS; b++)
+        total += bins->count[b];
+    double *sample =
+        memory_allocate((size_t)CLASS_BINS * (CLASS_SAMPLE + 4), sizeof *sample, "radius sample");
+    size_t n = radius_sample(bins, total, sample);
+    struct classes_options options = classes_wanted(s, bins, total);
+    bool good = classes_choose(&s->classes, &options, s->law.range, sample, n, error);
+    memory_free(sample);
+    memory_free(bins);
+    if (good)
+        classes_count(s);
+    s->classes_stale = false;
+    return good;
+}
+
+void simulation_index_view(struct simulation *s, struct index_view *view) {
+    pairlist_view(view, s->particles, &s->classes, &s->scene->box, s->wrap);
+    view->newton = s->scene->ghosts.newton;
+    view->threads = s->threads;
+}
+
+struct output_view simulation_view(const struct simulation *s) {
+    struct ghosts_counts ghosts;
+    ghosts_count(s->ghosts, &ghosts);
+    return (struct output_view){.comm = s->comm,
+                                .particles = s->particles,
+                                .box = &s->scene->box,
+                                .motion = &s->motion,
+                                .walls = s->walls,
+                                .contact = &s->contact,
+                                .sums = &s->sums,
+                                .taken = s->taken,
+                                .step = s->step,
+                                .time = s->time,
+                                .load = {.ghosts = ghosts.ghosts,
+                                         .messages = ghosts.messages,
+                                         .bytes = ghosts.bytes,
+                                         .work = load_seconds(s),
+                                         .waiting = load_waiting(s)}};
+}
+
+bool simulation_may_lose(const struct simulation *s) {
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++)
+            if (!s->scene->box.periodic[d] && s->scene->box.leave[d][side] == BOX_DELETE)
+                return true;
+    return false;
+}
+
+static bool domain_possible(const struct simulation *s, struct error *error) {
+    char place[SCENE_PATH_MAX];
+    struct error plain = {0};
+    if (balance_available(&plain))
+        return true;
+    return error_set(error, ERROR_USER, "%s: domain.name: %s",
+                     scene_place(s->scene, "domain", place, sizeof place), plain.text);
+}
+
+static bool set_threads(struct simulation *s, struct error *error) {
+    int most = PAIR_THREADS_MAX, usual = cores_threads(s->comm);
+    if (s->scene->threads == 0 && usual < most)
+        most = usual;
+    s->threads = threads_set(s->scene->threads, most, error);
+    return s->threads > 0;
+}
+
+bool simulation_prepare(struct simulation *s, struct error *error) {
+    const struct scene *scene = s->scene;
+    struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
+    const struct integrator *integrator = integrator_find(scene->integrator);
+    struct law_options options = scene->law;
+    assert(integrator);
+    options.synchronised = integrator->synchronised;
+    memcpy(pair, scene->law_pair, sizeof pair);
+    if (!law_prepare(&s->law, &options, scene->materials, scene->material, pair, error))
+        return false;
+    scene_integrator(scene, &s->motion);
+    if (!set_threads(s, error))
+        return false;
+    if (scene->walls > 0 && !walls_create(&s->walls, scene->wall, scene->walls, &s->law, &scene->box,
+                                          s->threads, error, s->comm->rank == 0 ? stderr : NULL))
+        return false;
+    if (s->walls && scene->reproducible)
+        walls_set_exact(s->walls);
+    if (scene->domain.kind == DOMAIN_BISECTION && !domain_possible(s, error))
+        return false;
+    s->domain = domain_create(s->comm, &scene->box, &scene->domain, error);
+    if (s->domain == NULL)
+        return false;
+    domain_wrap(s->domain, s->wrap);
+    struct index_params params = scene->index.params;
+    params.instructions = (int)scene->simd;
+    s->index = index_create(scene->index.name, &params, error);
+    return s->index != NULL && sources_prepare(s, error);
+}
+
+/* All that does not depend on the particles' number. */
+static void parts_create(struct simulation *s) {
+    s->ghosts = ghosts_create(s->comm, s->domain, &s->scene->box, &s->scene->ghosts);
+    s->list = pairlist_create(&(struct pairlist_options){.threads = s->threads});
+    s->history = s->law.history_components ? history_create(s->law.history_components, s->threads) : NULL;
+    s->skin = skin_create();
+    s->sweep = s->scene->step.fused ? sweep_create(s->threads) : NULL;
+    s->loop = force_loop_create(s->threads);
+    s->speed = memory_allocate_zero((size_t)s->threads, sizeof *s->speed, "speeds");
+    s->contact = (struct force_context){.particles = s->particles,
+                                        .list = s->list,
+                                        .history = s->history,
+                                        .law = &s->law,
+                                        .ordered = s->scene->reproducible};
+}
+
+/* The vector instructions that the scene asks for. */
+static bool simd_choose(const struct simulation *s, struct error *error) {
+    char place[SCENE_PATH_MAX];
+    const char *wanted = scene_simd_name(s->scene->simd);
+    if (s->scene->simd == SCENE_SIMD_AUTO ||
+        (force_loop_choose(s->loop, wanted) && (s->walls == NULL || walls_choose(s->walls, wanted))))
+        return true;
+    return error_set(error, ERROR_USER,
+                     "%s: simd: %s is not what this program and CPU have; the widest is %s",
+                     scene_place(s->scene, "simd", place, sizeof place), wanted, force_loop_kernel(s->loop));
+}
+
+static bool mine(void *context, const double x[3]) {
+    const struct simulation *s = context;
+    return domain_owner(s->domain, x) == s->comm->rank;
+}
+
+static bool taken(void *context, const double x[3], double radius) {
+    const struct simulation *s = context;
+    return s->walls && walls_overlap(s->walls, x, radius);
+}
+
+static bool particles_make(struct simulation *s, struct error *error) {
+    struct scene_share share = {s->comm->rank, s->comm->size, mine, taken, s};
+    bool good = scene_particles(s->scene, &share, s->particles, &s->census, error);
+    if (!comm_agree(s->comm, error) || !good)
+        return false;
+    s->total = s->census.particles;
+    s->next_id = s->census.id_max + 1;
+    return true;
+}
+
+/* No cut-off may reach around a periodic box to the particle itself. */
+static bool box_holds(const struct simulation *s, double radius, double margin, struct error *error) {
+    char place[SCENE_PATH_MAX];
+    double reach = 2 * radius + margin;
+    for (int d = 0; d < s->scene->box.dimension; d++)
+        if (s->scene->box.periodic[d] && reach >= s->scene->box.edge[d])
+            return error_set(error, ERROR_USER,
+                             "%s: the periodic %c edge %.6g is too short for a particle of radius %.6g: "
+                             "needed is more than its diameter + "
+                             "range + skin, %.6g",
+                             scene_place(s->scene, "box", place, sizeof place), 'x' + d,
+                             s->scene->box.edge[d], radius, reach);
+    return true;
+}
+
+/* For the particles there are, and for those that insertions may bring. */
+static bool box_suffices(const struct simulation *s, struct error *error) {
+    const struct size_classes *classes = &s->classes;
+    bool good = true;
+    double margin = 0;
+    for (int c = 0; c < classes->count && good; c++) {
+        margin = classes->margin[c][c];
+        good = box_holds(s, classes->radius_max[c], margin, error);
+    }
+    for (int k = 0; k < s->scene->insertions && good; k++) {
+        double smallest, largest;
+        sizes_bounds(&s->scene->insertion[k].sizes, &smallest, &largest);
+        good = box_holds(s, largest, margin, error);
+    }
+    return good;
+}
+
+static bool index_suits(struct simulation *s, struct error *error) {
+    struct index_view view;
+    char why[INDEX_WHY_MAX], place[SCENE_PATH_MAX];
+    simulation_index_view(s, &view);
+    if (index_applicable(s->scene->index.name, &s->scene->index.params, &view, why))
+        return true;
+    return error_set(error, ERROR_USER, "%s: index.name: '%s' cannot serve this scene: %s",
+                     scene_place(s->scene, "index.name", place, sizeof place), s->scene->index.name, why);
+}
+
+/* The start of a run that is not resumed: first rebuild, first forces, velocities half a step back. */
+static void run_begin(struct simulation *s) {
+    struct rebuild_rows rows = {0};
+    rebuild_from_rows(s, &rows);
+    s->contact.want_sums = s->contact.want_virial = true;
+    step_forces(s);
+    s->taken = 0;
+#pragma omp parallel for schedule(static)
+    for (int b = 0; b < s->list->block_count; b++)
+        integrator_stagger(s->particles, &s->motion, s->list->blocks[b].first_row,
+                           s->list->blocks[b].last_row);
+}
+
+/* What must hold of the particles, now that they are there. */
+static bool particles_suit(struct simulation *s, struct error *error) {
+    if (s->total >= (uint64_t)s->comm->size << PARTICLE_INDEX_BITS)
+        return error_set(error, ERROR_USER,
+                         "%llu particles on %d ranks: allowed are up to %llu a rank, copies included",
+                         (unsigned long long)s->total, s->comm->size, 1ull << PARTICLE_INDEX_BITS);
+    if (!simulation_classify(s, error) || !box_suffices(s, error) || !timing_choose(s, error))
+        return false;
+    particles_classify(s->particles, &s->classes);
+    load_lay(s, s->resumed_grid);
+    index_suits(s, error);
+    return comm_agree(s->comm, error); /* each rank looks at its own particles */
+}
+
+static bool simulation_fill(struct simulation *s, const char *resume, struct error *error) {
+    unsigned features = scene_features(s->scene, &s->law);
+    s->particles = particles_create(features, 0);
+    parts_create(s);
+    simd_choose(s, error);
+    if (!comm_agree(s->comm, error)) /* ranks may have different CPUs */
+        return false;
+    struct rebuild_rows rows = {0};
+    bool good = resume ? resume_read(s, resume, &rows, error) : particles_make(s, error);
+    if (!good || !particles_suit(s, error)) {
+        rebuild_rows_free(&rows);
+        return false;
+    }
+    if (resume)
+        resume_begin(s, &rows);
+    else
+        run_begin(s);
+    step_plan(s);
+    if (!guards_prepare(s, error))
+        return false;
+    *error = s->error;
+    return s->error.kind == ERROR_NONE;
+}
+
+struct simulation *simulation_create(const struct comm *comm, const struct scene *scene, const char *resume,
+                                     struct error *error) {
+    struct simulation *s = memory_allocate_zero(1, sizeof *s, "simulation");
+    s->comm = comm;
+    s->scene = scene;
+    s->alone = comm->size == 1;
+    timer_start(&s->timers, TIMER_SETUP);
+    simulation_prepare(s, error);
+    if (comm_agree(comm, error))
+        simulation_fill(s, resume, error);
+    if (!comm_agree(comm, error))
+        simulation_destroy(&s);
+    else
+        timer_stop(&s->timers, TIMER_SETUP);
+    return s;
+}
+
+void simulation_destroy(struct simulation **simulation) {
+    struct simulation *s = *simulation;
+    if (s == NULL)
+        return;
+    guards_destroy(s);
+    force_loop_destroy(&s->loop);
+    walls_destroy(&s->walls);
+    sweep_destroy(&s->sweep);
+    skin_destroy(&s->skin);
+    history_destroy(&s->history);
+    pairlist_destroy(&s->list);
+    index_destroy(&s->index);
+    ghosts_destroy(&s->ghosts);
+    domain_destroy(&s->domain);
+    particles_destroy(&s->particles);
+    memory_free(s->speed);
+    memory_free(s);
+    *simulation = NULL;
+}

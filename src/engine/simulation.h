@@ -1,0 +1,239 @@
+/* A simulation: everything that a run holds, and the verbs of its life.
+ *
+ *     simulation_create   scene -> law, walls, particles, domain, index; first rebuild, first forces
+ *     step_run            one time step (step.c, on one screen)
+ *     rebuild_run         migrate, reorder, ghosts, index, pairs (rebuild.c), when step_run finds it due
+ *     simulation_destroy
+ *
+ * The parts know nothing of each other beyond what the arrows of docs/architecture.md allow; they meet here.
+ */
+#ifndef SCREE_APP_SIMULATION_H
+#define SCREE_APP_SIMULATION_H
+
+#include "comm/comm.h"
+#include "comm/domain.h"
+#include "comm/ghosts.h"
+#include "contact/force.h"
+#include "contact/law.h"
+#include "walls/wall.h"
+#include "core/timer.h"
+#include "index/index.h"
+#include "integrate/integrator.h"
+#include "integrate/timestep.h"
+#include "formats/checkpoint.h"
+#include "formats/output.h"
+#include "pairs/history.h"
+#include "pairs/history_keep.h"
+#include "pairs/pairlist.h"
+#include "pairs/skin.h"
+#include "pairs/sweep.h"
+#include "particles/classes.h"
+#include "particles/particles.h"
+#include "scene/scene.h"
+
+enum { SIMULATION_PASSES_MAX = 16, TUNING_VARIANTS_MAX = 8 };
+
+struct simulation;
+
+/* One pass of the step. */
+struct step_pass {
+    const char *name;
+    const char *why; /* what in the scene brings it; NULL: always */
+    enum timer_stage stage;
+    bool (*needed)(const struct simulation *simulation);
+    void (*run)(struct simulation *simulation);
+};
+
+/* The passes of a step in the order in which they run. */
+struct step_order {
+    int passes;
+    struct step_pass pass[SIMULATION_PASSES_MAX];
+};
+
+/* What all ranks must know of a step before they go on; one reduction. */
+struct step_signals {
+    bool rebuild;
+    bool stop;       /* a signal asked the run to end */
+    bool checkpoint; /* wall clock says so */
+    bool error;      /* a rank has an error */
+};
+
+/* The guard of energies (guards.c). Energies as in observables. */
+struct guard_energy {
+    struct observables *observables; /* NULL: not asked for */
+    bool begun;
+    double start, last, gained, in_play;
+    uint64_t step, changes; /* of the last look: its number, particles that have come and gone */
+};
+
+/* Trials of what an index that chooses has on offer (tune.c). */
+struct tuning {
+    int64_t choices; /* of all ranks together: more of them start the trials anew */
+    int variant, rebuilds;
+    bool settled;
+    double start, seconds[TUNING_VARIANTS_MAX];
+};
+
+struct simulation {
+    const struct comm *comm;   /* borrowed */
+    const struct scene *scene; /* borrowed */
+    int threads;
+
+    struct law law;
+    struct integrator_context motion;
+    struct timestep_limits limits;
+    double speed_expected;   /* of an impact: what the stable step counts with; length/time */
+    double overlap_expected; /* of the heaviest like particles, or of one and a wall, at that speed, over the
+                                radius */
+    struct scene_census census; /* of the sources */
+
+    struct particles *particles;
+    struct size_classes classes;
+    bool classes_stale; /* radii may have changed: choose classes anew at the next rebuild */
+    uint64_t total;     /* particles on all ranks */
+    int64_t next_id;
+
+    struct domain *domain;
+    bool wrap[3]; /* directions that the index wraps */
+    struct ghosts *ghosts;
+    bool alone; /* one rank: nothing to exchange */
+    struct {
+        bool begun, fresh;  /* divided at all; divided since the imbalance was measured */
+        double reached;     /* imbalance right after the last division; 0: none yet */
+        double seconds;     /* of work when it was measured last */
+        uint64_t divisions; /* by weight */
+    } load;                 /* load.h */
+
+    struct index *index;
+    struct tuning tuning;
+    double pairs_seconds;   /* wall time of all pair list builds */
+    struct index_view view; /* of the last rebuild */
+    struct pairlist *list;
+    struct history *history; /* NULL: the law has none */
+    struct skin *skin;
+    struct walls *walls; /* NULL: none */
+    struct force_loop *loop;
+    struct force_context contact;
+    struct force_sums sums; /* of the last evaluation, this rank's part */
+    double taken;           /* sum of force_sums.taken since the start, this rank's part */
+    bool sums_each_step;    /* dissipated energy is observed */
+
+    struct insertion insertion[INSERTIONS_MAX];
+    struct insertion_state insertion_state[INSERTIONS_MAX];
+    uint64_t inserted, deleted;
+    uint64_t sources_step; /* the last step at which particles came or went */
+    unsigned guard_warned; /* bit by guard: has warned */
+    struct guard_energy guard_energy;
+
+    uint64_t step;      /* steps done */
+    uint64_t step_base; /* time = time_base + (step - step_base) dt */
+    double time, time_base, dt;
+    double dt_fraction;         /* of the stable step that dt is; 0: dt was given */
+    double resumed_dt;          /* step of the run that wrote the checkpoint; 0: not resumed */
+    double resumed_fraction;    /* and its fraction */
+    int resumed_grid[3];        /* its ranks per direction */
+    double (*speed)[CLASS_MAX]; /* [thread][class]: largest squared speed of the last drift */
+    double servo_force[WALLS_MAX][3];
+
+    struct step_order plain, fused;
+    struct sweep *sweep; /* the plan of the fused order; NULL: the scene wants the plain one alone */
+    double agreed[2 * CLASS_MAX + 4]; /* bounds of the skin and signals, on their way through all ranks */
+    struct comm_reduction reduction;
+    struct step_signals signals; /* in: this rank's; out of step_run: everybody's */
+    struct error error;          /* of a guard or of particles that left; checked after each step */
+    struct timers timers;
+};
+
+/* Builds all parts from a scene and, unless resuming, the particles of its sources; checks the time step.
+ * `resume` (NULL: none) names a checkpoint to go on from. The caller owns comm and scene and keeps them.
+ * Errors may differ between ranks: comm_agree follows inside. Collective. Returns NULL with the same error on
+ * all ranks. */
+struct simulation *simulation_create(const struct comm *comm, const struct scene *scene, const char *resume,
+                                     struct error *error);
+void simulation_destroy(struct simulation **simulation);
+
+/* Prepares law, walls, motion and limits but no particles: what `scree check` starts from. Used by
+ * simulation_create. */
+bool simulation_prepare(struct simulation *simulation, struct error *error);
+
+/* Chooses size classes from the radii on all ranks and counts their populations. Collective. */
+bool simulation_classify(struct simulation *simulation, struct error *error);
+
+/* The view that output/ looks at. Borrows everything. */
+struct output_view simulation_view(const struct simulation *simulation);
+
+/* The view of a set of particles that an index is to see. */
+void simulation_index_view(struct simulation *simulation, struct index_view *view);
+
+/* Stable time step and its limits from the particles present; sets dt or refuses. Collective. */
+bool timing_choose(struct simulation *simulation, struct error *error);
+
+/* Full rebuild: history detached, particles wrapped, inserted, deleted and migrated, sorted, copied,
+ * searched; history attached. Collective. */
+void rebuild_run(struct simulation *simulation);
+
+/* Makes the plan of the sweep, if there is none since the last rebuild. Before a fused step. */
+void rebuild_plan(struct simulation *simulation);
+
+/* Around order, build and pairs of a rebuild, with `index.measure`: selects a variant, takes its time, and
+ * keeps the one that was fastest on the slowest rank. tune_end is collective. */
+void tune_begin(struct simulation *simulation);
+void tune_end(struct simulation *simulation);
+
+/* Seconds a rebuild that order, build and pairs took so far, this rank. */
+double tune_measured(const struct simulation *simulation);
+
+/* Contact history (pairs and walls together) on the move over a rebuild or into a checkpoint. */
+struct rebuild_rows {
+    struct history_rows pairs;
+    bool keep; /* the short way, where particles neither come nor go: records of pairs that stay on this rank
+                */
+    uint32_t *place; /* several ranks: number after the migration of each of `before` particles */
+    size_t before;
+    struct history_kept kept; /* made between reorder and search */
+    struct wall_rows walls;
+};
+void rebuild_detach(struct simulation *simulation, bool both_ends, struct rebuild_rows *rows);
+void rebuild_rows_free(struct rebuild_rows *rows);
+
+/* As rebuild_run, but with rows from elsewhere (a checkpoint); takes them over. */
+void rebuild_from_rows(struct simulation *simulation, struct rebuild_rows *rows);
+
+/* Writes DIR/checkpoint-STEP[suffix].h5. The last step must have rebuilt, or the resume is not bitwise.
+ * Collective. */
+bool resume_write(struct simulation *simulation, const struct output_run *run, const char *suffix,
+                  struct error *error);
+
+/* Reads a checkpoint: particles (wherever they are), numbers, wall poses, and histories into `rows`.
+ * resume_begin then rebuilds; the forces are those of the file. Collective. */
+bool resume_read(struct simulation *simulation, const char *path, struct rebuild_rows *rows,
+                 struct error *error);
+void resume_begin(struct simulation *simulation, struct rebuild_rows *rows);
+
+/* Particles that leave, are deleted or inserted; at a rebuild, while there are no ghosts. Collective. */
+void sources_run(struct simulation *simulation, struct rebuild_rows *rows);
+
+/* True if this step must rebuild because a source or a deletion is due. */
+bool sources_due(const struct simulation *simulation);
+
+/* True if particles may leave through an open side and be deleted. */
+bool simulation_may_lose(const struct simulation *simulation);
+
+/* Prepares the insertion regions; refuses one that cannot hold the largest of its particles. */
+bool sources_prepare(struct simulation *simulation, struct error *error);
+
+/* Particles that insertion region `k` should have placed since the start of the run, when it was looked at
+ * last. */
+uint64_t sources_asked(const struct simulation *simulation, int k);
+
+/* Makes the list of passes from the scene; prints it. */
+void step_plan(struct simulation *simulation);
+void step_plan_print(const struct simulation *simulation, FILE *file);
+
+/* One step: advance, rebuild or exchange, forces. `rebuild` forces a rebuild. Collective. */
+void step_run(struct simulation *simulation, bool rebuild);
+
+/* Forces at the present positions without advancing: the start of a run. history stays. Collective. */
+void step_forces(struct simulation *simulation);
+
+#endif

@@ -1,0 +1,262 @@
+/* Particles that come and go during a run: inserted, deleted, or leaving through an open side. All of it
+ * happens at a rebuild, while there are no copies. Insertion regions are looked at every SOURCES_EVERY steps,
+ * so that the steps at which particles appear do not depend on ranks, threads or index. */
+#include "engine/simulation.h"
+#include "core/memory.h"
+#include "scene/placegrid.h"
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { SOURCES_EVERY = 100 };
+
+/* A sphere that its region cannot hold would keep all behind it waiting for ever. */
+static bool insertion_fits(const struct simulation *s, int k, struct error *error) {
+    const struct insertion *insertion = &s->insertion[k];
+    char key[64], place[SCENE_PATH_MAX];
+    double smallest, largest, room = region_inradius(&insertion->options.region, &insertion->space);
+    sizes_bounds(&insertion->options.sizes, &smallest, &largest);
+    if (largest <= room)
+        return true;
+    snprintf(key, sizeof key, "insertions[%d].sizes", k);
+    return error_set(
+        error, ERROR_USER,
+        "%s: %s: the largest diameter, %.6g, does not fit into the region, which holds up to %.6g",
+        scene_place(s->scene, key, place, sizeof place), key, 2 * largest, 2 * room);
+}
+
+bool sources_prepare(struct simulation *s, struct error *error) {
+    const struct scene *scene = s->scene;
+    for (int k = 0; k < scene->insertions; k++) {
+        const struct insertion_options *options = &scene->insertion[k];
+        double density = options->density > 0 ? options->density : scene->material[options->material].density;
+        if (!insertion_prepare(&s->insertion[k], options, k, density, scene->seed, &scene->box, error) ||
+            !insertion_fits(s, k, error))
+            return false;
+    }
+    return true;
+}
+
+static uint64_t insertion_missing(const struct simulation *s, int k) {
+    uint64_t due = insertion_due(&s->insertion[k], s->time), placed = s->insertion_state[k].placed;
+    return due > placed ? due - placed : 0;
+}
+
+uint64_t sources_asked(const struct simulation *s, int k) {
+    uint64_t looked = s->step - s->step % SOURCES_EVERY;
+    double since = (double)looked - (double)s->step_base;
+    return insertion_due(&s->insertion[k], s->time_base + since * s->dt);
+}
+
+static bool insertions_due(const struct simulation *s) {
+    if (s->step % SOURCES_EVERY != 0)
+        return false;
+    for (int k = 0; k < s->scene->insertions; k++)
+        if (insertion_missing(s, k) > 0)
+            return true;
+    return false;
+}
+
+static bool deletions_due(const struct simulation *s) {
+    for (int k = 0; k < s->scene->deletions; k++)
+        if (deletion_due(&s->scene->deletion[k], s->time, (int64_t)s->step))
+            return true;
+    return false;
+}
+
+bool sources_due(const struct simulation *s) {
+    return insertions_due(s) || deletions_due(s);
+}
+
+static bool sides_matter(const struct simulation *s) {
+    for (int d = 0; d < 3; d++)
+        for (int side = 0; side < 2; side++)
+            if (!s->scene->box.periodic[d] && s->scene->box.leave[d][side] != BOX_KEEP)
+                return true;
+    return false;
+}
+
+/* The side through which a particle has left, as direction x 2 + upper, where that matters; -1: inside. */
+static int side_left(const struct box *box, const double x[3], enum box_leave *leave) {
+    for (int d = 0; d < box->dimension; d++) {
+        int side = x[d] < 0 ? 0 : x[d] > box->edge[d] ? 1 : -1;
+        if (box->periodic[d] || side < 0 || box->leave[d][side] == BOX_KEEP)
+            continue;
+        *leave = box->leave[d][side];
+        return 2 * d + side;
+    }
+    return -1;
+}
+
+static void leave_error(struct simulation *s, size_t k, int side) {
+    const struct particle_state *p = &s->particles->state[k];
+    const struct box *box = &s->scene->box;
+    error_set(&s->error, ERROR_PHYSICS,
+              "particle %lld left the box through its %s %c side at (%.6g, %.6g, %.6g), t = %.9g (box.leave: "
+              "error)",
+              (long long)s->particles->id[k], side % 2 ? "upper" : "lower", 'x' + side / 2,
+              p->x[0] + box->origin[0], p->x[1] + box->origin[1], p->x[2] + box->origin[2], s->time);
+}
+
+/* Is the particle in a deletion region that is active now? */
+static bool deleted_by_region(const struct simulation *s, const double x[3]) {
+    const struct box *box = &s->scene->box;
+    double user[3] = {x[0] + box->origin[0], x[1] + box->origin[1], x[2] + box->origin[2]};
+    struct region_space space = {.dimension = box->dimension, .plane = user[2]};
+    for (int k = 0; k < s->scene->deletions; k++) {
+        const struct deletion_options *deletion = &s->scene->deletion[k];
+        if (deletion_due(deletion, s->time, (int64_t)s->step) &&
+            region_contains(&deletion->region, &space, user, 0))
+            return true;
+    }
+    return false;
+}
+
+static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
+    struct particles *particles = s->particles;
+    bool regions = deletions_due(s);
+    size_t marked = 0, owned = particles->owned;
+    uint8_t *remove = memory_allocate_zero(owned, 1, "particles to remove");
+    for (size_t k = 0; k < owned; k++) {
+        enum box_leave leave = BOX_KEEP;
+        int side = side_left(&s->scene->box, particles->state[k].x, &leave);
+        if (leave == BOX_ERROR)
+            leave_error(s, k, side);
+        remove[k] = leave == BOX_DELETE || (regions && deleted_by_region(s, particles->state[k].x));
+        marked += remove[k];
+    }
+    if (marked > 0) {
+        if (rows->pairs.start)
+            history_rows_remove(&rows->pairs, remove, owned);
+        if (rows->walls.start)
+            wall_rows_remove(&rows->walls, remove, owned);
+        particles_remove(particles, remove);
+    }
+    memory_free(remove);
+    return marked;
+}
+
+/* The owned particles that candidates of a region may touch. */
+static struct placegrid *particles_near(const struct simulation *s, const struct insertion *insertion,
+                                        const struct insertion_candidate *candidate, size_t n) {
+    const struct particles *particles = s->particles;
+    double largest = 0, smallest = INFINITY;
+    for (size_t k = 0; k < n; k++)
+        largest = fmax(largest, candidate[k].radius);
+    uint8_t *near = memory_allocate(particles->owned, 1, "particles near an insertion");
+#pragma omp parallel for reduction(min : smallest)
+    for (size_t k = 0; k < particles->owned; k++) {
+        const struct particle_state *p = &particles->state[k];
+        near[k] = insertion_reaches(insertion, largest, p->x, p->radius);
+        if (near[k])
+            smallest = fmin(smallest, p->radius);
+    }
+    struct placegrid *grid = placegrid_create(&s->scene->box, isfinite(smallest) ? smallest : 1);
+    for (size_t k = 0; k < particles->owned; k++)
+        if (near[k])
+            placegrid_add(grid, particles->state[k].x, particles->state[k].radius);
+    memory_free(near);
+    return grid;
+}
+
+/* Marks the candidates that touch a wall or a particle of any rank. */
+static void candidates_block(const struct simulation *s, const struct placegrid *grid,
+                             const struct insertion_candidate *candidate, uint8_t *blocked, size_t n) {
+#pragma omp parallel for schedule(dynamic, 4)
+    for (size_t k = 0; k < n; k++)
+        if (!candidate[k].settled && !blocked[k])
+            blocked[k] = (s->walls && walls_overlap(s->walls, candidate[k].x, candidate[k].radius)) ||
+                         placegrid_touches(grid, candidate[k].x, candidate[k].radius);
+    if (s->alone)
+        return;
+    int64_t *all = memory_allocate(n, sizeof *all, "blocked places");
+    for (size_t k = 0; k < n; k++)
+        all[k] = blocked[k];
+    comm_max_int(s->comm, all, (int)n);
+    for (size_t k = 0; k < n; k++)
+        blocked[k] = all[k] != 0;
+    memory_free(all);
+}
+
+/* Appends an accepted candidate where this rank owns its place; its number counts everywhere. */
+static void candidate_append(struct simulation *s, const struct insertion_candidate *candidate) {
+    int64_t id = s->next_id++;
+    if (domain_owner(s->domain, candidate->x) != s->comm->rank)
+        return;
+    struct particles *particles = s->particles;
+    size_t k = particles_append(particles);
+    struct particle_state *p = &particles->state[k];
+    bool prescribed = s->motion.motion[candidate->group].prescribed;
+    memcpy(p->x, candidate->x, sizeof p->x);
+    memcpy(p->v, candidate->v, sizeof p->v);
+    p->radius = candidate->radius;
+    p->inverse_mass = prescribed ? 0 : 1 / particles_sphere_mass(candidate->radius, candidate->density);
+    particles->id[k] = id;
+    if (particles->omega)
+        memcpy(particles->omega[k], candidate->omega, sizeof candidate->omega);
+    if (particles->material)
+        particles->material[k] = (uint8_t)candidate->material;
+    if (particles->group) {
+        particles->group[k] = (uint8_t)candidate->group;
+        particles->density[k] = candidate->density;
+    }
+}
+
+/* New rows of history are empty: starts are extended for the particles appended. */
+static void *starts_extend(size_t *start, size_t before, size_t after) {
+    if (start == NULL || before == after)
+        return start;
+    start = memory_resize(start, after + 1, sizeof *start, "history rows");
+    for (size_t k = before + 1; k <= after; k++)
+        start[k] = start[before];
+    return start;
+}
+
+static void insertion_run(struct simulation *s, int number) {
+    struct insertion *insertion = &s->insertion[number];
+    struct insertion_state *state = &s->insertion_state[number];
+    uint64_t missing = insertion_missing(s, number);
+    size_t n = missing > INSERTION_BATCH_MAX ? INSERTION_BATCH_MAX : (size_t)missing;
+    struct insertion_candidate *candidate = memory_allocate_zero(n, sizeof *candidate, "insertion");
+    uint8_t *blocked = memory_allocate_zero(n, 1, "insertion");
+    insertion_begin(insertion, state, candidate, n);
+    struct placegrid *grid = particles_near(s, insertion, candidate, n);
+    size_t left = n;
+    for (int64_t round = 0; round < insertion->options.attempts && left > 0; round++) {
+        insertion_propose(insertion, state, candidate, blocked, n);
+        candidates_block(s, grid, candidate, blocked, n);
+        left = insertion_settle(insertion, candidate, blocked, n);
+    }
+    s->inserted += insertion_end(insertion, state, candidate, n);
+    for (size_t k = 0; k < n; k++)
+        if (candidate[k].accepted)
+            candidate_append(s, &candidate[k]);
+    placegrid_destroy(&grid);
+    memory_free(candidate);
+    memory_free(blocked);
+}
+
+void sources_run(struct simulation *s, struct rebuild_rows *rows) {
+    bool deletes = sides_matter(s) || deletions_due(s), inserts = insertions_due(s);
+    if ((!deletes && !inserts) || s->sources_step == s->step)
+        return;
+    s->sources_step = s->step;
+    int64_t removed = deletes ? (int64_t)remove_run(s, rows) : 0;
+    size_t before = s->particles->owned;
+    uint64_t inserted_before = s->inserted;
+    for (int k = 0; inserts && k < s->scene->insertions; k++)
+        if (insertion_missing(s, k) > 0)
+            insertion_run(s, k);
+    if (s->particles->owned > (size_t)1 << PARTICLE_INDEX_BITS)
+        error_fatal("%zu particles on one rank, at most %zu are possible: use more ranks",
+                    s->particles->owned, (size_t)1 << PARTICLE_INDEX_BITS);
+    rows->pairs.start = starts_extend(rows->pairs.start, before, s->particles->owned);
+    rows->walls.start = starts_extend(rows->walls.start, before, s->particles->owned);
+    if (!s->alone)
+        comm_sum_int(s->comm, &removed, 1);
+    s->deleted += (uint64_t)removed;
+    s->total += s->inserted - inserted_before;
+    s->total -= (uint64_t)removed;
+    s->classes_stale = s->classes_stale || s->inserted != inserted_before || removed > 0;
+}

@@ -1,0 +1,176 @@
+/* The time step of a run: given, or a fraction of the stable one; refused where it lies above. The stable one
+ * depends on the speeds of the particles at the start, so a resume by the same rule keeps the step that it
+ * finds. */
+#include "engine/simulation.h"
+#include <math.h>
+#include <string.h>
+
+/* What is present, from this rank's free particles and from what insertions may bring. Particles of one
+ * material may differ in density: they are kept apart by powers of two of it, and each kind is taken to have
+ * its least density at every size where that is the worst, and the largest where that is. */
+enum { DENSITIES = 16, KINDS = LAW_MATERIALS_MAX * DENSITIES };
+struct kinds {
+    double radius_min[KINDS], radius_max[KINDS];
+    double lightest[KINDS], heaviest[KINDS]; /* mass / radius^3 */
+    double fixed[LAW_MATERIALS_MAX]; /* 1: particles with prescribed motion, or walls, of the material */
+};
+
+static double cube(double x) {
+    return x * x * x;
+}
+
+/* The kind of a particle whose material has this density. */
+static int kind_of(int material, double density, double radius, double mass) {
+    double power = floor(log2(mass / particles_sphere_mass(radius, density))) + DENSITIES / 2;
+    return material * DENSITIES + (int)fmin(fmax(power, 0), DENSITIES - 1);
+}
+
+static void kinds_put(struct kinds *kinds, int kind, double radius, double mass) {
+    kinds->radius_min[kind] = fmin(kinds->radius_min[kind], radius);
+    kinds->radius_max[kind] = fmax(kinds->radius_max[kind], radius);
+    kinds->lightest[kind] = fmin(kinds->lightest[kind], mass / cube(radius));
+    kinds->heaviest[kind] = fmax(kinds->heaviest[kind], mass / cube(radius));
+}
+
+/* Those of an insertion. */
+static void kinds_insert(const struct simulation *s, struct kinds *kinds,
+                         const struct insertion_options *options) {
+    double radius[2], usual = s->scene->material[options->material].density;
+    double density = options->density > 0 ? options->density : usual;
+    sizes_bounds(&options->sizes, &radius[0], &radius[1]);
+    for (int k = 0; k < 2; k++) {
+        double mass = particles_sphere_mass(radius[k], density);
+        kinds_put(kinds, kind_of(options->material, usual, radius[k], mass), radius[k], mass);
+    }
+}
+
+static void kinds_collect(const struct simulation *s, struct kinds *kinds) {
+    *kinds = (struct kinds){0};
+    for (int k = 0; k < KINDS; k++)
+        kinds->radius_min[k] = kinds->lightest[k] = INFINITY;
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        const struct particle_state *p = &s->particles->state[k];
+        int material = particles_material(s->particles, k);
+        double density = s->scene->material[material].density;
+        if (p->inverse_mass > 0)
+            kinds_put(kinds, kind_of(material, density, p->radius, 1 / p->inverse_mass), p->radius,
+                      1 / p->inverse_mass);
+        else
+            kinds->fixed[material] = 1;
+    }
+    for (int k = 0; k < s->scene->insertions; k++)
+        kinds_insert(s, kinds, &s->scene->insertion[k]);
+    for (int w = 0; w < s->scene->walls; w++)
+        kinds->fixed[s->scene->wall[w].material] = 1;
+    comm_min(s->comm, kinds->radius_min, KINDS);
+    comm_min(s->comm, kinds->lightest, KINDS);
+    comm_max(s->comm, kinds->radius_max, KINDS);
+    comm_max(s->comm, kinds->heaviest, KINDS);
+    comm_max(s->comm, kinds->fixed, LAW_MATERIALS_MAX);
+}
+
+/* The largest speed expected: the scene's word, else the fastest particle now, or a fall through the box. */
+static double speed_expected(const struct simulation *s) {
+    const struct scene *scene = s->scene;
+    double fall = 0, fastest = 0;
+    if (scene->step.speed_max > 0)
+        return scene->step.speed_max;
+    for (int d = 0; d < 3; d++)
+        if (!scene->box.periodic[d])
+            fall += 2 * fabs(scene->gravity[d]) * scene->box.edge[d];
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        const double *v = s->particles->state[k].v;
+        fastest = fmax(fastest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    comm_max(s->comm, &fastest, 1);
+    return sqrt(fmax(fall, fastest));
+}
+
+/* Overlap over the smaller radius when the largest particles of two kinds meet at a speed, without damping:
+ * v sqrt(m* / k), or (5 m* v^2 / (4 K))^(2/5). */
+static double overlap_of(const struct law *law, const struct timestep_kind *a, const struct timestep_kind *b,
+                         const double heaviest[2], double speed) {
+    double mass[2] = {INFINITY, INFINITY}, radius[2] = {INFINITY, INFINITY};
+    const struct timestep_kind *kind[2] = {a, b};
+    for (int k = 0; k < 2; k++)
+        if (!kind[k]->wall) {
+            radius[k] = kind[k]->radius_max;
+            mass[k] = heaviest[k] * cube(radius[k]);
+        }
+    double m = 1 / (1 / mass[0] + 1 / mass[1]), r = 1 / (1 / radius[0] + 1 / radius[1]);
+    double stiffness = law->pair[a->material][b->material].k_n;
+    double overlap = law->options.normal == LAW_HERTZ
+                         ? pow(1.25 * m * speed * speed / (stiffness * sqrt(r)), 0.4)
+                         : speed * sqrt(m / stiffness);
+    return overlap / fmin(radius[0], radius[1]);
+}
+
+static double overlap_expected(const struct simulation *s, const double *heaviest,
+                               const struct timestep_input *input) {
+    double most = 0;
+    for (int a = 0; a < input->kinds; a++)
+        for (int b = a; b < input->kinds; b++)
+            if (!input->kind[a].wall || !input->kind[b].wall)
+                most = fmax(most, overlap_of(&s->law, &input->kind[a], &input->kind[b],
+                                             (double[2]){heaviest[a], heaviest[b]}, input->speed_max));
+    return most;
+}
+
+static void limits_find(struct simulation *s) {
+    struct kinds kinds;
+    struct timestep_kind kind[KINDS + LAW_MATERIALS_MAX];
+    double heaviest[KINDS + LAW_MATERIALS_MAX];
+    int n = 0;
+    kinds_collect(s, &kinds);
+    for (int k = 0; k < KINDS; k++)
+        if (kinds.radius_max[k] > 0) {
+            heaviest[n] = kinds.heaviest[k];
+            kind[n++] = (struct timestep_kind){.material = k / DENSITIES,
+                                               .radius_min = kinds.radius_min[k],
+                                               .radius_max = kinds.radius_max[k],
+                                               .mass_min = kinds.lightest[k] * cube(kinds.radius_min[k])};
+        }
+    for (int m = 0; m < s->scene->materials; m++)
+        if (kinds.fixed[m] > 0) {
+            heaviest[n] = 0;
+            kind[n++] = (struct timestep_kind){.material = m, .wall = true};
+        }
+    struct timestep_input input = {.law = &s->law,
+                                   .kinds = n,
+                                   .kind = kind,
+                                   .material = s->scene->material,
+                                   .speed_max = speed_expected(s),
+                                   .contacts = s->scene->step.contacts};
+    timestep_limits(&s->limits, &input);
+    s->speed_expected = input.speed_max;
+    s->overlap_expected = overlap_expected(s, heaviest, &input);
+}
+
+bool timing_choose(struct simulation *s, struct error *error) {
+    const struct scene_step *step = &s->scene->step;
+    char place[SCENE_PATH_MAX];
+    limits_find(s);
+    if (step->dt > 0) {
+        s->dt = step->dt;
+    } else {
+        double fraction = step->fraction > 0 ? step->fraction : timestep_default_fraction();
+        if (!isfinite(s->limits.stable))
+            return error_set(error, ERROR_USER,
+                             "%s: step.dt is needed: without free particles there is no stable time step to "
+                             "take a fraction of",
+                             scene_place(s->scene, "step", place, sizeof place));
+        bool goes_on = s->resumed_fraction == fraction && s->resumed_dt <= s->limits.stable;
+        s->dt_fraction = fraction;
+        s->dt = goes_on ? s->resumed_dt : fraction * s->limits.stable;
+    }
+    if (s->dt > s->limits.stable && !step->force)
+        return error_set(error, ERROR_USER,
+                         "%s: step.dt: the time step %.6g is above the stable one, %.6g (contact between "
+                         "materials '%s' and '%s', "
+                         "damping ratio %.3g); allowed: up to that, or step.force: true",
+                         scene_place(s->scene, "step.dt", place, sizeof place), s->dt, s->limits.stable,
+                         s->scene->material[s->limits.material_a].name,
+                         s->scene->material[s->limits.material_b].name, s->limits.damping_ratio);
+    s->motion.dt = s->contact.dt = s->dt;
+    return true;
+}

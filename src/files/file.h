@@ -1,0 +1,43 @@
+/* Files that appear whole or not at all: written under a temporary name, flushed to disk, renamed. */
+#ifndef SCREE_OUTPUT_FILE_H
+#define SCREE_OUTPUT_FILE_H
+
+#include "core/error.h"
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+enum { FILE_PATH_MAX = 1024 }; /* bytes of a path, the end included */
+
+/* A text file on its way. */
+struct file_new {
+    FILE *stream;
+    char path[FILE_PATH_MAX], temporary[FILE_PATH_MAX + 8];
+};
+
+/* Opens PATH.part for writing. */
+bool file_new_open(struct file_new *file, const char *path, struct error *error);
+
+/* Flushes, renames to PATH. If anything was not written (disk full) the temporary file is removed, PATH stays
+ * as it was. Also right after an error: then it only cleans up, and returns false. */
+bool file_new_close(struct file_new *file, struct error *error);
+
+/* Flushes a closed file's bytes to disk, renames it, flushes the directory. */
+bool file_settle(const char *temporary, const char *path, struct error *error);
+
+/* Refuses with "disk full" or "file size limit" if `bytes` more bytes do not fit where `path` lies. A file
+ * `present` bytes long grows. */
+bool file_check_room(const char *path, uint64_t present, uint64_t bytes, struct error *error);
+
+/* The same for a file that exists, and takes the room: `bytes` bytes behind its end stay free for it until it
+ * is next cut to its size (HDF5 does so when it closes a file). Where the file system cannot, the room is
+ * only looked at. */
+bool file_reserve(const char *path, uint64_t bytes, struct error *error);
+
+/* Writes "DIRECTORY/NAME" to path (FILE_PATH_MAX bytes). Fails (user) if it does not fit. */
+bool file_join(char *path, const char *directory, const char *name, struct error *error);
+
+/* Size of a file in bytes, or -1 if it cannot be asked. */
+int64_t file_size(const char *path);
+
+#endif

@@ -1,0 +1,136 @@
+#include "files/numbers.h"
+#include "core/memory.h"
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char numbers_separators[] = " \t\v\f\r,;";
+
+char *numbers_load(const char *path, size_t *size, struct error *error) {
+    FILE *file = fopen(path, "rb");
+    if (file == NULL) {
+        error_set(error, ERROR_USER, "%s: cannot be opened: %s", path, strerror(errno));
+        return NULL;
+    }
+    size_t capacity = 1 << 16, got;
+    char *text = memory_allocate(capacity, 1, "text of a file");
+    *size = 0;
+    while ((got = fread(text + *size, 1, capacity - 1 - *size, file)) > 0) {
+        *size += got;
+        if (*size == capacity - 1)
+            text = memory_resize(text, capacity *= 2, 1, "text of a file");
+    }
+    text[*size] = '\0';
+    if (ferror(file)) {
+        error_set(error, ERROR_USER, "%s: cannot be read: %s", path, strerror(errno));
+        memory_free(text);
+        text = NULL;
+    }
+    fclose(file);
+    return text;
+}
+
+char *numbers_line(char **text) {
+    char *line = *text;
+    if (*line == '\0')
+        return NULL;
+    size_t length = strcspn(line, "\n");
+    *text = line + length + (line[length] == '\n');
+    line[length] = '\0';
+    if (length > 0 && line[length - 1] == '\r')
+        line[length - 1] = '\0';
+    return line;
+}
+
+bool numbers_word(char **at, double *value) {
+    char *end;
+    *value = strtod(*at, &end);
+    if (end == *at || (*end != '\0' && strchr(numbers_separators, *end) == NULL))
+        return false;
+    *at = end;
+    return true;
+}
+
+/* What is wrong with a row; always false. */
+static bool row_complain(const char *path, size_t line, const char *why, const char *at,
+                         struct error *error) {
+    return error_set(error, ERROR_USER, "%s:%zu: %s '%.*s'", path, line, why,
+                     (int)strcspn(at, numbers_separators), at);
+}
+
+/* Reads the numbers of one line, which is not empty. */
+static bool row_parse(double *value, int columns, char *line, const char *path, size_t number,
+                      struct error *error) {
+    char *at = line;
+    int count = 0;
+    while (*(at += strspn(at, numbers_separators)) != '\0') {
+        char *word = at;
+        double x;
+        if (!numbers_word(&at, &x))
+            return row_complain(path, number, "not a number:", word, error);
+        if (!isfinite(x))
+            return row_complain(path, number, "not a finite number:", word, error);
+        if (count < columns)
+            value[count] = x;
+        count++;
+    }
+    return count == columns ||
+           error_set(error, ERROR_USER, "%s:%zu: %d numbers, %d are needed", path, number, count, columns);
+}
+
+/* True if the line begins with something that is no number. */
+static bool line_is_header(char *line) {
+    double x;
+    return !numbers_word(&line, &x);
+}
+
+bool numbers_parse(struct numbers *numbers, char *text, const char *path, int columns, struct error *error) {
+    size_t capacity = 0, number = 0;
+    bool first = true, good = true;
+    char *line;
+    *numbers = (struct numbers){.columns = columns};
+    while (good && (line = numbers_line(&text)) != NULL) {
+        number++;
+        line += strspn(line, numbers_separators);
+        if (*line == '\0' || *line == '#')
+            continue;
+        bool header = first && line_is_header(line);
+        first = false;
+        if (header)
+            continue;
+        if (numbers->rows == capacity) {
+            capacity = capacity ? 2 * capacity : 64;
+            numbers->value = memory_resize(numbers->value, capacity * (size_t)columns, sizeof *numbers->value,
+                                           "numbers of a file");
+            numbers->line =
+                memory_resize(numbers->line, capacity, sizeof *numbers->line, "numbers of a file");
+        }
+        double *row = numbers->value + numbers->rows * (size_t)columns;
+        good = row_parse(row, columns, line, path, number, error);
+        numbers->line[numbers->rows++] = (uint32_t)number;
+    }
+    if (!good)
+        numbers_free(numbers);
+    return good;
+}
+
+bool numbers_read(struct numbers *numbers, const char *path, int columns, struct error *error) {
+    size_t size;
+    char *text = numbers_load(path, &size, error);
+    *numbers = (struct numbers){0};
+    if (text == NULL)
+        return false;
+    bool good = strlen(text) == size ||
+                error_set(error, ERROR_USER, "%s: not a text file: byte %zu is zero", path, strlen(text));
+    good = good && numbers_parse(numbers, text, path, columns, error);
+    memory_free(text);
+    return good;
+}
+
+void numbers_free(struct numbers *numbers) {
+    memory_free(numbers->value);
+    memory_free(numbers->line);
+    *numbers = (struct numbers){0};
+}

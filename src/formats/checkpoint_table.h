@@ -1,0 +1,48 @@
+/* The table at the start of a checkpoint: text in the first CHECKPOINT_BLOCK bytes, which HDF5 leaves to us.
+ *
+ *   scree checkpoint 1
+ *   bytes SIZE
+ *   dataset NAME OFFSET BYTES ROW_BYTES CHECKSUM     (one line each)
+ *   rest CHECKSUM                                    of every byte after the table that is in no dataset
+ *   table CHECKSUM                                   of the text above
+ *   zeros up to the end of the block
+ *
+ * So every bit of the file is covered. A dataset's checksum is the sum of the hashes of its rows
+ * (core/checksum.h), which the ranks find together, from memory when it is written and from the bytes of the
+ * file when it is checked. */
+#ifndef SCREE_OUTPUT_CHECKPOINT_TABLE_H
+#define SCREE_OUTPUT_CHECKPOINT_TABLE_H
+
+#include "comm/comm.h"
+#include "core/error.h"
+#include "formats/output_options.h"
+
+enum { CHECKPOINT_BLOCK = 8192, CHECKPOINT_DATASETS_MAX = 48, CHECKPOINT_VERSION = 1 };
+
+struct checkpoint_entry {
+    char name[OUTPUT_NAME_MAX];
+    uint64_t offset, bytes, row_bytes; /* bytes 0: empty */
+    uint64_t checksum;
+};
+
+struct checkpoint_table {
+    uint64_t bytes; /* of the file */
+    int entries;
+    struct checkpoint_entry entry[CHECKPOINT_DATASETS_MAX];
+    uint64_t rest;
+};
+
+/* Reads and checks the table of a file and its size. Collective. */
+bool checkpoint_table_read(struct checkpoint_table *table, const struct comm *comm, const char *path,
+                           struct error *error);
+
+/* Fills `bytes` and `rest` from the closed file and writes the table into it. Collective. */
+bool checkpoint_table_write(struct checkpoint_table *table, const struct comm *comm, const char *path,
+                            struct error *error);
+
+/* Compares the bytes of the file with the table. `head_only`: not those of the large datasets, /particles,
+ * /history and /wall_history. Collective. */
+bool checkpoint_table_compare(const struct checkpoint_table *table, const struct comm *comm, const char *path,
+                              bool head_only, struct error *error);
+
+#endif

@@ -1,0 +1,167 @@
+#include "formats/dump.h"
+
+#include "core/memory.h"
+#include "files/file.h"
+#include "files/lines.h"
+
+#include <errno.h>
+#include <inttypes.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+struct dump {
+    const struct comm *comm; /* borrowed */
+    char path[FILE_PATH_MAX];
+    FILE *file; /* rank 0 */
+};
+
+/* The columns of a dump for each field that it can show; the id comes first in any case. */
+struct dump_column {
+    const char *field;
+    const char *head; /* as many names as the field has components */
+    int add;          /* to integers: LAMMPS's types begin at 1 */
+};
+
+static const struct dump_column dump_columns[] = {
+    {"material", "type", 1},  {"radius", "radius", 0},      {"mass", "mass", 0},
+    {"position", "x y z", 0}, {"velocity", "vx vy vz", 0},  {"angular_velocity", "omegax omegay omegaz", 0},
+    {"force", "fx fy fz", 0}, {"torque", "tqx tqy tqz", 0}, {"image", "ix iy iz", 0},
+};
+enum { DUMP_COLUMNS = sizeof dump_columns / sizeof dump_columns[0], LINE_BYTES = 26 * 26 };
+
+const char *dump_columns_of(const char *field) {
+    for (int c = 0; c < DUMP_COLUMNS; c++)
+        if (strcmp(dump_columns[c].field, field) == 0)
+            return dump_columns[c].head;
+    return strcmp(field, "id") == 0 ? "id" : "";
+}
+
+/* Cuts a present file behind the last whole frame up to a step. */
+static bool cut_file(const char *path, int64_t step, struct error *error) {
+    struct lines lines;
+    if (!lines_open(&lines, path, error))
+        return false;
+    int64_t end = 0;
+    while (lines_next(&lines) && strncmp(lines.text, "ITEM: TIMESTEP", 14) == 0) {
+        if (!lines_next(&lines) || strtoll(lines.text, NULL, 10) > step)
+            break;
+        if (!lines_next(&lines) || !lines_next(&lines))
+            break;
+        int64_t left = strtoll(lines.text, NULL, 10) + 5; /* box: 4 lines, head of the columns: 1 */
+        while (left > 0 && lines_next(&lines))
+            left--;
+        if (left > 0 || !lines.whole)
+            break;
+        end = lines_place(&lines);
+    }
+    lines_close(&lines);
+    return truncate(path, end) == 0 || error_set_errno(error, "%s: cannot be cut to go on with it", path);
+}
+
+bool dump_open(struct dump **dump, const struct comm *comm, const char *path, int64_t resume_step,
+               struct error *error) {
+    struct dump *made = memory_allocate_zero(1, sizeof *made, "dump");
+    made->comm = comm;
+    snprintf(made->path, sizeof made->path, "%s", path);
+    *dump = made;
+    if (comm->rank == 0) {
+        bool go_on = resume_step >= 0 && file_size(path) >= 0;
+        if (!go_on || cut_file(path, resume_step, error)) {
+            made->file = fopen(path, go_on ? "a" : "w");
+            if (!made->file)
+                error_set_errno(error, "%s: cannot be written", path);
+        }
+    }
+    if (comm_agree(comm, error))
+        return true;
+    struct error ignored = {0};
+    dump_close(dump, &ignored);
+    return false;
+}
+
+static void write_head(const struct dump *dump, const struct frame *frame) {
+    const struct box *box = &frame->box;
+    fprintf(dump->file, "ITEM: TIMESTEP\n%" PRIu64 "\nITEM: NUMBER OF ATOMS\n%" PRIu64 "\nITEM: BOX BOUNDS",
+            frame->step, frame->total);
+    for (int d = 0; d < 3; d++)
+        fprintf(dump->file, " %s", box->periodic[d] ? "pp" : "ff");
+    for (int d = 0; d < 3; d++)
+        fprintf(dump->file, "\n%.15g %.15g", box->origin[d], box->origin[d] + box->edge[d]);
+    fprintf(dump->file, "\nITEM: ATOMS id");
+    if (!frame_find(frame, "material"))
+        fprintf(dump->file, " type");
+    for (int c = 0; c < DUMP_COLUMNS; c++)
+        if (frame_find(frame, dump_columns[c].field))
+            fprintf(dump->file, " %s", dump_columns[c].head);
+    fprintf(dump->file, "\n");
+}
+
+static size_t format_column(const struct frame_column *column, const struct dump_column *shown, size_t row,
+                            char *to) {
+    size_t used = 0;
+    for (int d = 0; d < column->components; d++) {
+        size_t k = row * (size_t)column->components + (size_t)d;
+        if (column->type == FIELD_DOUBLE)
+            used += (size_t)sprintf(to + used, " %.15g", ((const double *)column->data)[k]);
+        else if (column->type == FIELD_INT32)
+            used += (size_t)sprintf(to + used, " %d", ((const int32_t *)column->data)[k] + shown->add);
+        else
+            used += (size_t)sprintf(to + used, " %" PRId64, ((const int64_t *)column->data)[k] + shown->add);
+    }
+    return used;
+}
+
+/* The lines of this rank's rows; memory_free. */
+static char *format_rows(const struct frame *frame, size_t *bytes) {
+    size_t room = 1 << 16, used = 0;
+    char *text = memory_allocate(room, 1, "lines of a dump");
+    bool typed = frame_find(frame, "material") != NULL;
+    for (size_t row = 0; row < frame->rows; row++) {
+        if (room - used < LINE_BYTES) {
+            room *= 2;
+            text = memory_resize(text, room, 1, "lines of a dump");
+        }
+        const int64_t *id = frame->column[0].data;
+        used += (size_t)sprintf(text + used, "%" PRId64 "%s", id[row], typed ? "" : " 1");
+        for (int c = 0; c < DUMP_COLUMNS; c++) {
+            const struct frame_column *column = frame_find(frame, dump_columns[c].field);
+            if (column)
+                used += format_column(column, &dump_columns[c], row, text + used);
+        }
+        text[used++] = '\n';
+    }
+    *bytes = used;
+    return text;
+}
+
+bool dump_write(struct dump *dump, const struct frame *frame, struct error *error) {
+    size_t mine;
+    char *text = format_rows(frame, &mine);
+    if (dump->file)
+        write_head(dump, frame);
+    /* rank by rank, so that rank 0 holds the lines of one other at a time */
+    for (int rank = 0; rank < dump->comm->size; rank++) {
+        void *all = NULL;
+        size_t bytes = comm_gather_varying(dump->comm, text, rank == dump->comm->rank ? mine : 0, &all, NULL);
+        if (dump->file && fwrite(all, 1, bytes, dump->file) != bytes)
+            error_set_errno(error, "%s: a frame cannot be written", dump->path);
+        memory_free(all);
+    }
+    memory_free(text);
+    if (dump->file && (fflush(dump->file) != 0 || ferror(dump->file)))
+        error_set_errno(error, "%s: a frame cannot be written", dump->path);
+    return comm_agree(dump->comm, error);
+}
+
+bool dump_close(struct dump **dump, struct error *error) {
+    struct dump *d = *dump;
+    if (!d)
+        return true;
+    if (d->file && fclose(d->file) != 0)
+        error_set_errno(error, "%s: not all could be written", d->path);
+    bool good = comm_agree(d->comm, error);
+    memory_free(d);
+    *dump = NULL;
+    return good;
+}

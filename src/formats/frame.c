@@ -1,0 +1,306 @@
+/* Making a frame: resolve columns -> copy each field of the owned particles, in the user's terms -> send
+ * every particle to the rank that has its stretch of ids -> sort each stretch. The stretches are equal parts
+ * of the range of ids, so they are balanced as long as ids are spread evenly, and right in any case. */
+#include "formats/frame.h"
+
+#include "comm/exchange.h"
+#include "comm/groups.h"
+#include "core/memory.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* How a row of the field table is shown; fields without a row here are copied as they are. */
+struct shown {
+    const char *field, *name;
+    const char *unit, *help; /* NULL: the table's */
+    bool asked_only, spatial, fixed;
+    void (*value)(const struct output_view *view, size_t i, double value[3]); /* NULL: copied */
+};
+
+static void show_position(const struct output_view *view, size_t i, double value[3]) {
+    for (int d = 0; d < 3; d++)
+        value[d] = view->particles->state[i].x[d] + view->box->origin[d];
+}
+
+static void show_velocity(const struct output_view *view, size_t i, double value[3]) {
+    integrator_full_step(view->particles, view->motion, i, value, NULL);
+}
+
+static void show_angular_velocity(const struct output_view *view, size_t i, double value[3]) {
+    double velocity[3];
+    integrator_full_step(view->particles, view->motion, i, velocity, value);
+}
+
+static void show_mass(const struct output_view *view, size_t i, double value[3]) {
+    value[0] = particles_mass(view->particles, i);
+}
+
+static const struct shown shown_table[] = {
+    {"position", "position", NULL, NULL, false, true, false, show_position},
+    {"velocity", "velocity", NULL, "velocity of the centre, at the same moment as the position", false, true,
+     false, show_velocity},
+    {"angular_velocity", "angular_velocity", NULL, "angular velocity, at the same moment as the position",
+     false, false, false, show_angular_velocity},
+    {"force", "force", NULL, NULL, false, true, false, NULL},
+    {"image", "image", NULL, NULL, false, true, false, NULL},
+    {"inverse_mass", "mass", "kg", "mass", false, false, true, show_mass},
+    {"radius", "radius", NULL, NULL, false, false, true, NULL},
+    {"id", "id", NULL, NULL, false, false, true, NULL},
+    {"material", "material", NULL, NULL, false, false, true, NULL},
+    {"group", "group", NULL, NULL, false, false, true, NULL},
+    {"density", "density", NULL, NULL, true, false, true, NULL},
+    {"size_class", "size_class", NULL, NULL, true, false, false, NULL},
+};
+
+static struct shown shown_of(int f) {
+    const char *name = fields_get(f)->name;
+    for (size_t k = 0; k < sizeof shown_table / sizeof shown_table[0]; k++)
+        if (strcmp(shown_table[k].field, name) == 0)
+            return shown_table[k];
+    return (struct shown){.field = name, .name = name};
+}
+
+/* A field of one byte is shown as INT32. */
+static enum field_type shown_type(const struct field *field) {
+    return field->type == FIELD_UINT8 ? FIELD_INT32 : field->type;
+}
+
+struct frame_field frame_field_get(int f) {
+    struct shown shown = shown_of(f);
+    const struct field *field = fields_get(f);
+    return (struct frame_field){.name = shown.name,
+                                .unit = shown.unit ? shown.unit : field->unit,
+                                .help = shown.help ? shown.help : field->help,
+                                .type = shown_type(field),
+                                .components = field->components,
+                                .spatial = shown.spatial,
+                                .fixed = shown.fixed,
+                                .asked_only = shown.asked_only,
+                                .needs = field->needs};
+}
+
+static bool listed(const struct output_fields *fields, const char *name) {
+    for (int k = 0; k < fields->count; k++)
+        if (strcmp(fields->name[k], name) == 0)
+            return true;
+    return false;
+}
+
+static bool wanted(const struct output_fields *fields, const struct shown *shown) {
+    bool is_id = strcmp(shown->name, "id") == 0;
+    return is_id || (fields->count == 0 ? !shown->asked_only : listed(fields, shown->name));
+}
+
+static size_t type_bytes(enum field_type type) {
+    return type == FIELD_INT32 ? sizeof(int32_t) : type == FIELD_UINT8 ? 1 : sizeof(int64_t);
+}
+
+size_t frame_column_bytes(const struct frame_column *column) {
+    return type_bytes(column->type) * (size_t)column->components;
+}
+
+const struct frame_column *frame_find(const struct frame *frame, const char *name) {
+    for (int c = 0; c < frame->columns; c++)
+        if (strcmp(frame->column[c].name, name) == 0)
+            return &frame->column[c];
+    return NULL;
+}
+
+bool frame_check_fields(const struct output_fields *fields, const struct particles *particles,
+                        struct error *error) {
+    char known[ERROR_TEXT_MAX / 2] = "";
+    for (int f = 0; f < fields_count(); f++) {
+        if (!fields_present(particles, f))
+            continue;
+        size_t used = strlen(known);
+        snprintf(known + used, sizeof known - used, "%s%s", used ? ", " : "", shown_of(f).name);
+    }
+    for (int k = 0; k < fields->count; k++) {
+        bool found = false;
+        for (int f = 0; f < fields_count() && !found; f++)
+            found = fields_present(particles, f) && strcmp(shown_of(f).name, fields->name[k]) == 0;
+        if (!found)
+            return error_set(error, ERROR_USER, "field \"%s\": this scene has no such field; it has %s",
+                             fields->name[k], known);
+    }
+    return true;
+}
+
+/* Copies field f of the owned particles into a column's array, UINT8 widened to INT32. */
+static void copy_field(const struct particles *particles, int f, struct frame_column *column) {
+    size_t stride, bytes = fields_bytes(f);
+    const char *base = fields_base(particles, f, &stride);
+    if (fields_get(f)->type == FIELD_UINT8) {
+        for (size_t i = 0; i < particles->owned; i++)
+            ((int32_t *)column->data)[i] = *(const uint8_t *)(base + i * stride);
+        return;
+    }
+    for (size_t i = 0; i < particles->owned; i++)
+        memcpy((char *)column->data + i * bytes, base + i * stride, bytes);
+}
+
+static void fill_column(const struct output_view *view, int f, const struct shown *shown,
+                        struct frame_column *column) {
+    size_t n = view->particles->owned, components = (size_t)column->components;
+    column->data = memory_allocate(n * components, type_bytes(column->type), "frame");
+    if (!shown->value) {
+        copy_field(view->particles, f, column);
+        return;
+    }
+    double *data = column->data;
+#pragma omp parallel for
+    for (size_t i = 0; i < n; i++) {
+        double value[3];
+        shown->value(view, i, value);
+        for (size_t d = 0; d < components; d++)
+            data[i * components + d] = value[d];
+    }
+}
+
+static void add_column(struct frame *frame, const struct output_view *view, int f) {
+    struct shown shown = shown_of(f);
+    const struct field *field = fields_get(f);
+    assert(frame->columns < OUTPUT_FIELDS_MAX);
+    struct frame_column *column = &frame->column[frame->columns++];
+    *column = (struct frame_column){.name = shown.name,
+                                    .unit = shown.unit ? shown.unit : field->unit,
+                                    .type = shown_type(field),
+                                    .components = field->components,
+                                    .spatial = shown.spatial,
+                                    .fixed = shown.fixed};
+    fill_column(view, f, &shown, column);
+}
+
+/* The rank of each owned particle's id: equal parts of the range of all ids. */
+static int *assign_ranks(const struct frame *frame, const struct comm *comm) {
+    const int64_t *id = frame->column[0].data;
+    int64_t limits[2] = {INT64_MIN, INT64_MIN}; /* -lowest, highest */
+    for (size_t i = 0; i < frame->rows; i++) {
+        limits[0] = -id[i] > limits[0] ? -id[i] : limits[0];
+        limits[1] = id[i] > limits[1] ? id[i] : limits[1];
+    }
+    comm_max_int(comm, limits, 2);
+    int *rank = memory_allocate(frame->rows, sizeof *rank, "ranks of ids");
+    if (limits[1] == INT64_MIN) /* no particles anywhere */
+        return rank;
+    int64_t lowest = -limits[0], width = (limits[1] - lowest) / comm->size + 1;
+    for (size_t i = 0; i < frame->rows; i++)
+        rank[i] = (int)((id[i] - lowest) / width);
+    return rank;
+}
+
+static size_t row_bytes(const struct frame *frame) {
+    size_t bytes = 0;
+    for (int c = 0; c < frame->columns; c++)
+        bytes += frame_column_bytes(&frame->column[c]);
+    return bytes;
+}
+
+static void pack_row(const struct frame *frame, size_t row, char *to) {
+    for (int c = 0; c < frame->columns; c++) {
+        size_t bytes = frame_column_bytes(&frame->column[c]);
+        memcpy(to, (const char *)frame->column[c].data + row * bytes, bytes);
+        to += bytes;
+    }
+}
+
+/* Sends the rows to the ranks of their ids; returns the rows received, packed. */
+static char *send_rows(struct frame *frame, const struct comm *comm, size_t *received) {
+    size_t bytes = row_bytes(frame);
+    int *rank = assign_ranks(frame, comm);
+    struct groups groups;
+    groups_make(&groups, rank, frame->rows, comm->size);
+    char *packed = memory_allocate(frame->rows, bytes, "rows to send");
+    for (size_t k = 0; k < frame->rows; k++)
+        pack_row(frame, groups.item[k], packed + k * bytes);
+    struct exchange_message *out = memory_allocate(groups.count, sizeof *out, "messages");
+    for (size_t g = 0; g < groups.count; g++)
+        out[g] = (struct exchange_message){.rank = groups.rank[g],
+                                           .bytes = (groups.start[g + 1] - groups.start[g]) * bytes,
+                                           .data = packed + groups.start[g] * bytes};
+    struct exchange exchange;
+    struct exchange_inbox inbox = {0};
+    exchange_init(&exchange, comm);
+    exchange_sparse(&exchange, out, groups.count, &inbox);
+    size_t total = 0, done = 0;
+    for (size_t m = 0; m < inbox.count; m++) {
+        if (inbox.message[m].bytes % bytes != 0)
+            error_fatal(
+                "a frame: the message from rank %d has %zu bytes, which is not the length of rows of %zu",
+                inbox.message[m].rank, inbox.message[m].bytes, bytes);
+        total += inbox.message[m].bytes;
+    }
+    char *rows = memory_allocate(total, 1, "rows received");
+    for (size_t m = 0; m < inbox.count; m++) {
+        memcpy(rows + done, inbox.message[m].data, inbox.message[m].bytes);
+        done += inbox.message[m].bytes;
+    }
+    *received = total / bytes;
+    exchange_inbox_free(&inbox);
+    groups_free(&groups);
+    memory_free(out);
+    memory_free(packed);
+    memory_free(rank);
+    return rows;
+}
+
+struct numbered {
+    int64_t id;
+    size_t row;
+};
+
+static int compare_ids(const void *a, const void *b) {
+    const struct numbered *x = a, *y = b;
+    return (x->id > y->id) - (x->id < y->id);
+}
+
+/* Replaces the columns by the packed rows, sorted by id (which begins each row). */
+static void unpack_sorted(struct frame *frame, const char *packed, size_t rows) {
+    size_t bytes = row_bytes(frame);
+    struct numbered *order = memory_allocate(rows, sizeof *order, "order of ids");
+    for (size_t k = 0; k < rows; k++) {
+        memcpy(&order[k].id, packed + k * bytes, sizeof order[k].id);
+        order[k].row = k;
+    }
+    qsort(order, rows, sizeof *order, compare_ids);
+    size_t offset = 0;
+    for (int c = 0; c < frame->columns; c++) {
+        struct frame_column *column = &frame->column[c];
+        size_t width = frame_column_bytes(column);
+        memory_free(column->data);
+        column->data = memory_allocate(rows, width, "frame");
+        for (size_t k = 0; k < rows; k++)
+            memcpy((char *)column->data + k * width, packed + order[k].row * bytes + offset, width);
+        offset += width;
+    }
+    memory_free(order);
+    frame->rows = rows;
+}
+
+void frame_create(struct frame *frame, const struct output_view *view, const struct output_fields *fields) {
+    *frame = (struct frame){
+        .step = view->step, .time = view->time, .rows = view->particles->owned, .box = *view->box};
+    int id = fields_find("id");
+    add_column(frame, view, id);
+    for (int f = 0; f < fields_count(); f++) {
+        struct shown shown = shown_of(f);
+        if (f != id && fields_present(view->particles, f) && wanted(fields, &shown))
+            add_column(frame, view, f);
+    }
+    size_t received;
+    char *packed = send_rows(frame, view->comm, &received);
+    unpack_sorted(frame, packed, received);
+    memory_free(packed);
+    int64_t total = (int64_t)frame->rows;
+    frame->first = (uint64_t)comm_scan(view->comm, total);
+    comm_sum_int(view->comm, &total, 1);
+    frame->total = (uint64_t)total;
+}
+
+void frame_free(struct frame *frame) {
+    for (int c = 0; c < frame->columns; c++)
+        memory_free(frame->column[c].data);
+    *frame = (struct frame){0};
+}

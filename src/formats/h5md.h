@@ -1,0 +1,59 @@
+/* DIR/trajectory.h5: H5MD 1.1 by parallel HDF5, with DIR/trajectory.xdmf beside it for ParaView.
+ *
+ * The file is open only while something is added, so a run that dies leaves a whole file. All elements of a
+ * frame share step and time by hard links. While the number of particles is fixed, id, radius, mass and
+ * material are fixed datasets; where particles come and go (`varying`) they depend on time too, absent rows
+ * have id -1, and /parameters/frames/rows counts the rows of each frame that are particles. */
+#ifndef SCREE_OUTPUT_H5MD_H
+#define SCREE_OUTPUT_H5MD_H
+
+#include "formats/contact_list.h"
+#include "formats/frame.h"
+
+struct h5md;
+
+/* What goes into the file's head. */
+struct h5md_head {
+    const char *scene; /* text for /parameters/scene, NULL: none */
+    bool dimensionless;
+    bool varying;
+    bool xdmf;
+    uint64_t seed;
+};
+
+/* Prepares a writer for `path` (which ends in .h5). resume_step < 0: the file is made anew at the first
+ * frame; else frames after that step are cut off and new ones follow, and what is not there is made; a file
+ * made for a fixed number of particles is refused (user), as it stands, where they vary now. Collective. */
+bool h5md_open(struct h5md **h5md, const struct comm *comm, const char *path, const struct h5md_head *head,
+               int64_t resume_step, struct error *error);
+
+/* Appends a frame (nothing if the file already holds that step). Collective. */
+bool h5md_write_frame(struct h5md *h5md, const struct frame *frame, struct error *error);
+
+/* Appends a contact list (the box is for a file that is not there yet). Collective. */
+bool h5md_write_contacts(struct h5md *h5md, const struct contact_list *list, const struct box *box,
+                         struct error *error);
+
+/* Keeps a row of observables (`columns` values, the same columns each time; names and units are borrowed as
+ * long as h5md lives), which goes to the file with the next frame, and at the end: /observables/NAME. Every
+ * rank alike. */
+struct h5md_observables {
+    int columns;
+    const char *const *name;
+    const char *const *unit;
+    const double *value;
+    uint64_t step;
+    double time;
+};
+void h5md_add_observables(struct h5md *h5md, const struct h5md_observables *row);
+
+/* Writes the rows that are kept, if the file is there. Collective. */
+bool h5md_flush(struct h5md *h5md, struct error *error);
+
+/* Writes what is kept, the final XDMF, and frees. Collective. */
+bool h5md_close(struct h5md **h5md, struct error *error);
+
+/* Writes an XDMF file for a trajectory that this program wrote. comm is that of one rank. */
+bool h5md_write_xdmf(const char *path, const char *xdmf_path, const struct comm *comm, struct error *error);
+
+#endif

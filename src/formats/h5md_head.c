@@ -1,0 +1,125 @@
+#include "formats/h5md_parts.h"
+
+#include "core/version.h"
+#include "files/file.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+bool h5md_write_unit(const struct h5md *h5md, const struct h5 *h5, const char *dataset, const char *unit,
+                     struct error *error) {
+    if (h5md->dimensionless || unit[0] == '\0' || strcmp(unit, "1") == 0)
+        return true;
+    char text[OUTPUT_NAME_MAX];
+    const char *slash = strchr(unit, '/');
+    if (slash)
+        snprintf(text, sizeof text, "%.*s %s-1", (int)(slash - unit), unit, slash + 1);
+    else
+        snprintf(text, sizeof text, "%s", unit);
+    return h5_write_text(h5, dataset, "unit", text, error);
+}
+
+bool h5md_make_element(const struct h5md *h5md, const struct h5 *h5, const char *group, const char *linked_to,
+                       struct error *error) {
+    char step[FILE_PATH_MAX], time[FILE_PATH_MAX];
+    snprintf(step, sizeof step, "%s/step", group);
+    snprintf(time, sizeof time, "%s/time", group);
+    if (!h5_make_group(h5, group, error))
+        return false;
+    if (!linked_to)
+        return h5_make_series(h5, step, FIELD_INT64, error) &&
+               h5_make_series(h5, time, FIELD_DOUBLE, error) && h5md_write_unit(h5md, h5, time, "s", error);
+    char from[FILE_PATH_MAX];
+    snprintf(from, sizeof from, "%s/step", linked_to);
+    if (!h5_link(h5, from, step, error))
+        return false;
+    snprintf(from, sizeof from, "%s/time", linked_to);
+    return h5_link(h5, from, time, error);
+}
+
+/* Who runs this, for /h5md/author: the login name, which is all that a program knows. */
+static const char *author_name(void) {
+    const char *name = getenv("USER");
+    return name && name[0] ? name : "unknown";
+}
+
+static bool write_meta(const struct h5md *h5md, const struct h5 *h5, struct error *error) {
+    static const int version[2] = {1, 1}, units_version[2] = {1, 0};
+    char creator[2 * OUTPUT_NAME_MAX];
+    snprintf(creator, sizeof creator, "%s (%s)", version_number(), version_revision());
+    /* rank 0's environment names the author everywhere */
+    char author[OUTPUT_NAME_MAX] = "";
+    snprintf(author, sizeof author, "%s", author_name());
+    comm_broadcast(h5md->comm, author, sizeof author);
+    bool good = h5_make_group(h5, "/h5md", error) &&
+                h5_write_ints(h5, "/h5md", "version", version, 2, error) &&
+                h5_make_group(h5, "/h5md/author", error) &&
+                h5_write_text(h5, "/h5md/author", "name", author, error) &&
+                h5_make_group(h5, "/h5md/creator", error) &&
+                h5_write_text(h5, "/h5md/creator", "name", "scree", error) &&
+                h5_write_text(h5, "/h5md/creator", "version", creator, error);
+    if (good && !h5md->dimensionless)
+        good = h5_make_group(h5, "/h5md/modules/units", error) &&
+               h5_write_ints(h5, "/h5md/modules/units", "version", units_version, 2, error) &&
+               h5_write_text(h5, "/h5md/modules/units", "system", "SI", error);
+    return good;
+}
+
+static bool write_box(const struct h5md *h5md, const struct h5 *h5, const struct box *box,
+                      struct error *error) {
+    static const char group[] = "/particles/all/box", edges[] = "/particles/all/box/edges";
+    const char *boundary[3];
+    for (int d = 0; d < 3; d++)
+        boundary[d] = box->periodic[d] ? "periodic" : "none";
+    uint64_t dimension = (uint64_t)box->dimension;
+    bool first = h5md->comm->rank == 0;
+    struct h5_table table = {.type = FIELD_DOUBLE, .rows = dimension, .count = first ? dimension : 0};
+    return h5_make_group(h5, group, error) &&
+           h5_write_ints(h5, group, "dimension", &box->dimension, 0, error) &&
+           h5_write_texts(h5, group, "boundary", boundary, box->dimension, error) &&
+           h5_write_doubles(h5, group, "origin", box->origin, box->dimension, error) &&
+           h5_write_table(h5, edges, &table, box->edge, error) &&
+           h5md_write_unit(h5md, h5, edges, "m", error);
+}
+
+static bool write_parameters(const struct h5md *h5md, const struct h5 *h5, struct error *error) {
+    struct h5_table table = {.type = FIELD_INT64, .rows = 1, .count = h5md->comm->rank == 0};
+    int64_t seed = (int64_t)h5md->seed;
+    if (!h5_make_group(h5, "/parameters", error) || !h5_make_group(h5, "/observables", error))
+        return false;
+    return (!h5md->scene || h5_write_string(h5, "/parameters/scene", h5md->scene, error)) &&
+           h5_write_table(h5, "/parameters/seed", &table, &seed, error);
+}
+
+uint64_t h5md_room(const struct h5md_stored *stored, uint64_t rows) {
+    enum { ROOM_CHUNK = 128 }; /* a place in the index of the dataset */
+    uint64_t chunk = stored->chunk > 0 ? stored->chunk : 1,
+             widest = rows > stored->rows ? rows : stored->rows;
+    uint64_t before = (stored->rows + chunk - 1) / chunk, after = (widest + chunk - 1) / chunk;
+    uint64_t chunks = (stored->frames + 1) * after - stored->frames * before;
+    return H5MD_ROOM_DATASET + chunks * (chunk * stored->row_bytes + ROOM_CHUNK);
+}
+
+bool h5md_reserve(const struct h5md *h5md, uint64_t bytes, struct error *error) {
+    /* observables that wait: values, and the groups and first pieces of their series */
+    uint64_t columns = (uint64_t)h5md->observables + 2;
+    bytes += h5md->kept > 0 ? columns * (8192 + h5md->kept * sizeof(double)) : 0;
+    if (h5md->comm->rank == 0)
+        file_reserve(h5md->path, bytes, error);
+    return comm_agree(h5md->comm, error);
+}
+
+bool h5md_make_file(struct h5md *h5md, const struct box *box, struct error *error) {
+    enum { ROOM_HEAD = 1 << 16 };
+    struct h5 h5;
+    if (h5md->comm->rank == 0)
+        file_check_room(h5md->path, 0, ROOM_HEAD, error);
+    if (!comm_agree(h5md->comm, error) || !h5_create(&h5, h5md->path, h5md->comm, 0, error))
+        return false;
+    if (write_meta(h5md, &h5, error) && write_box(h5md, &h5, box, error))
+        write_parameters(h5md, &h5, error);
+    h5md->made = h5_close(&h5, error);
+    return h5md->made;
+}

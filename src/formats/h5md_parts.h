@@ -1,0 +1,93 @@
+/* What the files of the H5MD writer share: h5md.c (life), h5md_head.c (the file's head), h5md_frame.c,
+ * h5md_contacts.c, h5md_resume.c. */
+#ifndef SCREE_OUTPUT_H5MD_PARTS_H
+#define SCREE_OUTPUT_H5MD_PARTS_H
+
+#include "formats/h5.h"
+#include "formats/h5md.h"
+#include "formats/xdmf.h"
+
+/* An element of /particles/all as it stands in the file. */
+struct h5md_element {
+    struct xdmf_column shown; /* name and dataset point into the texts below */
+    char name[OUTPUT_NAME_MAX];
+    char dataset[2 * OUTPUT_NAME_MAX]; /* "/particles/all/velocity/value" */
+    char unit[OUTPUT_NAME_MAX];
+    enum field_type type;
+};
+
+struct h5md {
+    const struct comm *comm; /* borrowed */
+    char path[FILE_PATH_MAX], xdmf_path[FILE_PATH_MAX];
+    bool dimensionless, varying, xdmf;
+    uint64_t seed;
+    char *scene; /* owned */
+    bool made;   /* the file is there */
+
+    int elements;
+    struct h5md_element element[XDMF_COLUMNS_MAX];
+    uint64_t rows;  /* of the tables in the file */
+    uint64_t chunk; /* rows of a table that are stored together */
+    uint64_t frames, frame_room;
+    struct xdmf_frame *frame; /* owned */
+    uint64_t xdmf_frames;     /* in the XDMF file on disk */
+
+    uint64_t lists, list_rows[2]; /* contact lists in the file; rows of the widest: of particles, of walls */
+
+    int observables;                                             /* columns; 0: none came yet */
+    const char *const *observable_name, *const *observable_unit; /* borrowed */
+    uint64_t observed;                                           /* rows in the file */
+    uint64_t kept, kept_room;                                    /* rows waiting */
+    uint64_t *kept_step;                                         /* owned, as the next two */
+    double *kept_time, *kept_value;
+};
+
+/* Makes the file with all but particles. */
+bool h5md_make_file(struct h5md *h5md, const struct box *box, struct error *error);
+
+/* Takes room for so many bytes more on the disk. Collective. */
+bool h5md_reserve(const struct h5md *h5md, uint64_t bytes, struct error *error);
+
+/* How a dataset of a table a frame lies in the file. */
+struct h5md_stored {
+    uint64_t frames, rows; /* tables; rows of the widest */
+    uint64_t chunk;        /* rows stored together */
+    uint64_t row_bytes;
+};
+
+/* Bytes for h5md_reserve: what such a dataset takes at most for one more table, of `rows` rows. Chunks are
+ * stored whole, and where a table is wider than those before all of them get chunks. */
+uint64_t h5md_room(const struct h5md_stored *stored, uint64_t rows);
+
+/* Room for a dataset apart from its values, and for all else that comes with a frame. */
+enum { H5MD_ROOM_DATASET = 1 << 13, H5MD_ROOM_FRAME = 1 << 17 };
+
+/* Makes the group of a time-dependent element ("/observables/x") with step and time: new ones, or hard links
+ * to those of another group. */
+bool h5md_make_element(const struct h5md *h5md, const struct h5 *h5, const char *group, const char *linked_to,
+                       struct error *error);
+
+/* Writes the unit of a dataset unless there is none. Takes "m/s" and "m s-1" alike. */
+bool h5md_write_unit(const struct h5md *h5md, const struct h5 *h5, const char *dataset, const char *unit,
+                     struct error *error);
+
+/* Brings what is known of a present file back and cuts what came after a step. */
+bool h5md_resume(struct h5md *h5md, int64_t step, struct error *error);
+
+/* Only the first half of it. */
+bool h5md_recall(struct h5md *h5md, const struct h5 *h5, struct error *error);
+
+/* Writes the observables that wait. */
+bool h5md_write_observables(struct h5md *h5md, const struct h5 *h5, struct error *error);
+
+/* Writes the XDMF file if it is due, or, at the end, if it is behind. */
+bool h5md_update_xdmf(struct h5md *h5md, bool last, struct error *error);
+
+/* Remembers a frame. */
+void h5md_remember(struct h5md *h5md, const struct xdmf_frame *frame);
+
+/* Adds an element in the order of the file. */
+struct h5md_element *h5md_add_element(struct h5md *h5md, const char *name, enum field_type type,
+                                      int components, bool frames);
+
+#endif

@@ -1,0 +1,26 @@
+/* Reads particles from any H5MD file, not only from our own: elements fixed or time-dependent, any number
+ * type, a 2D or 3D box, rows that the id's fill value marks as absent, `species` where there is no
+ * `material`. */
+#ifndef SCREE_OUTPUT_H5MD_READ_H
+#define SCREE_OUTPUT_H5MD_READ_H
+
+#include "comm/comm.h"
+#include "core/error.h"
+#include "formats/rows.h"
+
+struct h5md_read_options {
+    const char *group; /* below /particles; NULL: "all" if there, else the only one */
+    int64_t frame;     /* counted from 0, negative from the end (-1: the last) */
+};
+
+/* Reads one frame. With a comm each rank gets a slice of the rows (rows.first, rows.total) and all must call;
+ * with NULL the caller gets all. Position is required, everything else optional. Columns with wrong shapes,
+ * lengths that differ, frames that do not exist: a user's error that names file and object. `rows` is filled
+ * (rows_free releases). */
+bool h5md_read(const char *path, const struct h5md_read_options *options, const struct comm *comm,
+               struct rows *rows, struct error *error);
+
+/* Number of frames of a group (1 if nothing depends on time). One rank. */
+bool h5md_read_frames(const char *path, const char *group, uint64_t *frames, struct error *error);
+
+#endif

@@ -1,0 +1,18 @@
+/* LAMMPS data files of atom style sphere ("Atoms # sphere": id type diameter density x y z [ix iy iz];
+ * Velocities: id v omega). */
+#ifndef SCREE_OUTPUT_LAMMPS_DATA_H
+#define SCREE_OUTPUT_LAMMPS_DATA_H
+
+#include "core/error.h"
+#include "formats/rows.h"
+
+/* Reads a whole file (one rank, or every rank alike): box, id, type - 1 as material, radius, mass, position,
+ * images and velocities where given. Anything else than a cuboid box and style sphere is refused; errors name
+ * file and line. rows_free releases. */
+bool lammps_data_read(const char *path, struct rows *rows, struct error *error);
+
+/* Writes all rows (position, radius and the box are required; mass 0 or absent: density 1; id absent: 1, 2,
+ * ...; material absent: type 1). By a temporary name. */
+bool lammps_data_write(const char *path, const struct rows *rows, struct error *error);
+
+#endif

@@ -1,0 +1,104 @@
+/* What a scene may ask of the output. Plain structs by value: scene/ fills them, app/ hands them to the
+ * writers. An interval is given in steps or in simulated time; both zero means never. */
+#ifndef SCREE_OUTPUT_OUTPUT_OPTIONS_H
+#define SCREE_OUTPUT_OUTPUT_OPTIONS_H
+
+#include "files/file.h"
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { OUTPUT_NAME_MAX = 64, OUTPUT_FIELDS_MAX = 24, OUTPUT_REGIONS_MAX = 32, OUTPUT_REQUESTS_MAX = 64 };
+
+/* How often: every so many steps, or the first step at or after each multiple of a time. */
+struct output_interval {
+    uint64_t steps; /* 0: by time */
+    double time;    /* time unit; 0: by steps */
+};
+
+/* True if the step that ends at `time`, after a step of length dt (> 0), is due. The start (step 0) always
+ * is, unless the interval is never. */
+bool output_interval_due(const struct output_interval *interval, uint64_t step, double time, double dt);
+
+/* True if either form is given. */
+bool output_interval_set(const struct output_interval *interval);
+
+/* A list of particle fields by name (frame.h knows the names); none means all that the scene has. */
+struct output_fields {
+    int count;
+    char name[OUTPUT_FIELDS_MAX][OUTPUT_NAME_MAX];
+};
+
+/* DIR/trajectory.h5 and .xdmf. */
+struct trajectory_options {
+    struct output_interval every;
+    struct output_fields fields;
+    bool xdmf;                       /* default true */
+    struct output_interval contacts; /* the contact list, in the same file */
+};
+
+/* DIR/dump.lammpstrj. */
+struct dump_options {
+    struct output_interval every;
+    struct output_fields fields;
+};
+
+/* DIR/checkpoint-STEP.h5. */
+struct checkpoint_options {
+    uint64_t every_steps; /* 0: not by steps */
+    double every_minutes; /* wall clock; 0: not by time */
+    int keep;             /* how many to keep, >= 1; default 2 */
+    bool at_end;          /* one after the last step; default true */
+};
+
+enum output_region_shape { OUTPUT_REGION_BOX, OUTPUT_REGION_SPHERE, OUTPUT_REGION_CYLINDER };
+
+/* A part of space, in the user's coordinates: a particle is inside if its centre is (lower bounds included,
+ * upper excluded). */
+struct output_region {
+    char name[OUTPUT_NAME_MAX];
+    enum output_region_shape shape;
+    double lower[3], upper[3]; /* BOX; -INFINITY and INFINITY leave a side open */
+    double centre[3];          /* SPHERE; CYLINDER: a point of the axis, the middle */
+    double axis[3];            /* CYLINDER, any length > 0 */
+    double radius;             /* SPHERE, CYLINDER; length unit */
+    double length;             /* CYLINDER, in total; 0: infinite */
+};
+
+/* One observable asked for. What `target`, `id` and `components` mean depends on the observable
+ * (observables.h). */
+struct observable_request {
+    char name[OUTPUT_NAME_MAX];   /* row of the registry, or one of its group names such as "energy" */
+    char label[OUTPUT_NAME_MAX];  /* first part of the column names; "": the target's name */
+    char target[OUTPUT_NAME_MAX]; /* name of a wall, region or material; "": all of them */
+    int64_t id;                   /* particle */
+    unsigned components;          /* bits 1 x, 2 y, 4 z; 0: all */
+};
+
+/* DIR/observables.csv. */
+struct observables_options {
+    struct output_interval every;
+    int count;
+    struct observable_request request[OUTPUT_REQUESTS_MAX]; /* none: energies, momentum, contacts */
+    int regions;
+    struct output_region region[OUTPUT_REGIONS_MAX];
+};
+
+enum progress_mode { PROGRESS_AUTO, PROGRESS_BAR, PROGRESS_LINES, PROGRESS_OFF };
+
+/* The terminal. AUTO: a bar on a terminal, nothing elsewhere. */
+struct progress_options {
+    enum progress_mode mode;
+};
+
+struct output_options {
+    struct trajectory_options trajectory;
+    struct dump_options dump;
+    struct checkpoint_options checkpoint;
+    struct observables_options observables;
+    struct progress_options progress;
+};
+
+/* Nothing periodic, xdmf and the checkpoint at the end on, keep 2, progress AUTO. */
+struct output_options output_options_default(void);
+
+#endif

@@ -1,0 +1,26 @@
+noinst_LTLIBRARIES += libobserve.la
+libobserve_la_SOURCES = \
+	src/observe/describe.c \
+	src/observe/describe.h \
+	src/observe/observables.c \
+	src/observe/observables.h \
+	src/observe/observables_bulk.c \
+	src/observe/observables_kinds.h \
+	src/observe/observables_row.c \
+	src/observe/observables_single.c \
+	src/observe/observables_stress.c \
+	src/observe/progress.c \
+	src/observe/progress.h \
+	src/observe/report.c \
+	src/observe/report.h \
+	src/observe/report_json.c
+libobserve_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+
+EXTRA_DIST += docs/output.md
+
+# What writes the tables of docs/output.md, after a change of fields or observables
+EXTRA_PROGRAMS += src/observe/document
+CLEANFILES += src/observe/document
+src_output_document_SOURCES = src/observe/document.c
+src_output_document_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+src_output_document_LDADD = $(OBSERVE_LIBS)

@@ -1,0 +1,288 @@
+/* Requests become items (one kind, one target), items have parts (numbers that ranks sum or compare) and
+ * columns (what is shown). Computing and writing rows: observables_row.c. */
+#include "observe/observables.h"
+
+#include "core/memory.h"
+#include "observe/observables_kinds.h"
+
+#include <inttypes.h>
+#include <math.h>
+#include <string.h>
+
+int observables_kinds_count(void) {
+    return observables_bulk_count() + observables_single_count();
+}
+
+const struct observable_kind *observables_kind(int k) {
+    int bulk = observables_bulk_count();
+    return k < bulk ? observables_bulk(k) : observables_single(k - bulk);
+}
+
+int observables_count(void) {
+    return observables_kinds_count();
+}
+
+const struct observable_info *observables_get(int k) {
+    return &observables_kind(k)->info;
+}
+
+/* Adds a comma and a name to a list of what is allowed. */
+static void list_name(char *list, size_t size, const char *name) {
+    size_t used = strlen(list);
+    snprintf(list + used, size - used, "%s%s", used ? ", " : "", name);
+}
+
+static bool refuse_name(const char *name, struct error *error) {
+    char known[ERROR_TEXT_MAX / 2] = "";
+    for (int k = 0; k < observables_kinds_count(); k++) {
+        const struct observable_info *info = observables_get(k);
+        bool new_family =
+            info->family[0] && (k == 0 || strcmp(observables_get(k - 1)->family, info->family) != 0);
+        if (new_family)
+            list_name(known, sizeof known, info->family);
+        list_name(known, sizeof known, info->name);
+    }
+    return error_set(error, ERROR_USER, "observables: there is no \"%s\"; there are: %s", name, known);
+}
+
+/* Adds the columns of an item: STEM, then the component. */
+static void add_columns(struct observables *o, const struct observable_item *item, const char *stem) {
+    static const char *const vector[] = {"x", "y", "z"}, *const tensor[] = {"xx", "yy", "zz",
+                                                                            "xy", "xz", "yz"};
+    const struct observable_kind *kind = observables_kind(item->kind);
+    for (int c = 0; c < kind->info.components; c++) {
+        if (!(item->components & 1u << c))
+            continue;
+        if (o->columns == o->column_room) {
+            o->column_room = o->column_room ? 2 * o->column_room : 32;
+            o->column = memory_resize(o->column, (size_t)o->column_room, sizeof *o->column, "observables");
+        }
+        struct observable_column *column = &o->column[o->columns++];
+        const char *unit = o->flat && kind->info.unit_flat ? kind->info.unit_flat : kind->info.unit;
+        column->unit = o->dimensionless ? "1" : unit;
+        const char *end = kind->info.components == 1   ? ""
+                          : kind->info.components == 3 ? vector[c]
+                                                       : tensor[c];
+        const char *symbol = kind->symbol ? kind->symbol : "";
+        snprintf(column->name, sizeof column->name, "%.*s%s%s%s", OBSERVABLE_COLUMN_MAX - 24, stem,
+                 end[0] ? "_" : "", symbol, end);
+    }
+}
+
+static void add_item(struct observables *o, struct observable_item item, const char *stem) {
+    const struct observable_kind *kind = observables_kind(item.kind);
+    unsigned all = (1u << kind->info.components) - 1;
+    item.components = item.components ? item.components & all : all;
+    if (kind->info.components != 3)
+        item.components = all;
+    item.first_part = o->parts;
+    item.first_column = o->columns;
+    o->parts += kind->parts;
+    bool listed = kind->needs_contacts && item.region;
+    o->needs_contacts = o->needs_contacts || listed;
+    o->needs_sums = o->needs_sums || (kind->needs_sums && !listed);
+    o->needs_work = o->needs_work || kind->needs_work;
+    add_columns(o, &item, stem);
+    if (o->items == o->item_room) {
+        o->item_room = o->item_room ? 2 * o->item_room : 16;
+        o->item = memory_resize(o->item, (size_t)o->item_room, sizeof *o->item, "observables");
+    }
+    o->item[o->items++] = item;
+}
+
+/* What resolving a request needs. */
+struct resolving {
+    struct observables *o;
+    const struct output_view *view;
+    const struct output_run *run;
+};
+
+static bool add_walls(struct resolving *r, const struct observable_request *request,
+                      struct observable_item item, struct error *error) {
+    char known[512] = "";
+    int count = r->view->walls ? walls_count(r->view->walls) : 0, found = 0;
+    for (int w = 0; w < count; w++) {
+        const char *name = walls_options(r->view->walls, w)->name;
+        list_name(known, sizeof known, name);
+        if (request->target[0] && strcmp(request->target, name) != 0)
+            continue;
+        item.wall = w;
+        add_item(r->o, item, request->label[0] ? request->label : name);
+        found++;
+    }
+    if (found == 0 && request->target[0])
+        return error_set(error, ERROR_USER, "observables: %s: there is no wall \"%s\"; there are: %s",
+                         request->name, request->target, known[0] ? known : "none");
+    if (found > 1 && request->label[0])
+        return error_set(error, ERROR_USER,
+                         "observables: %s: the label \"%s\" would name several walls; give a target",
+                         request->name, request->label);
+    return true;
+}
+
+static bool find_material(const struct resolving *r, const char *name, int *material, struct error *error) {
+    char known[512] = "";
+    for (int m = 0; m < r->run->materials; m++) {
+        list_name(known, sizeof known, r->run->material[m].name);
+        if (strcmp(r->run->material[m].name, name) == 0) {
+            *material = m;
+            return true;
+        }
+    }
+    return error_set(error, ERROR_USER, "observables: there is no material \"%s\"; there are: %s", name,
+                     known);
+}
+
+static bool add_regions(struct resolving *r, const struct observable_request *request,
+                        struct observable_item item, struct error *error) {
+    char region[OUTPUT_NAME_MAX], known[512] = "", stem[OBSERVABLE_COLUMN_MAX];
+    snprintf(region, sizeof region, "%s", request->target);
+    char *slash = strchr(region, '/');
+    if (slash) {
+        *slash = '\0';
+        if (!find_material(r, slash + 1, &item.material, error))
+            return false;
+    }
+    int found = 0;
+    for (int k = 0; k < r->o->regions; k++) {
+        const char *name = r->o->region[k].name;
+        list_name(known, sizeof known, name);
+        if (region[0] && strcmp(region, name) != 0)
+            continue;
+        item.region = &r->o->region[k];
+        const struct observable_kind *kind = observables_kind(item.kind);
+        if (kind->check && !kind->check(r->view, item.region, error))
+            return false;
+        snprintf(stem, sizeof stem, "%s_%s%s%s", observables_get(item.kind)->name, name, slash ? "_" : "",
+                 slash ? slash + 1 : "");
+        add_item(r->o, item, request->label[0] ? request->label : stem);
+        found++;
+    }
+    if (found == 0)
+        return error_set(error, ERROR_USER, "observables: %s: there is no region \"%s\"; there are: %s",
+                         request->name, region, known[0] ? known : "none");
+    if (found > 1 && request->label[0])
+        return error_set(error, ERROR_USER,
+                         "observables: %s: the label \"%s\" would name several regions; give a target",
+                         request->name, request->label);
+    return true;
+}
+
+static bool add_particle(struct resolving *r, const struct observable_request *request,
+                         struct observable_item item, struct error *error) {
+    if (request->id < 1)
+        return error_set(error, ERROR_USER, "observables: %s: wants the id of a particle (1 or more)",
+                         request->name);
+    char stem[OUTPUT_NAME_MAX];
+    snprintf(stem, sizeof stem, "particle%" PRId64, request->id);
+    add_item(r->o, item, request->label[0] ? request->label : stem);
+    return true;
+}
+
+static bool add_kind(struct resolving *r, const struct observable_request *request, int kind,
+                     struct error *error) {
+    const struct observable_info *info = observables_get(kind);
+    struct observable_item item = {
+        .kind = kind, .components = request->components, .material = -1, .id = request->id};
+    bool whole_family = strcmp(request->name, info->name) != 0;
+    switch (info->target) {
+    case OBSERVABLE_OF_WALL:
+        return add_walls(r, request, item, error);
+    case OBSERVABLE_OF_REGION:
+        return add_regions(r, request, item, error);
+    case OBSERVABLE_OF_PARTICLE:
+        return add_particle(r, request, item, error);
+    case OBSERVABLE_OF_ALL_OR_REGION:
+        if (request->target[0])
+            return add_regions(r, request, item, error);
+        break;
+    default:
+        break;
+    }
+    if (request->target[0])
+        return error_set(error, ERROR_USER,
+                         "observables: %s: is of the whole run and takes no target (\"%s\")", request->name,
+                         request->target);
+    add_item(r->o, item, request->label[0] && !whole_family ? request->label : info->name);
+    return true;
+}
+
+static bool add_request(struct resolving *r, const struct observable_request *request, struct error *error) {
+    bool found = false;
+    for (int k = 0; k < observables_kinds_count(); k++) {
+        const struct observable_kind *kind = observables_kind(k);
+        bool named = strcmp(kind->info.name, request->name) == 0;
+        bool family = kind->info.family[0] && strcmp(kind->info.family, request->name) == 0;
+        found = found || named || family;
+        if ((named || (family && (!kind->relevant || kind->relevant(r->view)))) &&
+            !add_kind(r, request, k, error))
+            return false;
+    }
+    return found || refuse_name(request->name, error);
+}
+
+/* Names are groups of the trajectory, too, so they are not longer than others there. */
+static bool check_columns(const struct observables *o, struct error *error) {
+    for (int c = 0; c < o->columns; c++)
+        if (strlen(o->column[c].name) >= OUTPUT_NAME_MAX)
+            return error_set(error, ERROR_USER,
+                             "observables: a column would be called \"%s\", longer than %d characters; give "
+                             "it a label that is shorter",
+                             o->column[c].name, OUTPUT_NAME_MAX - 1);
+    for (int a = 0; a < o->columns; a++)
+        for (int b = 0; b < a; b++)
+            if (strcmp(o->column[a].name, o->column[b].name) == 0)
+                return error_set(
+                    error, ERROR_USER,
+                    "observables: two columns would be called \"%s\"; give one of them another label",
+                    o->column[a].name);
+    return true;
+}
+
+bool observables_create(struct observables **observables, const struct observables_options *options,
+                        const struct output_view *view, const struct output_run *run, struct error *error) {
+    static const struct observable_request by_default[] = {
+        {.name = "energy"}, {.name = "momentum"}, {.name = "contacts"}};
+    struct observables *o = memory_allocate_zero(1, sizeof *o, "observables");
+    *observables = o;
+    o->dimensionless = run->dimensionless;
+    o->flat = view->box->dimension == 2;
+    o->regions = options->regions;
+    o->last_time = -INFINITY;
+    memcpy(o->region, options->region, sizeof o->region);
+    struct resolving r = {.o = o, .view = view, .run = run};
+    int count = options->count ? options->count : (int)(sizeof by_default / sizeof by_default[0]);
+    bool good = true;
+    for (int k = 0; good && k < count; k++)
+        good = add_request(&r, options->count ? &options->request[k] : &by_default[k], error);
+    if (!good || !check_columns(o, error)) {
+        observables_destroy(observables);
+        return false;
+    }
+    size_t columns = (size_t)o->columns;
+    o->value = memory_allocate_zero(columns, sizeof *o->value, "observables");
+    o->name = memory_allocate(columns, sizeof *o->name, "observables");
+    o->unit = memory_allocate(columns, sizeof *o->unit, "observables");
+    for (int c = 0; c < o->columns; c++) {
+        o->name[c] = o->column[c].name;
+        o->unit[c] = o->column[c].unit;
+    }
+    o->wall_force = memory_allocate_zero(WALLS_MAX, sizeof *o->wall_force, "wall forces");
+    return true;
+}
+
+void observables_destroy(struct observables **observables) {
+    struct observables *o = *observables;
+    if (!o)
+        return;
+    if (o->file)
+        fclose(o->file);
+    memory_free(o->item);
+    memory_free(o->column);
+    memory_free(o->value);
+    memory_free(o->name);
+    memory_free(o->unit);
+    memory_free(o->wall_force);
+    memory_free(o);
+    *observables = NULL;
+}

@@ -1,0 +1,104 @@
+/* The registry of observables, for observables.c alone. */
+#ifndef SCREE_OUTPUT_OBSERVABLES_KINDS_H
+#define SCREE_OUTPUT_OBSERVABLES_KINDS_H
+
+#include "formats/contact_list.h"
+#include "observe/observables.h"
+#include <stdio.h>
+
+enum { OBSERVABLE_PARTS_MAX = 8 };
+
+/* A resolved request: what one kind observes of one target. */
+struct observable_item {
+    int kind;
+    unsigned components;                /* bits of the components that have a column */
+    int wall, material;                 /* material -1: all */
+    const struct output_region *region; /* NULL: the whole run */
+    int64_t id;
+    int first_part, first_column;
+    uint64_t revision; /* of the particles when `number` was found */
+    size_t number;     /* particle `id` on this rank; SIZE_MAX: not here */
+};
+
+/* What the functions of a row see. */
+struct observable_context {
+    const struct output_view *view;
+    const double (*wall_force)[6];       /* this rank's part, by wall */
+    const struct contact_list *contacts; /* this rank's; empty unless an item needs them */
+};
+
+/* How the parts of ranks combine. */
+enum observable_combine { OBSERVABLE_SUM, OBSERVABLE_MAX };
+
+/* A row of the registry: this rank's part in `parts` numbers, summed (or the largest taken) over ranks, then
+ * turned into components. */
+struct observable_kind {
+    struct observable_info info;
+    const char *symbol; /* before the component in a column of a wall or particle: "v" gives ball_vz */
+    int parts;
+    enum observable_combine combine;
+    bool needs_sums;     /* force_sums beyond contacts and overlap */
+    bool needs_work;     /* force_sums.taken of every step */
+    bool needs_contacts; /* the contact list, of a region (then no sums) */
+    /* This rank's parts, already zero. One of the two is there: of the whole rank, or added up over free
+     * particles. */
+    void (*of_rank)(const struct observable_context *context, struct observable_item *item, double *part);
+    void (*of_particle)(const struct output_view *view, const struct observable_item *item, size_t i,
+                        double *part);
+    /* Turns the combined parts into components in place; NULL: they are the components. */
+    void (*finish)(const struct output_view *view, const struct observable_item *item, double *part);
+    /* Whether a region will do; NULL: any. */
+    bool (*check)(const struct output_view *view, const struct output_region *region, struct error *error);
+    /* Whether a family includes it in this scene; NULL: always. */
+    bool (*relevant)(const struct output_view *view);
+};
+
+/* The rows of the two files that define them, and of both together. */
+int observables_bulk_count(void);
+const struct observable_kind *observables_bulk(int k);
+int observables_single_count(void);
+const struct observable_kind *observables_single(int k);
+int observables_kinds_count(void);
+const struct observable_kind *observables_kind(int k);
+
+/* True if a point (user's coordinates) lies in a region. */
+bool observables_region_contains(const struct output_region *region, const double x[3]);
+
+/* True if particle i, or copy i, is of the item's material and lies in its region (no region: any particle).
+ * Positions are wrapped first: copies stand beyond the box, and particles may, between rebuilds. */
+bool observables_item_counts(const struct output_view *view, const struct observable_item *item, size_t i);
+
+/* The parts of the row "stress" (observables_stress.c has the formula). */
+void observables_stress_flux(const struct output_view *view, const struct observable_item *item, size_t i,
+                             double *part);
+void observables_stress_contacts(const struct observable_context *context, struct observable_item *item,
+                                 double *part);
+void observables_stress_finish(const struct output_view *view, const struct observable_item *item,
+                               double *part);
+bool observables_stress_check(const struct output_view *view, const struct output_region *region,
+                              struct error *error);
+
+enum { OBSERVABLE_COLUMN_MAX = 3 * OUTPUT_NAME_MAX };
+
+struct observable_column {
+    char name[OBSERVABLE_COLUMN_MAX];
+    const char *unit;
+};
+
+struct observables {
+    bool dimensionless, flat; /* flat: the box has two dimensions */
+    int regions;
+    struct output_region region[OUTPUT_REGIONS_MAX];
+    int items, item_room, columns, column_room, parts;
+    struct observable_item *item;
+    struct observable_column *column;
+    double *value;             /* of the last row */
+    const char **name, **unit; /* of the columns */
+    char path[FILE_PATH_MAX];
+    FILE *file;       /* rank 0, once opened */
+    double last_time; /* of the file's last row; -INFINITY: none */
+    double (*wall_force)[6];
+    bool needs_sums, needs_work, needs_contacts;
+};
+
+#endif

@@ -1,0 +1,23 @@
+noinst_LTLIBRARIES += libwalls.la
+libwalls_la_SOURCES = \
+	src/walls/mesh.c \
+	src/walls/mesh.h \
+	src/walls/mesh_stl.c \
+	src/walls/wall.h \
+	src/walls/wall_grid.c \
+	src/walls/wall_grid.h \
+	src/walls/wall_mesh.c \
+	src/walls/wall_mesh.h \
+	src/walls/wall_motion.c \
+	src/walls/wall_motion.h \
+	src/walls/wall_patch.c \
+	src/walls/wall_rows.c \
+	src/walls/wall_touch.c \
+	src/walls/wall_touch.h \
+	src/walls/walls.c \
+	src/walls/walls_force.c \
+	src/walls/walls_history.c \
+	src/walls/walls_near.c \
+	src/walls/walls_overlap.c \
+	src/walls/walls_parts.h \
+	src/walls/walls_touch.c

@@ -1,0 +1,56 @@
+#include "walls/mesh.h"
+#include "files/numbers.h"
+#include "core/memory.h"
+#include <string.h>
+
+static bool mesh_table(struct mesh *mesh, char *text, const char *path, struct error *error) {
+    struct numbers numbers;
+    if (!numbers_parse(&numbers, text, path, 9, error))
+        return false;
+    mesh->count = numbers.rows;
+    mesh->corner = memory_allocate(numbers.rows, sizeof *mesh->corner, "triangles");
+    if (numbers.rows > 0)
+        memcpy(mesh->corner, numbers.value, numbers.rows * sizeof *mesh->corner);
+    mesh->line = numbers.line;
+    numbers.line = NULL;
+    numbers_free(&numbers);
+    return true;
+}
+
+/* The content read by the format, which is known or to be found out. */
+static bool mesh_parse(struct mesh *mesh, char *text, size_t size, const char *path, const char *format,
+                       struct error *error) {
+    bool any = strcmp(format, "") == 0 || strcmp(format, "auto") == 0;
+    bool stl = strcmp(format, "stl") == 0;
+    if (!any && !stl && strcmp(format, "table") != 0)
+        return error_set(error, ERROR_USER, "%s: unknown mesh format '%s'; known: auto, stl, table", path,
+                         format);
+    if ((any || stl) && mesh_stl_is_binary(text, size))
+        return mesh_stl_binary(mesh, text, size, path, error);
+    if (stl || (any && mesh_stl_is_ascii(text)))
+        return mesh_stl_ascii(mesh, text, path, error);
+    if (strlen(text) != size)
+        return error_set(error, ERROR_USER, "%s: not a table: byte %zu is zero", path, strlen(text));
+    return mesh_table(mesh, text, path, error);
+}
+
+bool mesh_read(struct mesh *mesh, const char *path, const char *format, struct error *error) {
+    size_t size;
+    *mesh = (struct mesh){0};
+    char *text = numbers_load(path, &size, error);
+    if (text == NULL)
+        return false;
+    bool good = size > 0 || error_set(error, ERROR_USER, "%s: the file is empty", path);
+    good = good && mesh_parse(mesh, text, size, path, format, error);
+    good = good && (mesh->count > 0 || error_set(error, ERROR_USER, "%s: no triangle in the file", path));
+    memory_free(text);
+    if (!good)
+        mesh_free(mesh);
+    return good;
+}
+
+void mesh_free(struct mesh *mesh) {
+    memory_free(mesh->corner);
+    memory_free(mesh->line);
+    *mesh = (struct mesh){0};
+}

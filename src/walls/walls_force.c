@@ -1,0 +1,360 @@
+/* Forces of the walls on the particles: contacts are found one sphere at a time, collected, and taken through
+ * the law of the pairs in batches. */
+#include "walls/walls_parts.h"
+#include "core/memory.h"
+#include <string.h>
+
+/* One evaluation of one particle. */
+struct wall_task {
+    struct walls *walls;
+    const struct force_context *context;
+    struct wall_scratch *scratch;
+    struct law_case law;
+    struct law_step step;
+    size_t candidate; /* its number */
+    size_t particle;
+    struct force_contact *list; /* where contacts are only listed; else NULL: they act */
+    size_t listed;
+};
+
+static void put(double row[3][FORCE_BATCH], int k, struct law_vector v) {
+    row[0][k] = v.x;
+    row[1][k] = v.y;
+    row[2][k] = v.z;
+}
+
+static struct law_vector get(double row[3][FORCE_BATCH], int k) {
+    return (struct law_vector){row[0][k], row[1][k], row[2][k]};
+}
+
+/* The springs that contact k goes on with, turned where they come from another feature. */
+static void recall_springs(const struct wall_task *task, int w, const struct wall_touch *touch, int32_t from,
+                           struct law_vector x, int k) {
+    const struct walls *walls = task->walls;
+    const struct wall_records *old = &walls->records[walls->now];
+    struct force_batch *b = &task->scratch->batch->contact;
+    struct law_vector none = {0.0, 0.0, 0.0};
+    put(b->spring, k, none);
+    put(b->spring + 3, k, none);
+    if (from < 0)
+        return;
+    size_t record = walls->first[task->candidate] + (size_t)from;
+    const double *value = old->value + record * (size_t)walls->law->history_components;
+    struct law_vector spring = wall_vector(value), roll = task->law.rolling ? wall_vector(value + 3) : none;
+    if (old->key[record].feature != touch->feature) {
+        double distance;
+        struct law_vector before = walls_toward(&walls->wall[w], old->key[record].feature, x, &distance);
+        spring = walls_carry(spring, before, touch->normal);
+        roll = walls_carry(roll, before, touch->normal);
+    }
+    put(b->spring, k, spring);
+    put(b->spring + 3, k, roll);
+}
+
+/* Puts the contact `touch` of the task's particle with wall w into the batch; `from` is its old record. */
+static void collect(const struct wall_task *task, int w, const struct wall_touch *touch, int32_t from) {
+    struct force_batch *b = &task->scratch->batch->contact;
+    int k = b->count++;
+    struct wall_entry *entry = &task->scratch->batch->entry[k];
+    const struct wall *wall = &task->walls->wall[w];
+    const struct particles *p = task->context->particles;
+    const struct particle_state *state = &p->state[task->particle];
+    struct wall_sphere sphere = {
+        .x = law_add(wall_vector(state->x), -1.0, walls_shift(task->walls, w, touch->image)),
+        .v = wall_vector(state->v),
+        .radius = state->radius};
+    double overlap = state->radius - touch->distance;
+    double lever = law_max(law_lever(task->law, state->radius, overlap), 0.0);
+    struct law_vector at = law_add(sphere.x, lever, touch->normal);
+    *entry = (struct wall_entry){
+        .candidate = task->candidate,
+        .particle = task->particle,
+        .key = {.wall = (int16_t)w, .image = (int16_t)touch->image, .feature = touch->feature},
+        .at = at,
+        .lever = lever,
+        .radius = state->radius};
+    b->overlap[k] = overlap;
+    b->mass[k] = state->inverse_mass > 0.0 ? 1.0 / state->inverse_mass : 0.0;
+    b->effective[k] = state->radius;
+    put(b->normal, k, touch->normal);
+    put(b->velocity, k, law_add(wall_twist_at(&wall->twist, at), -1.0, sphere.v));
+    int material = particles_material(p, task->particle);
+    force_set_coefficients(b, k, &task->context->law->pair[material][wall->options.material]);
+    if (!task->law.friction)
+        return;
+    struct law_vector omega = wall_vector(p->omega[task->particle]);
+    put(b->surface, k, law_scale(lever, omega));
+    put(b->spin, k, law_add(wall->twist.omega, -1.0, omega));
+    put(b->half_normal, k,
+        task->law.synchronised ? walls_half_normal(wall, touch, &sphere, task->step.dt) : touch->normal);
+    recall_springs(task, w, touch, from, sphere.x, k);
+}
+
+static void add_to(double *out, double s, struct law_vector v) {
+    out[0] += s * v.x;
+    out[1] += s * v.y;
+    out[2] += s * v.z;
+}
+
+static void add_exactly(struct exact *out, struct law_vector v) {
+    exact_add(&out[0], v.x);
+    exact_add(&out[1], v.y);
+    exact_add(&out[2], v.z);
+}
+
+/* Force and torque of contact k on its wall. */
+static void apply_to_wall(const struct wall_task *task, int k) {
+    struct force_batch *b = &task->scratch->batch->contact;
+    const struct wall_entry *entry = &task->scratch->batch->entry[k];
+    int w = entry->key.wall;
+    struct law_vector arm = law_add(entry->at, -1.0, task->walls->wall[w].centre_now);
+    struct law_vector force = get(b->force, k), torque = law_cross(arm, force);
+    if (task->law.rolling)
+        torque = law_add(torque, 1.0, get(b->rolling, k));
+    if (task->scratch->exact) {
+        add_exactly(task->scratch->exact[w], force);
+        add_exactly(task->scratch->exact[w] + 3, torque);
+        return;
+    }
+    add_to(task->scratch->force[w], 1.0, force);
+    add_to(task->scratch->force[w] + 3, 1.0, torque);
+}
+
+/* Forces and torques of contact k on the particle and on the wall. */
+static void apply(const struct wall_task *task, int k) {
+    struct particles *p = task->context->particles;
+    struct force_batch *b = &task->scratch->batch->contact;
+    const struct wall_entry *entry = &task->scratch->batch->entry[k];
+    double *force = p->force + entry->particle * (size_t)p->force_stride;
+    add_to(force, -1.0, get(b->force, k));
+    if (task->law.friction)
+        add_to(force + 4, entry->lever, get(b->moment, k));
+    if (task->law.rolling)
+        add_to(force + 4, -1.0, get(b->rolling, k));
+    apply_to_wall(task, k);
+}
+
+static void account(const struct wall_task *task, int k) {
+    struct force_sums *sums = &task->scratch->sums;
+    struct force_batch *b = &task->scratch->batch->contact;
+    const struct wall_entry *entry = &task->scratch->batch->entry[k];
+    double relative = b->overlap[k] / entry->radius;
+    sums->contact_sides += 2;
+    if (relative > sums->overlap_max) {
+        sums->overlap_max = relative;
+        sums->overlap_id[0] = task->context->particles->id[entry->particle];
+        sums->overlap_id[1] = -(int64_t)(entry->key.wall + 1);
+    }
+    if (!task->law.energies)
+        return;
+    sums->elastic_normal += b->energy[0][k];
+    sums->elastic_tangential += b->energy[1][k];
+    sums->taken += b->energy[2][k];
+    if (!task->context->want_virial)
+        return;
+    struct law_vector d = law_scale(entry->lever, get(b->normal, k)), f = get(b->force, k);
+    force_add_virial(sums->virial, 1.0, (double[3]){d.x, d.y, d.z}, (double[3]){f.x, f.y, f.z});
+}
+
+/* Writes the record that follows: the springs of contact k. */
+static void remember(const struct wall_task *task, int k) {
+    struct walls *walls = task->walls;
+    const struct force_batch *b = &task->scratch->batch->contact;
+    const struct wall_entry *entry = &task->scratch->batch->entry[k];
+    int components = walls->law->history_components;
+    struct wall_records *new = &walls->records[1 - walls->now];
+    size_t record = walls->first[entry->candidate] + (size_t) new->count[entry->candidate]++;
+    new->key[record] = entry->key;
+    for (int c = 0; c < components; c++)
+        new->value[record * (size_t)components + (size_t)c] = b->spring[c][k];
+}
+
+/* Contact k for the contact list. */
+static struct force_contact contact_of(const struct wall_task *task, int k) {
+    struct force_batch *b = &task->scratch->batch->contact;
+    const struct wall_entry *entry = &task->scratch->batch->entry[k];
+    struct law_vector n = get(b->normal, k), f = get(b->force, k);
+    return (struct force_contact){.id_i = task->context->particles->id[entry->particle],
+                                  .id_j = -(int64_t)(entry->key.wall + 1),
+                                  .number_i = entry->particle,
+                                  .number_j = SIZE_MAX,
+                                  .branch = {entry->lever * n.x, entry->lever * n.y, entry->lever * n.z},
+                                  .normal = {n.x, n.y, n.z},
+                                  .overlap = b->overlap[k],
+                                  .force = {f.x, f.y, f.z}};
+}
+
+/* Takes the batch through the law, and what comes of it to where it belongs. */
+static void flush(struct wall_task *task) {
+    struct force_batch *b = &task->scratch->batch->contact;
+    if (b->count == 0)
+        return;
+    task->walls->kernel->respond(&task->context->law->options, task->law.energies, b, task->step);
+    for (int k = 0; k < b->count; k++) {
+        if (task->list) {
+            task->list[task->listed++] = contact_of(task, k);
+            continue;
+        }
+        apply(task, k);
+        account(task, k);
+        if (task->walls->law->history_components > 0)
+            remember(task, k);
+    }
+    b->count = 0;
+}
+
+/* Finds the contacts of candidate k with the wall of the pieces from `first` on, in scratch; sets *last to
+ * the end of those pieces. */
+static size_t find_contacts(const struct walls *walls, size_t k, size_t first, size_t *last,
+                            struct law_vector x, double radius, struct wall_scratch *scratch) {
+    int w = walls->piece[first].wall;
+    *last = first + 1;
+    while (*last < walls->first[k + 1] && walls->piece[*last].wall == w)
+        ++*last;
+    size_t count = walls_touch(walls, walls->piece + first, *last - first, x, radius, scratch);
+    if (count > 1 && walls->wall[w].image_count > 1)
+        walls_sort_images(scratch->touch, count);
+    if (walls->law->history_components > 0 && count > 0)
+        walls_recall(walls, k, w, count, x, radius, scratch);
+    else
+        for (size_t c = 0; c < count; c++)
+            scratch->from[c] = -1;
+    return count;
+}
+
+/* Collects the contacts of the task's particle. */
+static void take_particle(struct wall_task *task) {
+    struct walls *walls = task->walls;
+    struct wall_scratch *scratch = task->scratch;
+    const struct particle_state *state = &task->context->particles->state[task->particle];
+    size_t k = task->candidate, last;
+    for (size_t first = walls->first[k]; first < walls->first[k + 1]; first = last) {
+        int w = walls->piece[first].wall;
+        size_t count = find_contacts(walls, k, first, &last, wall_vector(state->x), state->radius, scratch);
+        for (size_t c = 0; c < count; c++) {
+            if (scratch->batch->contact.count == FORCE_BATCH)
+                flush(task);
+            collect(task, w, &scratch->touch[c], scratch->from[c]);
+        }
+    }
+}
+
+void walls_force_share(struct walls *walls, const struct force_context *context, int thread) {
+    struct wall_task task = {.walls = walls,
+                             .context = context,
+                             .scratch = walls->scratch[thread],
+                             .law = law_case_of(&context->law->options, context->want_sums),
+                             .step = law_step_of(&context->law->options, context->dt)};
+    size_t first = walls->candidates * (size_t)thread / (size_t)walls->threads;
+    size_t last = walls->candidates * ((size_t)thread + 1) / (size_t)walls->threads;
+    for (size_t k = first; k < last; k++) {
+        task.candidate = k;
+        task.particle = walls->particle[k];
+        walls->records[1 - walls->now].count[k] = 0;
+        take_particle(&task);
+    }
+    flush(&task);
+}
+
+/* Work on the particles in this step, with the mean of the forces before and after it. */
+static double wall_work(const struct wall *wall, const double before[6], const double now[6], double dt) {
+    struct law_vector velocity = wall_twist_at(&wall->twist, wall->centre_now);
+    struct law_vector force = law_add(wall_vector(before), 1.0, wall_vector(now));
+    struct law_vector torque = law_add(wall_vector(before + 3), 1.0, wall_vector(now + 3));
+    return -0.5 * dt * (law_dot(force, velocity) + law_dot(torque, wall->twist.omega));
+}
+
+/* The forces on a wall are known. */
+static void set_force(struct walls *walls, int w, const double force[6], double dt) {
+    if (walls->wall[w].moving)
+        walls->work += wall_work(&walls->wall[w], walls->force[w], force, dt);
+    memcpy(walls->force[w], force, sizeof walls->force[w]);
+}
+
+static void join_threads(struct walls *walls) {
+    size_t bytes = (size_t)walls->count * sizeof *walls->exact;
+    memset(walls->exact, 0, bytes);
+    for (int t = 0; t < walls->threads; t++) {
+        for (int w = 0; w < walls->count; w++)
+            for (int c = 0; c < 6; c++)
+                exact_join(&walls->exact[w][c], &walls->scratch[t]->exact[w][c]);
+        memset(walls->scratch[t]->exact, 0, bytes);
+    }
+}
+
+void walls_set_exact(struct walls *walls) {
+    size_t count = (size_t)walls->count;
+    walls->exact = memory_allocate_zero(count, sizeof *walls->exact, "forces on walls");
+    for (int t = 0; t < walls->threads; t++)
+        walls->scratch[t]->exact =
+            memory_allocate_zero(count, sizeof *walls->scratch[t]->exact, "forces on walls");
+}
+
+int64_t *walls_exact(struct walls *walls, int *count) {
+    *count = 6 * walls->count * (int)EXACT_WORDS;
+    return walls->exact[0][0].word;
+}
+
+void walls_close(struct walls *walls, double dt, bool mine) {
+    for (int w = 0; w < walls->count; w++) {
+        double force[6] = {0};
+        for (int c = 0; mine && c < 6; c++)
+            force[c] = exact_value(&walls->exact[w][c]);
+        set_force(walls, w, force, dt);
+    }
+}
+
+void walls_finish(struct walls *walls, const struct force_context *context, struct force_sums *sums) {
+    if (walls->exact)
+        join_threads(walls);
+    for (int w = 0; walls->exact == NULL && w < walls->count; w++) {
+        double force[6] = {0};
+        for (int t = 0; t < walls->threads; t++)
+            for (int c = 0; c < 6; c++)
+                force[c] += walls->scratch[t]->force[w][c];
+        set_force(walls, w, force, context->dt);
+    }
+    for (int t = 0; t < walls->threads; t++) {
+        force_sums_add(sums, &walls->scratch[t]->sums);
+        walls->scratch[t]->sums = (struct force_sums){0};
+        memset(walls->scratch[t]->force, 0, (size_t)walls->count * sizeof *walls->force);
+    }
+    walls->now = 1 - walls->now;
+}
+
+void walls_forces(const struct walls *walls, double (*force_torque)[6]) {
+    memcpy(force_torque, walls->force, (size_t)walls->count * sizeof *walls->force);
+}
+
+void walls_set_forces(struct walls *walls, double (*force_torque)[6]) {
+    memcpy(walls->force, force_torque, (size_t)walls->count * sizeof *walls->force);
+}
+
+double walls_work(const struct walls *walls) {
+    return walls->work;
+}
+
+void walls_set_work(struct walls *walls, double work) {
+    walls->work = work;
+}
+
+size_t walls_contacts(const struct walls *walls, const struct force_context *context,
+                      struct force_contact **contacts) {
+    struct wall_scratch scratch = {.batch = memory_allocate_zero(1, sizeof *scratch.batch, "contact list")};
+    struct wall_task task = {.walls = (struct walls *)walls, /* only read */
+                             .context = context,
+                             .scratch = &scratch,
+                             .law = law_case_of(&context->law->options, false),
+                             .step = law_step_of(&context->law->options, 0.0)};
+    *contacts = memory_allocate(walls->first[walls->candidates], sizeof **contacts, "contact list");
+    task.list = *contacts;
+    for (size_t k = 0; k < walls->candidates; k++) {
+        task.candidate = k;
+        task.particle = walls->particle[k];
+        walls_scratch_reserve(&scratch, walls->first[k + 1] - walls->first[k]);
+        take_particle(&task);
+    }
+    flush(&task);
+    walls_scratch_free(&scratch);
+    return task.listed;
+}

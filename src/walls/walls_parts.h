@@ -1,0 +1,176 @@
+/* Inside of the walls: what walls.c (life and motion), walls_near.c (candidates), walls_touch.c (geometry of
+ * one sphere), walls_force.c and walls_history.c share. Nobody else includes this.
+ *
+ * Candidates. At a rebuild each owned particle near a wall becomes a candidate, in the order of the
+ * particles, with the *pieces* near it: (wall, image, triangle), sorted. Candidate k has the pieces first[k]
+ * ... first[k + 1]. A contact belongs to a piece at least, so the same numbers lay out its records of
+ * history: at most as many as it has pieces. Two buffers of records: an evaluation reads the one that is
+ * `now` and writes the other; as a candidate's records lie at a fixed place, evaluations need no order and no
+ * thread has a buffer of its own. */
+#ifndef SCREE_CONTACT_WALLS_PARTS_H
+#define SCREE_CONTACT_WALLS_PARTS_H
+
+#include "contact/force_kernel.h"
+#include "walls/wall.h"
+#include "walls/wall_grid.h"
+#include "walls/wall_motion.h"
+#include "walls/wall_touch.h"
+#include "core/exact.h"
+
+/* One wall. */
+struct wall {
+    struct wall_options options; /* as the user gave them; names stay */
+    struct law_vector point,
+        axis;               /* PLANE: point and normal; CYLINDER: middle and axis; box-relative, at rest */
+    struct wall_mesh *mesh; /* MESH */
+    struct wall_grid *grid;
+    struct wall_mover *mover;
+    struct law_vector centre; /* at rest, see struct wall_pose */
+    double reach[3]; /* of cylinder and mesh at rest: how far from the middle along x, y, z, at most */
+
+    struct wall_transform pose, base; /* now; what the motions act upon */
+    struct wall_twist twist;          /* of the half step */
+    double servo_offset, servo_speed;
+    bool moving;  /* its pose is not the identity, or may change */
+    bool resumed; /* the pose was set from outside: `base` has still to be found */
+
+    struct law_vector point_now, axis_now; /* point and axis at the pose */
+    struct law_vector centre_now;          /* and the centre */
+    struct wall_transform built;           /* the pose at the last walls_build */
+    bool images;                           /* felt through periodic images */
+    double wrap[3];                        /* brings the centre into the box, by walls_wrap */
+    int image_count;
+    int image[IMAGE_CODES]; /* codes of the images to look at */
+};
+
+struct wall_piece {
+    int32_t triangle; /* MESH */
+    uint8_t wall, image;
+};
+
+/* A record's contact. WALL_IMAGE_LOST: through which image is no longer known, as a rebuild may have wrapped
+ * the particle. */
+enum { WALL_IMAGE_LOST = -1 };
+struct wall_key {
+    int16_t wall, image;
+    int32_t feature;
+};
+
+struct wall_records {
+    int32_t *count; /* of each candidate */
+    struct wall_key *key;
+    double *value; /* history_components doubles a record */
+};
+
+/* Contacts on their way through the law, which takes them FORCE_BATCH at a time, in the order of the
+ * candidates. The batch has what the law knows of contact k, and its answer; entry k whose it is. */
+struct wall_batch {
+    struct force_batch contact;
+    struct wall_entry {
+        size_t candidate, particle;
+        struct wall_key key;
+        struct law_vector at; /* the contact point, in the wall's image */
+        double lever, radius;
+    } entry[FORCE_BATCH];
+};
+
+/* What a thread needs for one particle, its batch, and its sums. */
+struct wall_scratch {
+    size_t capacity;
+    struct wall_nearest *near;
+    struct wall_touch *touch;
+    int32_t *from;  /* old record that a contact goes on with, -1: none */
+    uint8_t *taken; /* old record has found its contact */
+    struct wall_batch *batch;
+    struct force_sums sums;
+    double (*force)[6];       /* force and torque on each wall */
+    struct exact (*exact)[6]; /* instead, where they are summed without rounding; else NULL */
+};
+
+struct walls {
+    int count, threads;
+    struct wall *wall;
+    struct box box;
+    double extent[2][3];               /* lower and upper corner: holds the box and all particles */
+    const struct law *law;             /* borrowed */
+    const struct force_kernel *kernel; /* the law over a batch of contacts */
+    double shift[IMAGE_CODES][4];
+
+    size_t candidates, candidate_capacity, piece_capacity;
+    uint32_t *particle; /* of each candidate, increasing */
+    size_t *first;      /* candidates + 1 */
+    struct wall_piece *piece;
+    uint32_t *near_count; /* scratch of a build: pieces of each owned particle */
+    size_t near_capacity;
+    int now;
+    struct wall_records records[2];
+    struct wall_scratch **scratch; /* each thread's in pages of its own */
+
+    double (*force)[6];       /* on each wall in the last evaluation */
+    struct exact (*exact)[6]; /* their sums, while they are open; NULL: they are rounded */
+    double work;
+};
+
+/* A sphere as a wall sees it: in the wall's image. */
+struct wall_sphere {
+    struct law_vector x, v;
+    double radius;
+};
+
+/* The vector that image `code` of a wall is away from the wall itself. */
+static inline struct law_vector walls_shift(const struct walls *walls, int wall, int code) {
+    const double *shift = walls->shift[code], *wrap = walls->wall[wall].wrap;
+    return (struct law_vector){shift[0] + wrap[0], shift[1] + wrap[1], shift[2] + wrap[2]};
+}
+
+/* A cylinder wall as it stands now. */
+struct wall_cylinder walls_cylinder(const struct wall *wall);
+
+/* A position in the frame of a mesh. */
+static inline struct law_vector walls_into_body(const struct wall *wall, struct law_vector x) {
+    return wall->moving ? wall_transform_back(&wall->pose, x) : x;
+}
+
+/* The pieces of wall w nearer than `reach` to x, sorted; returns how many. `out` has room for them, `number`
+ * for the triangles; both may be NULL: counts only. (walls_near.c) */
+size_t walls_near(const struct walls *walls, int w, struct law_vector x, double reach, struct wall_piece *out,
+                  int32_t *number);
+
+/* Says by how many periods the images that are looked at are away: of walls that move, wherever they are now,
+ * and of those at rest that lie wholly outside of the box. When walls are made and at each walls_build.
+ * (walls_near.c) */
+void walls_wrap(struct walls *walls);
+
+/* The contacts of a sphere at x with one wall, whose pieces these are; written to scratch->touch, normals in
+ * space. Returns how many. (walls_touch.c) */
+size_t walls_touch(const struct walls *walls, const struct wall_piece *piece, size_t pieces,
+                   struct law_vector x, double radius, struct wall_scratch *scratch);
+
+/* The normal half a step ago. */
+struct law_vector walls_half_normal(const struct wall *wall, const struct wall_touch *touch,
+                                    const struct wall_sphere *sphere, double dt);
+
+/* Direction and distance from x to a feature of a wall. */
+struct law_vector walls_toward(const struct wall *wall, int32_t feature, struct law_vector x,
+                               double *distance);
+
+/* Number of features of a wall. */
+size_t walls_features(const struct wall *wall);
+
+/* Makes room in a thread's scratch; frees what it holds. */
+void walls_scratch_reserve(struct wall_scratch *scratch, size_t pieces);
+void walls_scratch_free(struct wall_scratch *scratch);
+
+/* For each of the `count` contacts with wall w in scratch->touch: which old record of candidate k it goes on
+ * with, in scratch->from. (walls_history.c) */
+void walls_recall(const struct walls *walls, size_t k, int w, size_t count, struct law_vector x,
+                  double radius, struct wall_scratch *scratch);
+
+/* Sorts contacts with one feature through several images of its wall by image, each among the places that
+ * they have. A wrapped particle changes the images, not their order. */
+void walls_sort_images(struct wall_touch *touch, size_t count);
+
+/* Turns a spring from one normal to another. */
+struct law_vector walls_carry(struct law_vector spring, struct law_vector from, struct law_vector to);
+
+#endif
