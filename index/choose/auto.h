@@ -2,8 +2,8 @@
  * large its cells are. Everything is a function of the particles as they are, the same wherever these are the
  * same: no clock, no state. So a run that is repeated, or resumed, chooses alike, and a scene that grows is
  * noticed at the next rebuild. */
-#ifndef SCREE_INDEX_AUTO_H
-#define SCREE_INDEX_AUTO_H
+#ifndef SCREE_INDEX_CHOOSE_AUTO_H
+#define SCREE_INDEX_CHOOSE_AUTO_H
 
 #include "index/choose/cost.h"
 

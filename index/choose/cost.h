@@ -21,8 +21,8 @@
  * and each has its price. Particles are taken to be spread evenly over the volume; a volume that is occupied
  * only in part should be given as the part. Prices were fitted by `bench_index calibrate` (docs/indexes.md).
  */
-#ifndef SCREE_INDEX_COST_H
-#define SCREE_INDEX_COST_H
+#ifndef SCREE_INDEX_CHOOSE_COST_H
+#define SCREE_INDEX_CHOOSE_COST_H
 
 #include "index/index.h"
 

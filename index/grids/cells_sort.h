@@ -1,8 +1,8 @@
 /* The threaded sort of particles by cell; stable, and the same for any number of threads. Two passes: into
  * buckets of neighbouring cells (a histogram a thread, so that nobody waits for anybody), then every bucket
  * by itself. For cells.c alone. */
-#ifndef SCREE_INDEX_CELLS_SORT_H
-#define SCREE_INDEX_CELLS_SORT_H
+#ifndef SCREE_INDEX_GRIDS_CELLS_SORT_H
+#define SCREE_INDEX_GRIDS_CELLS_SORT_H
 
 #include "index/grids/cells.h"
 

@@ -4,8 +4,8 @@
  * cells of the small ones around it: then the small ones, whose rows are nearly all without a large partner,
  * search their own table alone. The pairs are kept by the row of the smaller one all the same: the build
  * finds them, sorts them by the number of the smaller particle, and the visit of its row hands them out. */
-#ifndef SCREE_INDEX_CROSS_H
-#define SCREE_INDEX_CROSS_H
+#ifndef SCREE_INDEX_GRIDS_CROSS_H
+#define SCREE_INDEX_GRIDS_CROSS_H
 
 #include "index/index.h"
 

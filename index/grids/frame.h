@@ -13,8 +13,8 @@
  * the square root of three directions is below two (see frame.c).
  * - In open directions centre and cells hang on the owned particles alone, which `order` sees as well as
  *   `build`: both cut space alike, and a build after a reorder finds everything in order. */
-#ifndef SCREE_INDEX_FRAME_H
-#define SCREE_INDEX_FRAME_H
+#ifndef SCREE_INDEX_GRIDS_FRAME_H
+#define SCREE_INDEX_GRIDS_FRAME_H
 
 #include "index/index.h"
 

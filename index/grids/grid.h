@@ -5,8 +5,8 @@
  * beyond the grid counts to its outermost cells. In open directions cells are numbered from the owned
  * particles' lower end, so that ghosts add whole cells at both ends and leave the order of all others as it
  * was. */
-#ifndef SCREE_INDEX_GRID_H
-#define SCREE_INDEX_GRID_H
+#ifndef SCREE_INDEX_GRIDS_GRID_H
+#define SCREE_INDEX_GRIDS_GRID_H
 
 #include "index/grids/frame.h"
 

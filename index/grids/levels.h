@@ -14,8 +14,8 @@
  *
  * Where the larger are few, they look up the smaller at the build instead (cross.h), and no row of the
  * smaller searches their table. */
-#ifndef SCREE_INDEX_LEVELS_H
-#define SCREE_INDEX_LEVELS_H
+#ifndef SCREE_INDEX_GRIDS_LEVELS_H
+#define SCREE_INDEX_GRIDS_LEVELS_H
 
 #include "index/grids/cells.h"
 #include "index/grids/cross.h"

@@ -1,7 +1,7 @@
 /* The operations of the contract for an index made of levels: an index of this kind supplies its plan alone.
  */
-#ifndef SCREE_INDEX_LEVELS_INDEX_H
-#define SCREE_INDEX_LEVELS_INDEX_H
+#ifndef SCREE_INDEX_GRIDS_LEVELS_INDEX_H
+#define SCREE_INDEX_GRIDS_LEVELS_INDEX_H
 
 #include "index/grids/levels.h"
 

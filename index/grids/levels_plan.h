@@ -1,6 +1,6 @@
 /* Plans the searches of an index of levels. For levels.c alone. */
-#ifndef SCREE_INDEX_LEVELS_PLAN_H
-#define SCREE_INDEX_LEVELS_PLAN_H
+#ifndef SCREE_INDEX_GRIDS_LEVELS_PLAN_H
+#define SCREE_INDEX_GRIDS_LEVELS_PLAN_H
 
 #include "index/grids/levels.h"
 

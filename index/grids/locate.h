@@ -1,7 +1,7 @@
 /* Particles to frame coordinates, and these to cells, a batch at a time: plain loops over small arrays, which
  * compilers turn into vector instructions. To the last bit what frame_coordinate and grid_cell give. */
-#ifndef SCREE_INDEX_LOCATE_H
-#define SCREE_INDEX_LOCATE_H
+#ifndef SCREE_INDEX_GRIDS_LOCATE_H
+#define SCREE_INDEX_GRIDS_LOCATE_H
 
 #include "index/grids/grid.h"
 

@@ -1,7 +1,7 @@
 /* Which particles belong to which group (a size class, or a grid of several), each group's in memory order.
  */
-#ifndef SCREE_INDEX_MEMBERS_H
-#define SCREE_INDEX_MEMBERS_H
+#ifndef SCREE_INDEX_GRIDS_MEMBERS_H
+#define SCREE_INDEX_GRIDS_MEMBERS_H
 
 #include "index/index.h"
 

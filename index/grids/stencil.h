@@ -1,7 +1,7 @@
 /* Stencils: which pencils around a cell can hold a partner, and how many cells to either side in x. Offsets
  * are sorted by (dz, dy); cells that are farther away than the reach are left out. */
-#ifndef SCREE_INDEX_STENCIL_H
-#define SCREE_INDEX_STENCIL_H
+#ifndef SCREE_INDEX_GRIDS_STENCIL_H
+#define SCREE_INDEX_GRIDS_STENCIL_H
 
 #include "index/grids/grid.h"
 

@@ -1,6 +1,6 @@
 /* Eight lanes of AVX2. See lanes_plain.h. */
-#ifndef SCREE_INDEX_LANES_AVX2_H
-#define SCREE_INDEX_LANES_AVX2_H
+#ifndef SCREE_INDEX_SEARCH_LANES_AVX2_H
+#define SCREE_INDEX_SEARCH_LANES_AVX2_H
 
 #include "index/index.h"
 

@@ -1,6 +1,6 @@
 /* Sixteen lanes of AVX-512. See lanes_plain.h. */
-#ifndef SCREE_INDEX_LANES_AVX512_H
-#define SCREE_INDEX_LANES_AVX512_H
+#ifndef SCREE_INDEX_SEARCH_LANES_AVX512_H
+#define SCREE_INDEX_SEARCH_LANES_AVX512_H
 
 #include "index/index.h"
 

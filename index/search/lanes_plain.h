@@ -1,6 +1,6 @@
 /* Eight lanes in plain C, for any CPU. What a lanes_*.h must define, see here. */
-#ifndef SCREE_INDEX_LANES_PLAIN_H
-#define SCREE_INDEX_LANES_PLAIN_H
+#ifndef SCREE_INDEX_SEARCH_LANES_PLAIN_H
+#define SCREE_INDEX_SEARCH_LANES_PLAIN_H
 
 #include "index/index.h"
 

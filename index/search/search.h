@@ -1,7 +1,7 @@
 /* The search itself: one function for each instruction set, the same loop (search_rows.h) over different
  * vector instructions (lanes_*.h). For levels.c and tests alone. */
-#ifndef SCREE_INDEX_SEARCH_H
-#define SCREE_INDEX_SEARCH_H
+#ifndef SCREE_INDEX_SEARCH_SEARCH_H
+#define SCREE_INDEX_SEARCH_SEARCH_H
 
 #include "index/grids/levels.h"
 

@@ -5,8 +5,8 @@
  *
  * In the rows' own table a pencil before the row's own holds earlier slots alone and is not looked at. A
  * window that meets images of the box moves the row, not the candidates. */
-#ifndef SCREE_INDEX_SEARCH_DIRECT_H
-#define SCREE_INDEX_SEARCH_DIRECT_H
+#ifndef SCREE_INDEX_SEARCH_SEARCH_DIRECT_H
+#define SCREE_INDEX_SEARCH_SEARCH_DIRECT_H
 
 #include "index/search/search_gather.h"
 

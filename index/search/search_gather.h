@@ -1,7 +1,7 @@
 /* The middle part of the search (search_rows.h tells the whole): which slices of a table hold candidates of a
  * span of rows, by windows around the span, or by the stencil of the class. */
-#ifndef SCREE_INDEX_SEARCH_GATHER_H
-#define SCREE_INDEX_SEARCH_GATHER_H
+#ifndef SCREE_INDEX_SEARCH_SEARCH_GATHER_H
+#define SCREE_INDEX_SEARCH_SEARCH_GATHER_H
 
 #include "index/search/search_pairs.h"
 

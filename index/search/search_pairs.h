@@ -1,7 +1,7 @@
 /* The inner part of the search (search_rows.h tells the whole): the candidates of a span of rows, and the
  * test of every row against them. Included after a lanes_*.h. */
-#ifndef SCREE_INDEX_SEARCH_TEST_H
-#define SCREE_INDEX_SEARCH_TEST_H
+#ifndef SCREE_INDEX_SEARCH_SEARCH_PAIRS_H
+#define SCREE_INDEX_SEARCH_SEARCH_PAIRS_H
 
 #include "index/exact.h"
 #include "index/search/search.h"

@@ -19,8 +19,8 @@
  * pencil come first, beginning behind the span's first slot, so that a row skips as many as its slot is
  * later. Slices of an image that hold slots of the span itself would break that; then the box is thin, and
  * rows go one by one. */
-#ifndef SCREE_INDEX_SEARCH_ROWS_H
-#define SCREE_INDEX_SEARCH_ROWS_H
+#ifndef SCREE_INDEX_SEARCH_SEARCH_ROWS_H
+#define SCREE_INDEX_SEARCH_SEARCH_ROWS_H
 
 #include "index/search/search_direct.h"
 

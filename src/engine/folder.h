@@ -1,6 +1,6 @@
 /* The folder that a run writes to: one run at a time, and nothing in it of a run that it replaces. */
-#ifndef SCREE_APP_FOLDER_H
-#define SCREE_APP_FOLDER_H
+#ifndef SCREE_ENGINE_FOLDER_H
+#define SCREE_ENGINE_FOLDER_H
 
 #include "comm/comm.h"
 

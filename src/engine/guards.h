@@ -1,7 +1,7 @@
 /* Guards: what stops a run (or warns, once) when its state is physical nonsense. They fill simulation->error
  * on the rank that sees it. */
-#ifndef SCREE_APP_GUARDS_H
-#define SCREE_APP_GUARDS_H
+#ifndef SCREE_ENGINE_GUARDS_H
+#define SCREE_ENGINE_GUARDS_H
 
 #include "engine/simulation.h"
 #include "observe/observables.h"

@@ -1,6 +1,6 @@
 /* Balance of the load among ranks (`domain: bisection`), and what of a rank's time is work. */
-#ifndef SCREE_APP_LOAD_H
-#define SCREE_APP_LOAD_H
+#ifndef SCREE_ENGINE_LOAD_H
+#define SCREE_ENGINE_LOAD_H
 
 #include "engine/simulation.h"
 

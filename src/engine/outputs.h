@@ -1,6 +1,6 @@
 /* The files of a run: which are open, when they are due. */
-#ifndef SCREE_APP_OUTPUTS_H
-#define SCREE_APP_OUTPUTS_H
+#ifndef SCREE_ENGINE_OUTPUTS_H
+#define SCREE_ENGINE_OUTPUTS_H
 
 #include "engine/simulation.h"
 #include "observe/observables.h"

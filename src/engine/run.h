@@ -1,6 +1,6 @@
 /* The life of a run: from a scene to its files. */
-#ifndef SCREE_APP_RUN_H
-#define SCREE_APP_RUN_H
+#ifndef SCREE_ENGINE_RUN_H
+#define SCREE_ENGINE_RUN_H
 
 #include "engine/simulation.h"
 #include "observe/report.h"

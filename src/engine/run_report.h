@@ -1,6 +1,6 @@
 /* What a run reports of itself at its end. */
-#ifndef SCREE_APP_RUN_REPORT_H
-#define SCREE_APP_RUN_REPORT_H
+#ifndef SCREE_ENGINE_RUN_REPORT_H
+#define SCREE_ENGINE_RUN_REPORT_H
 
 #include "engine/simulation.h"
 #include "observe/report.h"

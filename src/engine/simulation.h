@@ -7,8 +7,8 @@
  *
  * The parts know nothing of each other beyond what the arrows of docs/architecture.md allow; they meet here.
  */
-#ifndef SCREE_APP_SIMULATION_H
-#define SCREE_APP_SIMULATION_H
+#ifndef SCREE_ENGINE_SIMULATION_H
+#define SCREE_ENGINE_SIMULATION_H
 
 #include "comm/comm.h"
 #include "comm/domain.h"

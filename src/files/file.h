@@ -1,6 +1,6 @@
 /* Files that appear whole or not at all: written under a temporary name, flushed to disk, renamed. */
-#ifndef SCREE_OUTPUT_FILE_H
-#define SCREE_OUTPUT_FILE_H
+#ifndef SCREE_FILES_FILE_H
+#define SCREE_FILES_FILE_H
 
 #include "core/error.h"
 #include <stdbool.h>

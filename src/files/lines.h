@@ -1,6 +1,6 @@
 /* Text files line by line, with the place for messages. Files packed by gzip are unpacked on the way. */
-#ifndef SCREE_OUTPUT_LINES_H
-#define SCREE_OUTPUT_LINES_H
+#ifndef SCREE_FILES_LINES_H
+#define SCREE_FILES_LINES_H
 
 #include "core/error.h"
 #include <stdint.h>

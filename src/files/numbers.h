@@ -1,8 +1,8 @@
 /* Text files that hold a table of numbers: one row a line, separated by blanks, commas or semicolons. Empty
  * lines and lines that begin with # are skipped, carriage returns are tolerated, and the first line may be a
  * header: it is, if its first word is no number. */
-#ifndef SCREE_CONTACT_NUMBERS_H
-#define SCREE_CONTACT_NUMBERS_H
+#ifndef SCREE_FILES_NUMBERS_H
+#define SCREE_FILES_NUMBERS_H
 
 #include "core/error.h"
 #include <stddef.h>

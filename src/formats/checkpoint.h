@@ -8,8 +8,8 @@
  * or foreign is refused with a message that names file and dataset. Writing goes to a temporary name; the
  * file is read back against checksums made from memory, flushed to disk, renamed; only then are old ones
  * deleted. */
-#ifndef SCREE_OUTPUT_CHECKPOINT_H
-#define SCREE_OUTPUT_CHECKPOINT_H
+#ifndef SCREE_FORMATS_CHECKPOINT_H
+#define SCREE_FORMATS_CHECKPOINT_H
 
 #include "comm/domain_tree.h"
 #include "formats/output.h"

@@ -1,6 +1,6 @@
 /* What writing and reading checkpoints share: names of datasets, the form of the small tables. */
-#ifndef SCREE_OUTPUT_CHECKPOINT_PARTS_H
-#define SCREE_OUTPUT_CHECKPOINT_PARTS_H
+#ifndef SCREE_FORMATS_CHECKPOINT_PARTS_H
+#define SCREE_FORMATS_CHECKPOINT_PARTS_H
 
 #include "formats/checkpoint.h"
 #include "formats/checkpoint_table.h"

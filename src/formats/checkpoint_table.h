@@ -10,8 +10,8 @@
  * So every bit of the file is covered. A dataset's checksum is the sum of the hashes of its rows
  * (core/checksum.h), which the ranks find together, from memory when it is written and from the bytes of the
  * file when it is checked. */
-#ifndef SCREE_OUTPUT_CHECKPOINT_TABLE_H
-#define SCREE_OUTPUT_CHECKPOINT_TABLE_H
+#ifndef SCREE_FORMATS_CHECKPOINT_TABLE_H
+#define SCREE_FORMATS_CHECKPOINT_TABLE_H
 
 #include "comm/comm.h"
 #include "core/error.h"

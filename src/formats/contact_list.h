@@ -1,6 +1,6 @@
 /* The contacts of a moment, between particles and with walls, for files and statistics (force chains). */
-#ifndef SCREE_OUTPUT_CONTACT_LIST_H
-#define SCREE_OUTPUT_CONTACT_LIST_H
+#ifndef SCREE_FORMATS_CONTACT_LIST_H
+#define SCREE_FORMATS_CONTACT_LIST_H
 
 #include "formats/output.h"
 

@@ -1,8 +1,8 @@
 /* Conversions between file formats: LAMMPS data, LAMMPS dump, H5MD and checkpoints in; LAMMPS data, dump,
  * H5MD (with XDMF) and the XDMF of an H5MD file out. Of a checkpoint the particles are taken, to be looked
  * at: their velocities are those that it holds, of the half step before its positions. */
-#ifndef SCREE_OUTPUT_CONVERT_H
-#define SCREE_OUTPUT_CONVERT_H
+#ifndef SCREE_FORMATS_CONVERT_H
+#define SCREE_FORMATS_CONVERT_H
 
 #include "comm/comm.h"
 #include "core/error.h"

@@ -1,6 +1,6 @@
 /* LAMMPS text dumps: DIR/dump.lammpstrj, all frames in one file, particles sorted by id. OVITO reads it. */
-#ifndef SCREE_OUTPUT_DUMP_H
-#define SCREE_OUTPUT_DUMP_H
+#ifndef SCREE_FORMATS_DUMP_H
+#define SCREE_FORMATS_DUMP_H
 
 #include "formats/frame.h"
 #include "formats/rows.h"

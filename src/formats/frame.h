@@ -2,8 +2,8 @@
  * box's origin, velocities of the full step, the force of contacts and walls without gravity, mass), rows
  * sorted by id over all ranks, each rank holding one slab. So row k is the same particle in every frame as
  * long as none is deleted (new ones have larger ids), and the file does not depend on the layout of ranks. */
-#ifndef SCREE_OUTPUT_FRAME_H
-#define SCREE_OUTPUT_FRAME_H
+#ifndef SCREE_FORMATS_FRAME_H
+#define SCREE_FORMATS_FRAME_H
 
 #include "formats/output.h"
 #include "formats/rows.h"

@@ -1,12 +1,12 @@
-/* The few calls of HDF5 that the other files of output/ need, each checked. HDF5's own printing is off; its
+/* The few calls of HDF5 that the other files of formats/ need, each checked. HDF5's own printing is off; its
  * innermost message goes into ours, which names file and object.
  *
  * With a comm, a file is opened by all ranks together and every call on it is collective; what one rank alone
  * meets (a failed write) is agreed before the call returns, so that ranks never part. With NULL it belongs to
  * one rank. `rows` are always those of the second-slowest place: a dataset holds tables, one or (growing) one
  * a frame, and each rank reads and writes consecutive rows. */
-#ifndef SCREE_OUTPUT_H5_H
-#define SCREE_OUTPUT_H5_H
+#ifndef SCREE_FORMATS_H5_H
+#define SCREE_FORMATS_H5_H
 
 #include "comm/comm.h"
 #include "core/error.h"

@@ -5,8 +5,8 @@
  * the job.
  *
  * What a signal handler needs is static: one file at a time, main thread. */
-#ifndef SCREE_OUTPUT_H5_WATCH_H
-#define SCREE_OUTPUT_H5_WATCH_H
+#ifndef SCREE_FORMATS_H5_WATCH_H
+#define SCREE_FORMATS_H5_WATCH_H
 
 #include "comm/comm.h"
 

@@ -4,8 +4,8 @@
  * frame share step and time by hard links. While the number of particles is fixed, id, radius, mass and
  * material are fixed datasets; where particles come and go (`varying`) they depend on time too, absent rows
  * have id -1, and /parameters/frames/rows counts the rows of each frame that are particles. */
-#ifndef SCREE_OUTPUT_H5MD_H
-#define SCREE_OUTPUT_H5MD_H
+#ifndef SCREE_FORMATS_H5MD_H
+#define SCREE_FORMATS_H5MD_H
 
 #include "formats/contact_list.h"
 #include "formats/frame.h"

@@ -1,7 +1,7 @@
 /* What the files of the H5MD writer share: h5md.c (life), h5md_head.c (the file's head), h5md_frame.c,
  * h5md_contacts.c, h5md_resume.c. */
-#ifndef SCREE_OUTPUT_H5MD_PARTS_H
-#define SCREE_OUTPUT_H5MD_PARTS_H
+#ifndef SCREE_FORMATS_H5MD_PARTS_H
+#define SCREE_FORMATS_H5MD_PARTS_H
 
 #include "formats/h5.h"
 #include "formats/h5md.h"

@@ -1,8 +1,8 @@
 /* Reads particles from any H5MD file, not only from our own: elements fixed or time-dependent, any number
  * type, a 2D or 3D box, rows that the id's fill value marks as absent, `species` where there is no
  * `material`. */
-#ifndef SCREE_OUTPUT_H5MD_READ_H
-#define SCREE_OUTPUT_H5MD_READ_H
+#ifndef SCREE_FORMATS_H5MD_READ_H
+#define SCREE_FORMATS_H5MD_READ_H
 
 #include "comm/comm.h"
 #include "core/error.h"

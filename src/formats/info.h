@@ -1,7 +1,7 @@
 /* What is in a file, as text for a reader: H5MD trajectories, checkpoints, LAMMPS data files and dumps. The
  * kind is found from the content. */
-#ifndef SCREE_OUTPUT_INFO_H
-#define SCREE_OUTPUT_INFO_H
+#ifndef SCREE_FORMATS_INFO_H
+#define SCREE_FORMATS_INFO_H
 
 #include "comm/comm.h"
 #include "core/error.h"

@@ -1,7 +1,7 @@
 /* LAMMPS data files of atom style sphere ("Atoms # sphere": id type diameter density x y z [ix iy iz];
  * Velocities: id v omega). */
-#ifndef SCREE_OUTPUT_LAMMPS_DATA_H
-#define SCREE_OUTPUT_LAMMPS_DATA_H
+#ifndef SCREE_FORMATS_LAMMPS_DATA_H
+#define SCREE_FORMATS_LAMMPS_DATA_H
 
 #include "core/error.h"
 #include "formats/rows.h"

@@ -1,8 +1,8 @@
 /* What all writers look at: a view of the run at one full step, and what stays the same during a run. Both
- * are filled by app/ and borrowed for a call. output/ alone knows HDF5; files are written by all ranks
+ * are filled by engine/ and borrowed for a call. formats/ alone knows HDF5; files are written by all ranks
  * together, text files by rank 0. */
-#ifndef SCREE_OUTPUT_OUTPUT_H
-#define SCREE_OUTPUT_OUTPUT_H
+#ifndef SCREE_FORMATS_OUTPUT_H
+#define SCREE_FORMATS_OUTPUT_H
 
 #include "comm/comm.h"
 #include "walls/wall.h"

@@ -1,7 +1,7 @@
-/* What a scene may ask of the output. Plain structs by value: scene/ fills them, app/ hands them to the
+/* What a scene may ask of the output. Plain structs by value: scene/ fills them, engine/ hands them to the
  * writers. An interval is given in steps or in simulated time; both zero means never. */
-#ifndef SCREE_OUTPUT_OUTPUT_OPTIONS_H
-#define SCREE_OUTPUT_OUTPUT_OPTIONS_H
+#ifndef SCREE_FORMATS_OUTPUT_OPTIONS_H
+#define SCREE_FORMATS_OUTPUT_OPTIONS_H
 
 #include "files/file.h"
 #include <stdbool.h>

@@ -1,7 +1,7 @@
 /* Particles as a file gives them: plain arrays, in the user's coordinates. What a file does not have is NULL.
  */
-#ifndef SCREE_OUTPUT_ROWS_H
-#define SCREE_OUTPUT_ROWS_H
+#ifndef SCREE_FORMATS_ROWS_H
+#define SCREE_FORMATS_ROWS_H
 
 #include <stdbool.h>
 #include <stddef.h>

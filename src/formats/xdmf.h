@@ -1,7 +1,7 @@
 /* The XDMF file that lets ParaView open an H5MD trajectory: a collection in time of point sets, each pointing
  * into the HDF5 file. It is written anew each time, whole or not at all. */
-#ifndef SCREE_OUTPUT_XDMF_H
-#define SCREE_OUTPUT_XDMF_H
+#ifndef SCREE_FORMATS_XDMF_H
+#define SCREE_FORMATS_XDMF_H
 
 #include "core/error.h"
 #include <stdbool.h>

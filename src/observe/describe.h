@@ -1,6 +1,6 @@
 /* The tables of docs/output.md that follow from the field table and the registry of observables. */
-#ifndef SCREE_OUTPUT_DESCRIBE_H
-#define SCREE_OUTPUT_DESCRIBE_H
+#ifndef SCREE_OBSERVE_DESCRIBE_H
+#define SCREE_OBSERVE_DESCRIBE_H
 
 #include "core/error.h"
 #include <stdbool.h>

@@ -1,8 +1,8 @@
 /* Observables: numbers about the whole run, a row at a time, in DIR/observables.csv. One registry row an
  * observable: name, unit, how the part of one rank is found and how parts combine. To add one: write its
  * local function, add its row, name it in docs. Velocities are those of the full step. */
-#ifndef SCREE_OUTPUT_OBSERVABLES_H
-#define SCREE_OUTPUT_OBSERVABLES_H
+#ifndef SCREE_OBSERVE_OBSERVABLES_H
+#define SCREE_OBSERVE_OBSERVABLES_H
 
 #include "formats/h5md.h"
 #include "formats/output.h"

@@ -1,6 +1,6 @@
 /* The registry of observables, for observables.c alone. */
-#ifndef SCREE_OUTPUT_OBSERVABLES_KINDS_H
-#define SCREE_OUTPUT_OBSERVABLES_KINDS_H
+#ifndef SCREE_OBSERVE_OBSERVABLES_KINDS_H
+#define SCREE_OBSERVE_OBSERVABLES_KINDS_H
 
 #include "formats/contact_list.h"
 #include "observe/observables.h"

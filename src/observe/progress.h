@@ -1,7 +1,7 @@
 /* The progress of a run on a terminal: a bar with the time left and particle-steps per second, or plain
  * lines. Rank 0 alone. */
-#ifndef SCREE_OUTPUT_PROGRESS_H
-#define SCREE_OUTPUT_PROGRESS_H
+#ifndef SCREE_OBSERVE_PROGRESS_H
+#define SCREE_OBSERVE_PROGRESS_H
 
 #include "formats/output_options.h"
 #include <stdio.h>

@@ -1,7 +1,8 @@
-/* The run report: DIR/report.json and the table on the terminal, both from one plain struct that app/ fills.
+/* The run report: DIR/report.json and the table on the terminal, both from one plain struct that engine/
+ * fills.
  */
-#ifndef SCREE_OUTPUT_REPORT_H
-#define SCREE_OUTPUT_REPORT_H
+#ifndef SCREE_OBSERVE_REPORT_H
+#define SCREE_OBSERVE_REPORT_H
 
 #include "comm/comm.h"
 #include "core/timer.h"

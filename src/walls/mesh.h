@@ -1,7 +1,7 @@
 /* Triangle meshes as files hold them: STL (ASCII or binary) or a table of nine numbers a row. Only read here;
  * what a wall makes of the triangles is wall_mesh.h. */
-#ifndef SCREE_CONTACT_MESH_H
-#define SCREE_CONTACT_MESH_H
+#ifndef SCREE_WALLS_MESH_H
+#define SCREE_WALLS_MESH_H
 
 #include "core/error.h"
 #include <stddef.h>

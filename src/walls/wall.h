@@ -20,8 +20,8 @@
  * never sent; only the forces on walls are summed over ranks, where an observable or a servo wants them.
  * Lengths are box-relative inside; walls_create shifts what the user gave. In periodic directions meshes and
  * finite or solid cylinders are felt through the nearest images too. */
-#ifndef SCREE_CONTACT_WALL_H
-#define SCREE_CONTACT_WALL_H
+#ifndef SCREE_WALLS_WALL_H
+#define SCREE_WALLS_WALL_H
 
 #include "contact/force.h"
 #include "contact/law.h"

@@ -1,7 +1,7 @@
 /* Triangles of a mesh binned into cells, in the body's frame: made once, as a wall that moves is asked in its
  * own frame. */
-#ifndef SCREE_CONTACT_WALL_GRID_H
-#define SCREE_CONTACT_WALL_GRID_H
+#ifndef SCREE_WALLS_WALL_GRID_H
+#define SCREE_WALLS_WALL_GRID_H
 
 #include "walls/wall_mesh.h"
 

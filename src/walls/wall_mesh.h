@@ -12,8 +12,8 @@
  *   - an edge of a triangle is a feature unless the patch goes on behind it; a vertex is a feature of the
  * patches that have such an edge there. Features are numbered: patches, then edges, then vertices; the
  * numbers depend on the file alone. Coordinates are those of the body: box-relative, before any motion. */
-#ifndef SCREE_CONTACT_WALL_MESH_H
-#define SCREE_CONTACT_WALL_MESH_H
+#ifndef SCREE_WALLS_WALL_MESH_H
+#define SCREE_WALLS_WALL_MESH_H
 
 #include "contact/law_kernel.h"
 #include "walls/mesh.h"

@@ -4,8 +4,8 @@
  * A motion k maps points by M_k(t); the wall's motions together by M = M_n ... M_2 M_1, the first applied
  * first. A motion is frozen outside of its span: its time is cut to [start, stop]. Points are box-relative.
  */
-#ifndef SCREE_CONTACT_WALL_MOTION_H
-#define SCREE_CONTACT_WALL_MOTION_H
+#ifndef SCREE_WALLS_WALL_MOTION_H
+#define SCREE_WALLS_WALL_MOTION_H
 
 #include "contact/law_kernel.h"
 #include "walls/wall.h"

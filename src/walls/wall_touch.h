@@ -15,8 +15,8 @@
  * A limit of the method, as of all that add up contacts: bodies of a wall that are nearer to one another than
  * the overlap's width sqrt(2 r overlap), and concave edges so flat that a sphere overlaps both sides by more
  * than r angle^2 / 2 when it comes to them, come into contact with a jump. */
-#ifndef SCREE_CONTACT_WALL_TOUCH_H
-#define SCREE_CONTACT_WALL_TOUCH_H
+#ifndef SCREE_WALLS_WALL_TOUCH_H
+#define SCREE_WALLS_WALL_TOUCH_H
 
 #include "walls/wall_mesh.h"
 #include "walls/wall_motion.h"

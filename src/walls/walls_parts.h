@@ -7,8 +7,8 @@
  * history: at most as many as it has pieces. Two buffers of records: an evaluation reads the one that is
  * `now` and writes the other; as a candidate's records lie at a fixed place, evaluations need no order and no
  * thread has a buffer of its own. */
-#ifndef SCREE_CONTACT_WALLS_PARTS_H
-#define SCREE_CONTACT_WALLS_PARTS_H
+#ifndef SCREE_WALLS_WALLS_PARTS_H
+#define SCREE_WALLS_WALLS_PARTS_H
 
 #include "contact/force_kernel.h"
 #include "walls/wall.h"
