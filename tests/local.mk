@@ -124,7 +124,7 @@ tests_test_describe_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
 check_PROGRAMS += tests/test_lammps
 tests_test_lammps_SOURCES = tests/test_lammps.c
 tests_test_lammps_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
-tests_test_lammps_LDADD = $(OUTPUT_LIBS) $(TEST_LIBS)
+tests_test_lammps_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
 
 check_PROGRAMS += tests/test_output_options
 tests_test_output_options_SOURCES = tests/test_output_options.c

@@ -1,8 +1,8 @@
 /* LAMMPS's text files at the edge of what they may hold: comments, numbers out of range, many columns. */
 #include "core/memory.h"
-#include "output/dump.h"
-#include "output/lammps_data.h"
-#include "output/lines.h"
+#include "formats/dump.h"
+#include "formats/lammps_data.h"
+#include "files/lines.h"
 
 #include <stdarg.h>
 #include <stddef.h>
