@@ -35,7 +35,7 @@ static struct law_contact plain_contact(const struct particles *p, const struct 
     in.normal = law_scale(1.0 / sqrt(law_dot(d, d)), d);
     in.half_normal = law_scale(1.0 / sqrt(law_dot(half, half)), half);
     if (law->spin) {
-        double cut = law->options.normal == LAW_HERTZ ? 0.5 * in.overlap : 0.0;
+        double cut = law->options.lammps_hooke ? 0.0 : 0.5 * in.overlap;
         in.surface = law_add(law_scale(a->radius - cut, vector_of(p->omega[i])), b->radius - cut,
                              vector_of(p->omega[j]));
         in.spin = law_add(vector_of(p->omega[j]), -1.0, vector_of(p->omega[i]));
@@ -65,7 +65,7 @@ static struct force_sums plain_forces(const struct particles *p, const struct la
                 struct law_response out = law_respond(kind, law_step_of(&law->options, dt), &in);
                 memcpy(spring, &out.spring, 3 * sizeof *spring);
                 memcpy(spring + 3, &out.roll, 3 * sizeof *spring);
-                double cut = kind.hertz ? 0.5 * in.overlap : 0.0;
+                double cut = law->options.lammps_hooke ? 0.0 : 0.5 * in.overlap;
                 add_vector(force[i], -1.0, out.force);
                 add_vector(force[j], 1.0, out.force);
                 add_vector(force[i] + 4, p->state[i].radius - cut, out.moment);

@@ -114,7 +114,7 @@ LAW_INLINE void force_respond_all(struct law_case law, struct force_batch *restr
     }
 }
 
-/* The specialisations: of the geometry force_measure_table[hertz][friction], of the law
+/* The specialisations: of the geometry force_measure_table[normal and lever][friction], of the law
  * force_respond_table[normal and damper][friction][energies]. */
 #define FORCE_PHYSICS(phase, name, ...)                                                                      \
     static void name(struct force_batch *b, struct law_step step) {                                          \
@@ -130,6 +130,7 @@ LAW_INLINE void force_respond_all(struct law_case law, struct force_batch *restr
 #define FORCE_PHYSICS_ROW(name)                                                                              \
     { name##_smooth, name##_rough, name##_rough_half, name##_rolling, name##_rolling_half }
 
+FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_lammps, .lever_radius = true)
 FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_hooke, .hertz = false)
 FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_hertz, .hertz = true)
 FORCE_PHYSICS_FAMILY(force_respond_all, force_given, .coefficient = true)
@@ -139,7 +140,8 @@ FORCE_PHYSICS_FAMILY(force_respond_all, force_hooke_energies, .coefficient = fal
 FORCE_PHYSICS_FAMILY(force_respond_all, force_hertz, .hertz = true)
 FORCE_PHYSICS_FAMILY(force_respond_all, force_hertz_energies, .hertz = true, .energies = true)
 
-static force_physics *const force_measure_table[2][5] = {FORCE_PHYSICS_ROW(force_measure_hooke),
+static force_physics *const force_measure_table[3][5] = {FORCE_PHYSICS_ROW(force_measure_lammps),
+                                                         FORCE_PHYSICS_ROW(force_measure_hooke),
                                                          FORCE_PHYSICS_ROW(force_measure_hertz)};
 static force_physics *const force_respond_table[3][2][5] = {
     {FORCE_PHYSICS_ROW(force_given), FORCE_PHYSICS_ROW(force_given_energies)},
@@ -152,7 +154,8 @@ static inline int force_friction_of(struct law_case law) {
 
 static inline force_physics *force_measure_find(const struct law_options *options) {
     struct law_case law = law_case_of(options, false);
-    return force_measure_table[law.hertz][force_friction_of(law)];
+    int geometry = law.hertz ? 2 : law.lever_radius ? 0 : 1;
+    return force_measure_table[geometry][force_friction_of(law)];
 }
 
 static inline force_physics *force_respond_find(const struct law_options *options, bool energies) {

@@ -54,8 +54,9 @@ struct law_options {
     double tangential_damping_ratio; /* restitution: c_t = this x c_n sqrt(k_t / k_n), k_n the tangent
                                         stiffness */
     bool tangential_damping_equal; /* c_t = c_n, as LAMMPS's pair_style granular does; for cross-code runs */
-    bool lammps_hooke; /* LAMMPS's gran/hooke/history to the letter: sliding is TOTAL, the spring is
-                          projected, not turned, and an empty spring over the Coulomb limit gives no force */
+    bool lammps_hooke; /* LAMMPS's gran/hooke/history to the letter: the lever is r, not r - overlap / 2;
+                          sliding is TOTAL, the spring is projected, not turned, and an empty spring over the
+                          Coulomb limit gives no force */
     bool synchronised; /* history with the half-step normal (Vyas et al. 2025); set from the integrator */
 };
 

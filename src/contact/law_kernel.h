@@ -14,9 +14,9 @@
  * moment + rolling.
  *
  * Spheres: velocity = v_j - v_i of the centres, surface = lever_i omega_i + lever_j omega_j, spin = omega_j -
- * omega_i, mass and radius the effective ones. The lever is r for hooke and r - overlap / 2 for hertz: the
- * contact point lies in the middle of the overlap whatever the radii, so that the levers add up to the
- * distance and angular momentum is conserved. Walls: velocity = that of the wall's material point at the
+ * omega_i, mass and radius the effective ones. The lever is r - overlap / 2: the contact point lies in the
+ * middle of the overlap whatever the radii, so that the levers add up to the distance and angular momentum is
+ * conserved; with lammps_hooke it is r. Walls: velocity = that of the wall's material point at the
  * contact point - v of the sphere's centre, surface = lever_i omega_i, spin = omega of the wall - omega_i,
  * mass and radius those of the sphere. */
 #ifndef SCREE_CONTACT_LAW_KERNEL_H
@@ -41,6 +41,7 @@ struct law_case {
     bool friction;     /* a tangential spring with history */
     bool rolling;      /* and a rolling one */
     bool synchronised; /* springs advance in the half-step tangent plane */
+    bool lever_radius; /* the lever is r (LAMMPS's gran/hooke), else r - overlap / 2 */
     bool energies;     /* fill the three energies of the response */
 };
 
@@ -139,12 +140,14 @@ LAW_INLINE struct law_case law_case_of(const struct law_options *options, bool e
                              .friction = friction,
                              .rolling = friction && options->rolling != LAW_ROLLING_NONE,
                              .synchronised = options->synchronised,
+                             .lever_radius = options->lammps_hooke,
                              .energies = energies};
 }
 
-/* The lever arm of a sphere (length) against another: r for hooke, r - overlap / 2 for hertz. */
+/* The lever arm of a sphere (length) against another or a wall: from its centre to the middle of the overlap,
+ * or its radius (gran/hooke). */
 LAW_INLINE double law_lever(struct law_case law, double radius, double overlap) {
-    return law.hertz ? radius - 0.5 * overlap : radius;
+    return law.lever_radius ? radius : radius - 0.5 * overlap;
 }
 
 /* One spring-dashpot with a sliding limit: advances `spring` by dt x rate, turns it into the tangent plane,

@@ -170,7 +170,7 @@ static const struct schema_row contact_rows[] = {
      .help = "the tangential damping coefficient equals the normal one, as in LAMMPS's pair_style granular"},
     {.key = "lammps_hooke", .type = SCHEMA_BOOL, .fallback = "false", .when = "law=hooke",
      AT(struct law_options, lammps_hooke),
-     .help = "gran/hooke/history of LAMMPS to the letter, for comparisons; needs damping: coefficient, rolling: none and integrator: "
+     .help = "gran/hooke/history of LAMMPS to the letter, for comparisons: the lever is the radius, too; needs damping: coefficient, rolling: none and integrator: "
              "velocity_verlet"},
 };
 static const struct schema_table contact_table = TABLE(contact_rows);

@@ -253,13 +253,13 @@ observables:
   list: [{name: wall_force, target: floor}, {name: wall_torque, target: floor}, {name: wall_velocity, target: floor}, {name: speed_max},
     {name: position, id: 1}, {name: velocity, id: 1}, {name: force, id: 1}, {name: position, id: 2}, {name: velocity, id: 2}, {name: force, id: 2}]
 EOF
-pressed() { # RANKS: (lowest point - centre) x force, where the floor has come to in 0.02
+pressed() { # RANKS: (middle of the overlap - centre) x force, where the floor has come to in 0.02
     run_scene "$1" pressed.yaml pressed$1 && awk -F, '
         function value(name) { if (!(name in at)) bad = "no " name; return $at[name] }
         function same(name, expected) { d = value(name) - expected; if (!(d < 1e-8 && d > -1e-8)) bad = name " is " value(name) ", not " expected }
         NR == 1 { for (k = 1; k <= NF; k++) { sub(/\[.*/, "", $k); at[$k] = k } }
         END { for (p = 1; p <= 2; p++) { one = "particle" p "_"
-                x = value(one "x") - 5.015; y = value(one "y") - 3.99; z = value(one "z") - (p == 1 ? 1 : 0.5) - 1.005
+                x = value(one "x") - 5.015; y = value(one "y") - 3.99; z = (value(one "z") - (p == 1 ? 1 : 0.5) - 1.005) / 2
                 fx = -value(one "fx"); fy = -value(one "fy"); fz = -value(one "fz")
                 force += fz; tx += y * fz - z * fy; ty += z * fx - x * fz; tz += x * fy - y * fx
                 speed = sqrt(value(one "vx") ^ 2 + value(one "vy") ^ 2 + value(one "vz") ^ 2); fastest = speed > fastest ? speed : fastest }
