@@ -73,6 +73,7 @@ check_PROGRAMS += \
 	tests/test_scene \
 	tests/test_scene_allowed \
 	tests/test_scene_check \
+	tests/test_scene_large \
 	tests/test_schema \
 	tests/test_sizes \
 	tests/test_source \
@@ -100,6 +101,9 @@ tests_test_scene_allowed_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
 tests_test_scene_check_SOURCES = tests/test_scene_check.c
 tests_test_scene_check_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
 tests_test_scene_check_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
+tests_test_scene_large_SOURCES = tests/test_scene_large.c
+tests_test_scene_large_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_scene_large_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
 tests_test_schema_SOURCES = tests/test_schema.c
 tests_test_schema_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
 tests_test_schema_LDADD = $(SCENE_LIBS) $(TEST_LIBS)

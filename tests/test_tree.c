@@ -75,6 +75,30 @@ static void refuses_depth(void **state) {
     assert_non_null(strstr(error.text, "nested too deep"));
 }
 
+static bool is_vowel(const void *vowels, const char *key) {
+    return strpbrk(key, vowels) != NULL;
+}
+
+/* Some entries go to another mapping, in their order; the others close the gap. */
+static void moves_entries(void **state) {
+    (void)state;
+    struct error error = {0};
+    struct tree_node *root = tree_parse("s.yaml", "a: 1\nb: 2\nc: 3\ne: 4\nf: 5", 1, &error);
+    struct tree_node *other = tree_parse("s.yaml", "x: 0", 1, &error);
+    tree_move(root, other, is_vowel, "aeiou");
+    assert_int_equal(root->children, 3);
+    assert_int_equal(other->children, 3);
+    assert_string_equal(root->key[1], "c");
+    assert_string_equal(tree_get(root, "f")->text, "5");
+    assert_string_equal(other->key[2], "e");
+    assert_string_equal(tree_get(other, "a")->text, "1");
+    assert_null(tree_get(root, "a"));
+    tree_put(root, "a", tree_new(TREE_LIST, 0));
+    assert_int_equal(root->children, 4);
+    tree_free(&root);
+    tree_free(&other);
+}
+
 static void empty_is_a_mapping(void **state) {
     (void)state;
     struct error error = {0};
@@ -85,8 +109,8 @@ static void empty_is_a_mapping(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(keeps_lines), cmocka_unit_test(changes),
-                                       cmocka_unit_test(refuses), cmocka_unit_test(refuses_depth),
-                                       cmocka_unit_test(empty_is_a_mapping)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(keeps_lines),   cmocka_unit_test(changes),
+                                       cmocka_unit_test(refuses),       cmocka_unit_test(refuses_depth),
+                                       cmocka_unit_test(moves_entries), cmocka_unit_test(empty_is_a_mapping)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

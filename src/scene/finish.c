@@ -2,11 +2,13 @@
  * that depend on other keys. */
 #include "scene/finish.h"
 
+#include "core/memory.h"
 #include "integrate/timestep.h"
 #include "formats/h5md_read.h"
 #include "formats/lammps_data.h"
 
 #include <math.h>
+#include <search.h>
 #include <stdarg.h>
 #include <string.h>
 
@@ -113,21 +115,44 @@ static const struct tree_node *name_of(const struct tree_node *entry) {
     return name && name->kind == TREE_SCALAR && name->text[0] ? name : NULL;
 }
 
+/* A name of a list and the first entry that has it. */
+struct named {
+    const struct tree_node *name;
+    size_t entry;
+};
+
+static int compare_names(const void *a, const void *b) {
+    const struct named *first = a, *second = b;
+    return strcmp(first->name->text, second->name->text);
+}
+
+/* Looks for a name that was seen before, by a search tree (tsearch). */
 static bool names_differ(const struct scene *scene, const struct tree_node *root, const char *list,
                          struct error *error) {
     const struct tree_node *entries = tree_nearest(root, list);
-    char key[96], place[SCENE_PATH_MAX + 32];
-    for (size_t a = 0; entries->kind == TREE_LIST && a < entries->children; a++)
-        for (size_t b = 0; b < a; b++) {
-            const struct tree_node *name = name_of(entries->child[a]), *before = name_of(entries->child[b]);
-            if (name == NULL || before == NULL || strcmp(name->text, before->text) != 0)
-                continue;
-            snprintf(key, sizeof(key), "%s[%zu].name", list, a);
-            tree_place(before, scene->file, place, sizeof(place));
-            return finish_fail(scene, error, key, "'%s' is taken already, by %s[%zu] (%s); names must differ",
-                               name->text, list, b, place);
-        }
-    return true;
+    size_t count = entries->kind == TREE_LIST ? entries->children : 0;
+    struct named *named = memory_allocate(count, sizeof(*named), "names of a scene");
+    void *seen = NULL;
+    bool good = true;
+    for (size_t a = 0; good && a < count; a++) {
+        named[a] = (struct named){name_of(entries->child[a]), a};
+        if (named[a].name == NULL)
+            continue;
+        const struct named *const *first = tsearch(&named[a], &seen, compare_names);
+        if (first == NULL)
+            error_fatal("out of memory: names of a scene");
+        if (*first == &named[a])
+            continue;
+        char key[96], place[SCENE_PATH_MAX + 32];
+        snprintf(key, sizeof(key), "%s[%zu].name", list, a);
+        tree_place((*first)->name, scene->file, place, sizeof(place));
+        good = finish_fail(scene, error, key, "'%s' is taken already, by %s[%zu] (%s); names must differ",
+                           named[a].name->text, list, (*first)->entry, place);
+    }
+    while (seen)
+        tdelete(*(const struct named *const *)seen, &seen, compare_names);
+    memory_free(named);
+    return good;
 }
 
 bool finish_names(const struct scene *scene, const struct tree_node *root, struct error *error) {

@@ -25,35 +25,31 @@ static void wrap_scalar(struct tree_node *node, const char *key) {
     tree_put(node, key, value);
 }
 
+/* True if a key is none of its section (the context, a schema_table). */
+static bool belongs_elsewhere(const void *table, const char *key) {
+    return schema_row_find(table, key, strlen(key)) == NULL;
+}
+
 /* Moves the keys of a section that belong to a single element into that element. */
 static bool fold_short_form(struct schema_reader *reader, const struct schema_table *table,
                             struct tree_node *node, const char *key) {
     const struct schema_row *list_row = schema_short_list(table);
     if (!list_row || node->kind != TREE_MAP)
         return true;
-    struct tree_node *element = NULL;
-    for (size_t k = 0; k < node->children;) {
-        const char *name = node->key[k];
-        if (schema_row_find(table, name, strlen(name))) {
-            k++;
-            continue;
-        }
-        if (tree_get(node, list_row->key))
-            return schema_fail(reader, node->child[k], key,
-                               "'%.80s' beside '%s': either one source directly here, or a list of %s", name,
-                               list_row->key, list_row->key);
-        if (!element)
-            element = tree_new(TREE_MAP, node->line);
-        char *moved = strdup(name);
-        tree_put(element, moved, tree_take(node, k));
-        free(moved);
-    }
-    if (element) {
-        struct tree_node *list = tree_new(TREE_LIST, node->line);
-        list->implied = true;
-        tree_append(list, element);
-        tree_put(node, list_row->key, list);
-    }
+    size_t first = 0;
+    while (first < node->children && !belongs_elsewhere(table, node->key[first]))
+        first++;
+    if (first == node->children)
+        return true;
+    if (tree_get(node, list_row->key))
+        return schema_fail(reader, node->child[first], key,
+                           "'%.80s' beside '%s': either one source directly here, or a list of %s",
+                           node->key[first], list_row->key, list_row->key);
+    struct tree_node *element = tree_new(TREE_MAP, node->line), *list = tree_new(TREE_LIST, node->line);
+    tree_move(node, element, belongs_elsewhere, table);
+    list->implied = true;
+    tree_append(list, element);
+    tree_put(node, list_row->key, list);
     return true;
 }
 

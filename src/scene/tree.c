@@ -2,6 +2,7 @@
 
 #include "core/memory.h"
 
+#include <search.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -55,14 +56,27 @@ struct tree_node *tree_get(const struct tree_node *map, const char *key) {
     return k < 0 ? NULL : map->child[k];
 }
 
-static size_t add_child(struct tree_node *node, struct tree_node *child) {
-    node->child = memory_resize(node->child, node->children + 1, sizeof(*node->child), "scene");
-    node->child[node->children] = child;
-    return node->children++;
+/* Room for one child more: arrays double where their size is a power of two. */
+static void make_room(struct tree_node *node) {
+    size_t n = node->children;
+    if ((n & (n - 1)) != 0)
+        return;
+    size_t room = n ? 2 * n : 1;
+    node->child = memory_resize(node->child, room, sizeof(*node->child), "scene");
+    if (node->kind == TREE_MAP)
+        node->key = memory_resize(node->key, room, sizeof(*node->key), "scene");
 }
 
 void tree_append(struct tree_node *list, struct tree_node *child) {
-    add_child(list, child);
+    make_room(list);
+    list->child[list->children++] = child;
+}
+
+/* Adds an entry (`key` and `child` taken over) to a mapping that has no such key. */
+static void add_entry(struct tree_node *map, char *key, struct tree_node *child) {
+    make_room(map);
+    map->key[map->children] = key;
+    map->child[map->children++] = child;
 }
 
 void tree_put(struct tree_node *map, const char *key, struct tree_node *child) {
@@ -70,11 +84,23 @@ void tree_put(struct tree_node *map, const char *key, struct tree_node *child) {
     if (k >= 0) {
         tree_free(&map->child[k]);
         map->child[k] = child;
-        return;
+    } else {
+        add_entry(map, copy_text(key, strlen(key)), child);
     }
-    map->key = memory_resize(map->key, map->children + 1, sizeof(*map->key), "scene");
-    map->key[map->children] = copy_text(key, strlen(key));
-    add_child(map, child);
+}
+
+void tree_move(struct tree_node *from, struct tree_node *to,
+               bool (*moves)(const void *context, const char *key), const void *context) {
+    size_t kept = 0;
+    for (size_t k = 0; k < from->children; k++) {
+        if (moves(context, from->key[k])) {
+            add_entry(to, from->key[k], from->child[k]);
+        } else {
+            from->key[kept] = from->key[k];
+            from->child[kept++] = from->child[k];
+        }
+    }
+    from->children = kept;
 }
 
 struct tree_node *tree_take(struct tree_node *node, size_t k) {
@@ -154,20 +180,29 @@ static bool parse_list(struct parse *parse, struct tree_node *list, int depth) {
     }
 }
 
+/* The keys of a mapping that is being read, to find one that comes twice: a search tree (tsearch). */
+struct keys {
+    void *root;
+};
+
+static int compare_keys(const void *a, const void *b) {
+    return strcmp(a, b);
+}
+
 /* Takes over a key event; the entry's value follows. */
-static bool parse_entry(struct parse *parse, struct tree_node *map, yaml_event_t *key_event, int depth) {
+static bool parse_entry(struct parse *parse, struct tree_node *map, struct keys *keys,
+                        yaml_event_t *key_event, int depth) {
     size_t line = key_event->start_mark.line;
     struct tree_node *key = parse_node(parse, key_event, depth);
     if (!key)
         return false;
     bool good = key->kind == TREE_SCALAR && key->text[0];
-    struct tree_node *before = good ? tree_get(map, key->text) : NULL;
     if (!good)
         fail(parse, line, "a key must be a name");
-    if (before) {
+    if (good && tfind(key->text, &keys->root, compare_keys)) {
         char place[1200], what[2400];
         snprintf(what, sizeof(what), "key '%.200s' is given twice, first at %s", key->text,
-                 tree_place(before, parse->file, place, sizeof(place)));
+                 tree_place(tree_get(map, key->text), parse->file, place, sizeof(place)));
         good = fail(parse, line, what);
     }
     yaml_event_t event;
@@ -175,13 +210,16 @@ static bool parse_entry(struct parse *parse, struct tree_node *map, yaml_event_t
     if (child) {
         /* a mapping or list begins a line below its key: name the line of the key */
         child->line = parse->line == 0 ? 0 : (long)line + parse->line;
-        tree_put(map, key->text, child);
+        add_entry(map, key->text, child);
+        if (!tsearch(key->text, &keys->root, compare_keys))
+            error_fatal("out of memory: keys of a scene");
+        key->text = NULL;
     }
     tree_free(&key);
     return child != NULL;
 }
 
-static bool parse_map(struct parse *parse, struct tree_node *map, int depth) {
+static bool parse_entries(struct parse *parse, struct tree_node *map, struct keys *keys, int depth) {
     for (;;) {
         yaml_event_t event;
         if (!next(parse, &event))
@@ -190,9 +228,17 @@ static bool parse_map(struct parse *parse, struct tree_node *map, int depth) {
             yaml_event_delete(&event);
             return true;
         }
-        if (!parse_entry(parse, map, &event, depth))
+        if (!parse_entry(parse, map, keys, &event, depth))
             return false;
     }
+}
+
+static bool parse_map(struct parse *parse, struct tree_node *map, int depth) {
+    struct keys keys = {NULL};
+    bool good = parse_entries(parse, map, &keys, depth);
+    while (keys.root)
+        tdelete(*(const char **)keys.root, &keys.root, compare_keys);
+    return good;
 }
 
 /* True if the event carries an anchor or a tag. */

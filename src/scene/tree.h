@@ -37,6 +37,11 @@ void tree_put(struct tree_node *map, const char *key, struct tree_node *child);
 /* Appends `child` (taken over) to a list. */
 void tree_append(struct tree_node *list, struct tree_node *child);
 
+/* Moves all entries of a mapping whose keys `moves` names to the end of another one, which has none of these
+ * keys; the order stays. Takes time proportional to the number of entries. */
+void tree_move(struct tree_node *from, struct tree_node *to,
+               bool (*moves)(const void *context, const char *key), const void *context);
+
 /* Takes entry `k` out of a mapping or list and hands it over. */
 struct tree_node *tree_take(struct tree_node *node, size_t k);
 
