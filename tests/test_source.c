@@ -183,6 +183,45 @@ static void keeps_what_left(void **state) {
     particles_destroy(&p);
 }
 
+/* Lines may be of any length: no number is cut off, neither of a row nor of a header or comment. */
+static void reads_long_lines(void **state) {
+    (void)state;
+    static const char *const set[] = {"particles.material=glass", NULL};
+    for (int length = 1000; length <= 100000; length += length < 1040 ? 1 : 33000) {
+        static char text[200100];
+        snprintf(text, sizeof(text), "radius x%*sy z\n.01 .5 .25%*s.125\n", length, "", length, "");
+        struct particles *p = good_source(text, set, NULL);
+        assert_int_equal(p->owned, 1);
+        assert_true(p->state[0].x[1] == 0.25 && p->state[0].x[2] == 0.125);
+        particles_destroy(&p);
+        snprintf(text, sizeof(text), "#%*sradius x y z\n.01 .5 .25 .125#%*s\n", length, "", length, "x");
+        p = good_source(text, set, NULL);
+        assert_true(p->owned == 1 && p->state[0].x[2] == 0.125);
+        particles_destroy(&p);
+    }
+}
+
+/* Ids end at 2^62, those that follow on earlier sources too. */
+static void refuses_large_ids(void **state) {
+    (void)state;
+#define TWO_SOURCES(id)                                                                                      \
+    "particles={sources: [{from: single, position: [0.9, 0.9, 0.9], radius: 0.01, material: glass, id: " id  \
+    "}, {file: test_source.txt, format: table, material: glass}]}"
+    static const char *const good[] = {TWO_SOURCES("4611686018427387903"), NULL};
+    static const char *const bad_first[] = {TWO_SOURCES("9223372036854775807"), NULL};
+    static const char *const bad_second[] = {TWO_SOURCES("4611686018427387904"), NULL};
+    struct error error;
+    struct particles *p = good_source("radius x y z\n.01 .1 .1 .1\n", good, NULL);
+    assert_true(p->owned == 2 && p->id[1] == (int64_t)1 << 62);
+    particles_destroy(&p);
+    assert_null(read_source(&error, "radius x y z\n.01 .1 .1 .1\n", bad_first, NULL));
+    assert_non_null(
+        strstr(error.text, "particles.sources[0].position: particle 9223372036854775807: the id"));
+    assert_null(read_source(&error, "id radius x y z\n7 .01 .1 .1 .1\n", bad_second, NULL));
+    assert_non_null(strstr(error.text, "test_source.txt:2: the id"));
+    assert_non_null(strstr(error.text, "(up to 4611686018427387904), is above 2^62"));
+}
+
 struct bad_data {
     const char *data;
     const char *set[2];
@@ -352,7 +391,8 @@ int main(void) {
         cmocka_unit_test(reads_headers),     cmocka_unit_test(reads_columns),
         cmocka_unit_test(selects_and_maps),  cmocka_unit_test(tells_headers_from_rows),
         cmocka_unit_test(wraps_and_numbers), cmocka_unit_test(selects_where_it_wraps),
-        cmocka_unit_test(keeps_what_left),   cmocka_unit_test(refuses),
+        cmocka_unit_test(keeps_what_left),   cmocka_unit_test(reads_long_lines),
+        cmocka_unit_test(refuses_large_ids), cmocka_unit_test(refuses),
         cmocka_unit_test(refuses_types),     cmocka_unit_test(lammps_data)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

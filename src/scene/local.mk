@@ -32,6 +32,8 @@ libscene_la_SOURCES = \
 	src/scene/source_parts.h \
 	src/scene/source_sphere.c \
 	src/scene/table.c \
+	src/scene/table_lines.c \
+	src/scene/table_lines.h \
 	src/scene/tree.c \
 	src/scene/tree.h \
 	src/scene/unique.c \

@@ -138,6 +138,25 @@ static void expect(struct walk *walk, size_t count) {
     unique_reserve(&walk->places, walk->places.count + share);
 }
 
+/* Gives a sphere its id: `number`, the file's or its place in the source, after the ids of earlier sources
+ * (up to `base`), or the one that the scene names. An id below 1 becomes 0, which is refused with the sphere.
+ */
+static bool give_id(const struct walk *walk, int source, int64_t number, int64_t base,
+                    struct source_sphere *sphere) {
+    const struct source_options *options = &walk->scene->source[source];
+    bool named = options->kind == SOURCE_SINGLE && options->id > 0;
+    int64_t before = named || number < 1 ? 0 : base;
+    sphere->id = named ? options->id : number < 1 ? 0 : number;
+    if (sphere->id <= SOURCE_ID_MAX - before) {
+        sphere->id += before;
+        return true;
+    }
+    char text[160];
+    snprintf(text, sizeof text, "the id, which follows those of earlier sources (up to %lld), is above 2^62",
+             (long long)before);
+    return source_sphere_fail(walk->scene, source, sphere, text, walk->error);
+}
+
 static bool take_batch(struct walk *walk, int source, const struct source_batch *batch) {
     const struct source_options *options = &walk->scene->source[source];
     expect(walk, batch->rows.count);
@@ -149,12 +168,8 @@ static bool take_batch(struct walk *walk, int source, const struct source_batch 
             sphere.radius > 0)
             continue;
         taken++;
-        sphere.id = base + (batch->rows.id ? batch->rows.id[k] : taken);
-        if (batch->rows.id && batch->rows.id[k] < 1)
-            sphere.id = 0;
-        if (options->kind == SOURCE_SINGLE && options->id > 0)
-            sphere.id = options->id;
-        if (!take_sphere(walk, source, batch, &sphere))
+        if (!give_id(walk, source, batch->rows.id ? batch->rows.id[k] : taken, base, &sphere) ||
+            !take_sphere(walk, source, batch, &sphere))
             return false;
     }
     char key[96];

@@ -8,6 +8,9 @@
 #include "scene/placegrid.h"
 #include "scene/scene.h"
 
+/* The largest id: what insertions add never overflows. */
+#define SOURCE_ID_MAX ((int64_t)1 << 62)
+
 /* The spheres of one source. */
 struct source_batch {
     struct rows rows;     /* position and radius always; mass 0: not given */

@@ -3,6 +3,7 @@
  * which has no number in it; units of the header hold where the scene gives none. A row with more or fewer
  * numbers than there are columns is refused: it is not a row of this list. */
 #include "scene/source_parts.h"
+#include "scene/table_lines.h"
 
 #include "core/memory.h"
 #include "particles/particles.h"
@@ -60,51 +61,15 @@ struct table {
     int width;
     enum column column[SOURCE_COLUMNS_MAX];
     struct units_scale scale[SOURCE_COLUMNS_MAX]; /* to SI */
-    const char *at;                               /* the rest of the text */
-    long line;                                    /* of the line last taken */
+    struct table_lines lines;
     struct error *error;
 };
 
 static bool fail(const struct table *table, const char *format, const char *what) {
     char text[512];
     snprintf(text, sizeof(text), format, what);
-    return error_set(table->error, ERROR_USER, "%.700s:%ld: %s", table->source->file, table->line, text);
-}
-
-/* What stands between words. */
-static const char between[] = " \t\r,;";
-
-/* Cuts the next word off a line; NULL at its end. */
-static char *next_word(char **line) {
-    char *word = *line + strspn(*line, between);
-    if (*word == '\0')
-        return NULL;
-    *line = word + strcspn(word, between);
-    if (**line)
-        *(*line)++ = '\0';
-    return word;
-}
-
-/* The next line with something on it; comments are cut off and, where they stand alone, kept in `comment` as
- * a possible header. */
-static bool next_line(struct table *table, char *line, size_t room, char *comment) {
-    while (*table->at) {
-        size_t length = strcspn(table->at, "\n");
-        size_t kept = length < room - 1 ? length : room - 1;
-        memcpy(line, table->at, kept);
-        line[kept] = '\0';
-        table->at += length + (table->at[length] == '\n');
-        table->line++;
-        char *hash = strchr(line, '#');
-        bool alone = hash && strspn(line, " \t\r") == (size_t)(hash - line);
-        if (alone && comment)
-            memmove(comment, hash + 1, strlen(hash + 1) + 1);
-        if (hash)
-            *hash = '\0';
-        if (line[strspn(line, between)])
-            return true;
-    }
-    return false;
+    return error_set(table->error, ERROR_USER, "%.700s:%ld: %s", table->source->file, table->lines.number,
+                     text);
 }
 
 static bool name_matches(const char *names, const char *word, size_t length) {
@@ -119,10 +84,13 @@ static bool name_matches(const char *names, const char *word, size_t length) {
 
 /* The unit of a column in brackets: "[mm]", "(mm)". False if it is not one of the column. */
 static bool parse_unit(const char *brackets, enum column column, struct units_scale *scale) {
-    char unit[64];
+    char unit[64] = "";
     struct units_dimension given, wanted;
     struct units_scale si;
-    snprintf(unit, sizeof(unit), "%.*s", (int)strcspn(brackets + 1, "])"), brackets + 1);
+    size_t length = strcspn(brackets + 1, "])");
+    if (length >= sizeof(unit))
+        return false;
+    memcpy(unit, brackets + 1, length);
     return units_parse(unit, scale, &given) && units_parse(columns[column].unit, &si, &wanted) &&
            units_same(&given, &wanted);
 }
@@ -176,22 +144,12 @@ static bool has_column(const struct table *table, enum column column) {
     return false;
 }
 
-static int count_words(const char *line) {
-    int count = 0;
-    for (line += strspn(line, between); *line; line += strspn(line, between)) {
-        line += strcspn(line, between);
-        count++;
-    }
-    return count;
-}
-
 /* A header: a line without a number among its words, or a comment whose words all name columns. */
-static bool is_header(const char *line, bool comment) {
-    char copy[1024], *rest = copy, *word, *end;
+static bool is_header(const struct table *table, const char *line, bool comment) {
+    char *rest = table_lines_words(&table->lines, line), *word, *end;
     enum column column;
     struct units_scale scale;
-    snprintf(copy, sizeof(copy), "%s", line);
-    while ((word = next_word(&rest))) {
+    while ((word = table_lines_word(&rest))) {
         strtod(word, &end);
         if (comment ? parse_column(word, &column, &scale) == 0 : *end == '\0')
             return false;
@@ -201,9 +159,8 @@ static bool is_header(const char *line, bool comment) {
 
 /* Names the columns from words in a line. */
 static bool columns_from(struct table *table, const char *line) {
-    char copy[1024], *rest = copy, *word;
-    snprintf(copy, sizeof(copy), "%s", line);
-    while ((word = next_word(&rest)))
+    char *rest = table_lines_words(&table->lines, line), *word;
+    while ((word = table_lines_word(&rest)))
         if (!add_column(table, word))
             return false;
     return true;
@@ -211,14 +168,13 @@ static bool columns_from(struct table *table, const char *line) {
 
 /* Takes the units of a header for the columns that the scene names without one. */
 static bool units_from(struct table *table, const char *header) {
-    char copy[1024], *rest = copy, *word;
-    snprintf(copy, sizeof(copy), "%s", header);
-    bool matched = count_words(header) == table->width, open = false, open_at[SOURCE_COLUMNS_MAX];
+    char *rest = table_lines_words(&table->lines, header), *word;
+    bool matched = table_lines_count(header) == table->width, open = false, open_at[SOURCE_COLUMNS_MAX];
     for (int k = 0; k < table->width; k++) {
         open_at[k] = columns[table->column[k]].unit[0] && !strpbrk(table->source->column[k], "[(");
         open = open || open_at[k];
     }
-    for (int k = 0; (word = next_word(&rest)); k++) {
+    for (int k = 0; (word = table_lines_word(&rest)); k++) {
         const char *brackets = strpbrk(word, "[(");
         if (!brackets || !(matched ? open_at[k] : open))
             continue;
@@ -236,20 +192,20 @@ static bool units_from(struct table *table, const char *header) {
 /* Finds the columns: from the scene, a header line, or a comment of column names just before the data. The
  * text is left at the first row. */
 static bool find_columns(struct table *table) {
-    char line[1024], comment[1024] = "";
-    const char *start = table->at;
+    const char *start = table->lines.at;
     const struct source_options *source = table->source;
-    if (!next_line(table, line, sizeof(line), comment))
+    if (!table_lines_next(&table->lines, true))
         return fail(table, "%s", "the file holds no particles");
+    const char *line = table->lines.line, *comment = table->lines.comment;
     if (strncmp(line, "ITEM: ", 6) == 0)
         return fail(
             table,
             "this is a LAMMPS dump, not a table; `scree convert %s OUT.data` makes a lammps-data file of it",
             source->file);
-    bool header = is_header(line, false);
+    bool header = is_header(table, line, false);
     if (!header) {
-        table->at = start;
-        table->line = 0;
+        table->lines.at = start;
+        table->lines.number = 0;
     }
     char key[96], place[SCENE_PATH_MAX];
     source_key(table->number, "columns", key, sizeof(key));
@@ -264,7 +220,7 @@ static bool find_columns(struct table *table) {
                          place, key, source->file);
     if (source->column_count == 0 && !columns_from(table, header ? line : comment))
         return false;
-    if (source->column_count > 0 && (header || is_header(comment, true)) &&
+    if (source->column_count > 0 && (header || is_header(table, comment, true)) &&
         !units_from(table, header ? line : comment))
         return false;
     if (has_column(table, COLUMN_RADIUS) == has_column(table, COLUMN_DIAMETER))
@@ -322,14 +278,14 @@ static bool store(const struct table *table, struct source_batch *batch, size_t 
 
 static bool read_row(const struct table *table, struct source_batch *batch, size_t row, char *line) {
     char *word, what[200], *rest = line;
-    int width = count_words(line);
+    int width = table_lines_count(line);
     snprintf(what, sizeof(what),
              "%d values where there are %d columns; this is not a row of the list (`rows` ends the list "
              "before it)",
              width, table->width);
     if (width != table->width)
         return fail(table, "%s", what);
-    for (int k = 0; (word = next_word(&rest)); k++)
+    for (int k = 0; (word = table_lines_word(&rest)); k++)
         if (!store(table, batch, row, k, word))
             return false;
     double *radius = &batch->rows.radius[row];
@@ -339,18 +295,17 @@ static bool read_row(const struct table *table, struct source_batch *batch, size
         return fail(table, "%s", "the density must be > 0");
     if (has_column(table, COLUMN_DENSITY))
         batch->rows.mass[row] = particles_sphere_mass(*radius, batch->rows.mass[row]);
-    batch->line[row] = (uint32_t)table->line;
+    batch->line[row] = (uint32_t)table->lines.number;
     return true;
 }
 
 /* Rows of data from here on, at most as many as the scene wants, and the line of the last. */
 static size_t count_rows(const struct table *table, long *last_line) {
     struct table copy = *table;
-    char line[1024];
     size_t count = 0, wanted = (size_t)table->source->rows;
-    while ((wanted == 0 || count < wanted) && next_line(&copy, line, sizeof(line), NULL))
+    while ((wanted == 0 || count < wanted) && table_lines_next(&copy.lines, false))
         count++;
-    *last_line = copy.line;
+    *last_line = copy.lines.number;
     return count;
 }
 
@@ -368,22 +323,22 @@ static unsigned wanted_columns(const struct table *table) {
 }
 
 static bool read_rows(struct table *table, struct source_batch *batch) {
-    char line[1024], what[80];
+    char what[80];
     for (int64_t k = 0; k < table->source->skip_rows; k++)
-        if (!next_line(table, line, sizeof(line), NULL))
+        if (!table_lines_next(&table->lines, false))
             return fail(table, "%s", "the file ends within the rows that are skipped");
     long last_line;
     size_t count = count_rows(table, &last_line);
     snprintf(what, sizeof(what), "the file has %zu rows; `rows` asks for %lld", count,
              (long long)table->source->rows);
     if (count == 0 || count < (size_t)table->source->rows) {
-        table->line = last_line;
+        table->lines.number = last_line;
         return fail(table, "%s", count ? what : "the file holds no particles");
     }
     rows_create(&batch->rows, count, wanted_columns(table));
     batch->line = memory_allocate(count, sizeof(*batch->line), "lines");
     for (size_t row = 0; row < count; row++)
-        if (!next_line(table, line, sizeof(line), NULL) || !read_row(table, batch, row, line))
+        if (!table_lines_next(&table->lines, false) || !read_row(table, batch, row, table->lines.line))
             return false;
     return true;
 }
@@ -393,8 +348,9 @@ bool table_read(const struct scene *scene, int source, struct source_batch *batc
     char *text;
     if (!scene_read_text(table.source->file, &text, NULL, error))
         return false;
-    table.at = text;
+    table_lines_open(&table.lines, text);
     bool good = find_columns(&table) && read_rows(&table, batch);
+    table_lines_close(&table.lines);
     memory_free(text);
     return good;
 }
