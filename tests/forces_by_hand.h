@@ -7,6 +7,7 @@
 #include "core/random.h"
 #include "pairs_by_hand.h"
 #include "near.h"
+#include <omp.h>
 
 enum { COUNT = 200, MATERIALS = 3, LAWS = 24 };
 
@@ -111,6 +112,7 @@ struct rig {
 
 /* False if this CPU lacks the kernel. */
 static inline bool rig_make(struct rig *rig, const struct law *law, struct layout layout) {
+    omp_set_num_threads(layout.threads);
     *rig = (struct rig){.loop = force_loop_create(layout.threads)};
     if (layout.kernel && !force_loop_choose(rig->loop, layout.kernel)) {
         force_loop_destroy(&rig->loop);

@@ -13,6 +13,7 @@ check_PROGRAMS += \
 	tests/test_memory \
 	tests/test_random \
 	tests/test_scan \
+	tests/test_team \
 	tests/test_timer \
 	tests/test_version
 
@@ -26,6 +27,8 @@ tests_test_random_SOURCES = tests/test_random.c
 tests_test_random_LDADD = $(CORE_LIBS) $(TEST_LIBS)
 tests_test_scan_SOURCES = tests/test_scan.c
 tests_test_scan_LDADD = $(CORE_LIBS) $(TEST_LIBS)
+tests_test_team_SOURCES = tests/test_team.c
+tests_test_team_LDADD = $(CORE_LIBS) $(TEST_LIBS)
 tests_test_timer_SOURCES = tests/test_timer.c
 tests_test_timer_LDADD = $(CORE_LIBS) $(TEST_LIBS)
 tests_test_version_SOURCES = tests/test_version.c

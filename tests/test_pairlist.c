@@ -9,6 +9,7 @@
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdlib.h>
+#include <omp.h>
 #include <string.h>
 #include <cmocka.h>
 
@@ -54,6 +55,7 @@ static void cloud_search(struct cloud *c, int threads, bool newton) {
     struct error error = {0};
     pairlist_view(&c->view, c->particles, &c->classes, &c->box, wrap);
     c->view.newton = newton;
+    omp_set_num_threads(threads);
     c->view.threads = threads;
     c->index = index_create("brute", &params, &error);
     index_build(c->index, &c->view);

@@ -4,6 +4,7 @@
 #include "core/random.h"
 #include "pairs/pairlist.h"
 #include "pairs/sweep.h"
+#include <omp.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -51,6 +52,7 @@ static void cloud_search(struct cloud *c, int threads, bool newton) {
     struct pairlist_options options = {.threads = threads, .block_rows = 100, .busy_bound = 20};
     pairlist_view(&c->view, c->particles, &c->classes, &c->box, wrap);
     c->view.newton = newton;
+    omp_set_num_threads(threads);
     c->view.threads = threads;
     c->index = index_create("brute", &params, &error);
     index_build(c->index, &c->view);

@@ -6,6 +6,7 @@
 #include "walls/wall.h"
 #include "core/memory.h"
 #include "integrate/integrator.h"
+#include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -81,6 +82,7 @@ static inline struct wall_options hand_mesh(const char *path) {
 static inline void world_open(struct world *w, struct box box, struct law law,
                               const struct wall_options *options, int walls, int threads) {
     struct error error = {0};
+    omp_set_num_threads(threads);
     *w = (struct world){.box = box, .law = law, .threads = threads};
     w->particles = particles_create(law.spin ? PARTICLE_SPIN : 0, 0);
     w->motion = (struct integrator_context){.dt = 1e-4, .dimension = box.dimension, .groups = 1};

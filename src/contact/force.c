@@ -2,7 +2,6 @@
 #include "contact/force_kernel.h"
 #include "core/memory.h"
 #include <assert.h>
-#include <omp.h>
 #include <string.h>
 
 struct force_loop {
@@ -155,13 +154,9 @@ void force_loop_abandon(struct force_loop *loop, const struct force_context *con
 
 void force_loop_run(struct force_loop *loop, const struct force_context *context, struct force_sums *sums) {
     const struct pairlist *list = context->list;
-#pragma omp parallel num_threads(loop->threads)
-    {
-        /* the team may be smaller than asked for: a member then takes several threads' blocks, one after
-         * another */
-        for (int t = omp_get_thread_num(); t < loop->threads; t += omp_get_num_threads())
-            for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
-                force_loop_block(loop, context, t, b);
-    }
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < loop->threads; t++)
+        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
+            force_loop_block(loop, context, t, b);
     force_loop_finish(loop, context, sums);
 }

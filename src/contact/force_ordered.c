@@ -171,7 +171,7 @@ static void range_add(const struct force_ordered *o, struct force_range *range, 
 }
 
 void force_ordered_add(struct force_ordered *o, size_t owned, double *force, size_t stride) {
-#pragma omp parallel for num_threads(o->threads) schedule(static, 1)
+#pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < o->threads; t++) {
         o->range[t]->first = owned * (size_t)t / (size_t)o->threads;
         o->range[t]->last = owned * ((size_t)t + 1) / (size_t)o->threads;

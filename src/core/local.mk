@@ -14,6 +14,8 @@ libcore_la_SOURCES = \
 	src/core/scan.c \
 	src/core/scan.h \
 	src/core/stream.h \
+	src/core/team.c \
+	src/core/team.h \
 	src/core/threads.c \
 	src/core/threads.h \
 	src/core/timer.c \

@@ -44,6 +44,7 @@ struct run {
     double checkpoint_last; /* seconds: the last checkpoint by wall clock */
     bool checkpoint_due;    /* decided in the step before */
     int lock;               /* of the folder */
+    bool crowd_told;        /* that other programs use the cores */
 };
 
 bool run_directory(const struct comm *comm, const struct run_options *options, struct error *error) {
@@ -101,6 +102,18 @@ static bool checkpoint_regular(struct run *run, struct error *error) {
            resume_write(run->s, &run->output, "", error);
 }
 
+/* Says once that other programs use the cores. */
+static void crowd_tell(struct run *run) {
+    const struct simulation *s = run->s;
+    char text[400];
+    if (run->crowd_told || run->options->quiet || s->comm->rank != 0 || !team_crowded(&s->team))
+        return;
+    run->crowd_told = true;
+    team_describe(&s->team, text, sizeof text);
+    fprintf(stderr, "%sscree: warning: %s (said once)\n",
+            run->progress.mode == PROGRESS_BAR ? "\r\033[K" : "", text);
+}
+
 static bool step_once(struct run *run, struct error *error) {
     struct simulation *s = run->s;
     int64_t every = s->scene->step.rebuild_every;
@@ -112,6 +125,7 @@ static bool step_once(struct run *run, struct error *error) {
     s->contact.want_virial = watched || (run->outputs && outputs_want_sums(run->outputs, s, s->step + 1));
     s->contact.want_sums = s->contact.want_virial || s->sums_each_step;
     step_run(s, rebuild);
+    crowd_tell(run);
     run->record.particle_steps += (double)s->total;
     if (s->step % POSITIONS_EVERY == 0)
         guards_check_positions(s);

@@ -128,6 +128,7 @@ void run_report_fill(const struct simulation *s, const struct run_record *run, s
     report->particles = s->total;
     report->ranks = s->comm->size;
     report->threads = s->threads;
+    report->threads_working = team_mean(&s->team);
     report->newton = s->scene->ghosts.newton;
     report->reduced = s->scene->ghosts.reduced;
     snprintf(report->simd, sizeof report->simd, "%s", force_loop_kernel(s->loop));

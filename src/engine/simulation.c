@@ -133,7 +133,7 @@ bool simulation_classify(struct simulation *s, struct error *error) {
 void simulation_index_view(struct simulation *s, struct index_view *view) {
     pairlist_view(view, s->particles, &s->classes, &s->scene->box, s->wrap);
     view->newton = s->scene->ghosts.newton;
-    view->threads = s->threads;
+    view->threads = s->team.size;
 }
 
 struct output_view simulation_view(const struct simulation *s) {
@@ -178,6 +178,8 @@ static bool set_threads(struct simulation *s, struct error *error) {
     if (s->scene->threads == 0 && usual < most)
         most = usual;
     s->threads = threads_set(s->scene->threads, most, error);
+    team_begin(&s->team, s->threads, s->scene->threads > 0);
+    team_probe(&s->team);
     return s->threads > 0;
 }
 
@@ -373,6 +375,7 @@ void simulation_destroy(struct simulation **simulation) {
     struct simulation *s = *simulation;
     if (s == NULL)
         return;
+    team_end(&s->team);
     guards_destroy(s);
     force_loop_destroy(&s->loop);
     walls_destroy(&s->walls);

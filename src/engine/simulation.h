@@ -15,6 +15,7 @@
 #include "comm/ghosts.h"
 #include "contact/force.h"
 #include "contact/law.h"
+#include "core/team.h"
 #include "walls/wall.h"
 #include "core/timer.h"
 #include "index/index.h"
@@ -77,7 +78,8 @@ struct tuning {
 struct simulation {
     const struct comm *comm;   /* borrowed */
     const struct scene *scene; /* borrowed */
-    int threads;
+    int threads;               /* that work is dealt out to */
+    struct team team;          /* those that work at a time */
 
     struct law law;
     struct integrator_context motion;

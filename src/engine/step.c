@@ -29,7 +29,6 @@
 #include "engine/guards.h"
 #include <assert.h>
 #include <math.h>
-#include <omp.h>
 #include <string.h>
 
 static void servo_run(struct simulation *s) {
@@ -50,9 +49,8 @@ static void advance(struct simulation *s, int thread, size_t first, size_t last,
 
 static void advance_run(struct simulation *s) {
     const struct pairlist *list = s->list;
-#pragma omp parallel num_threads(list->threads)
-    {
-        int t = omp_get_thread_num();
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < list->threads; t++) {
         memset(s->speed[t], 0, sizeof s->speed[t]);
         for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
             const struct pair_block *block = &list->blocks[b];
@@ -166,12 +164,10 @@ static void exchange_run(struct simulation *s) {
 
 static void contact_run(struct simulation *s) {
     s->particles->force_clear = false;
-#pragma omp parallel num_threads(s->list->threads)
-    {
-        int t = omp_get_thread_num();
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < s->list->threads; t++)
         for (int b = s->list->thread_block[t]; b < s->list->thread_block[t + 1]; b++)
             force_loop_block(s->loop, &s->contact, t, b);
-    }
 }
 
 /* The early particles of a thread, before all others. */
@@ -183,27 +179,36 @@ static void early_move(struct simulation *s, int t) {
 }
 
 static void early_run(struct simulation *s) {
-#pragma omp parallel num_threads(s->threads)
-    early_move(s, omp_get_thread_num());
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < s->threads; t++)
+        early_move(s, t);
     ghosts_forward_begin(s->ghosts, s->particles);
 }
 
-static void sweep_run(struct simulation *s) {
+/* The blocks of a thread: late particles move, then forces. */
+static void late_sweep(struct simulation *s, int t) {
     const struct pairlist *list = s->list;
-#pragma omp parallel num_threads(s->threads)
+    const struct sweep_thread *plan = &s->sweep->thread[t];
+    int first = list->thread_block[t];
+    for (int b = first; b < list->thread_block[t + 1]; b++) {
+        for (size_t r = plan->start[b - first]; r < plan->start[b - first + 1]; r++)
+            advance(s, t, plan->late[r].first, plan->late[r].last, plan->late[r].size_class);
+        if (s->alone || list->blocks[b].kind != PAIR_BLOCK_GHOST)
+            force_loop_block(s->loop, &s->contact, t, b);
+    }
+}
+
+static void sweep_run(struct simulation *s) {
+#pragma omp parallel
     {
-        int t = omp_get_thread_num(), first = list->thread_block[t];
-        const struct sweep_thread *plan = &s->sweep->thread[t];
         if (s->alone) {
-            early_move(s, t);
-#pragma omp barrier
+#pragma omp for schedule(static, 1)
+            for (int t = 0; t < s->threads; t++)
+                early_move(s, t);
         }
-        for (int b = first; b < list->thread_block[t + 1]; b++) {
-            for (size_t r = plan->start[b - first]; r < plan->start[b - first + 1]; r++)
-                advance(s, t, plan->late[r].first, plan->late[r].last, plan->late[r].size_class);
-            if (s->alone || list->blocks[b].kind != PAIR_BLOCK_GHOST)
-                force_loop_block(s->loop, &s->contact, t, b);
-        }
+#pragma omp for schedule(static, 1) nowait
+        for (int t = 0; t < s->threads; t++)
+            late_sweep(s, t);
     }
     agree_begin(s);
 }
@@ -215,11 +220,9 @@ static void receive_run(struct simulation *s) {
 
 static void copies_run(struct simulation *s) {
     const struct pairlist *list = s->list;
-#pragma omp parallel num_threads(s->threads)
-    {
-        int t = omp_get_thread_num();
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < s->threads; t++)
         force_loop_block(s->loop, &s->contact, t, list->thread_block[t + 1] - 1);
-    }
 }
 
 static void verify_run(struct simulation *s) {
@@ -236,8 +239,9 @@ static void verify_run(struct simulation *s) {
 }
 
 static void wall_run(struct simulation *s) {
-#pragma omp parallel num_threads(s->threads)
-    walls_force_share(s->walls, &s->contact, omp_get_thread_num());
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < s->threads; t++)
+        walls_force_share(s->walls, &s->contact, t);
 }
 
 /* Forces on walls summed without rounding: rank 0 gets those of all ranks. */
@@ -335,6 +339,12 @@ void step_plan_print(const struct simulation *s, FILE *file) {
     order_print(&s->plain, file);
 }
 
+/* Seconds in the stages whose work is dealt out to threads and that wait for no other rank. */
+static double work_seconds(const struct timers *timers) {
+    return timers->seconds[TIMER_ADVANCE] + timers->seconds[TIMER_SWEEP] + timers->seconds[TIMER_CONTACT] +
+           timers->seconds[TIMER_WALL];
+}
+
 void step_run(struct simulation *s, bool rebuild) {
     s->step++;
     s->time = s->time_base + (double)(s->step - s->step_base) * s->dt;
@@ -348,6 +358,7 @@ void step_run(struct simulation *s, bool rebuild) {
         order->pass[p].run(s);
         timer_stop(&s->timers, order->pass[p].stage);
     }
+    team_step(&s->team, s->timers.since, work_seconds(&s->timers));
 }
 
 void step_forces(struct simulation *s) {

@@ -156,6 +156,9 @@ void report_print(const struct report *report, FILE *file) {
             report->law, report->integrator, report->newton ? "on" : "off",
             report->reproducible ? ", reproducible" : "", report->ranks, report->ranks == 1 ? "" : "s",
             report->threads, report->threads == 1 ? "" : "s");
+    if (report->threads_working > 0 && report->threads_working < 0.95 * report->threads)
+        fprintf(file, "  %.1f threads at work on average: other programs used the cores\n",
+                report->threads_working);
     fprintf(file, "  %s pairs, %s contacts", grouped(report->pairs, a), grouped(report->contacts, b));
     fprintf(file, ", %s rebuilds\n", grouped(report->rebuilds, a));
     fprintf(file, "  %.0f bytes a particle, peak memory of a rank %.1f MB\n", report->bytes_per_particle,

@@ -44,6 +44,7 @@ struct report {
     double dt;
     uint64_t particles;
     int ranks, threads;
+    double threads_working; /* of a rank at a time, mean over the run; 0: all */
     char index[REPORT_NAME_MAX], law[REPORT_NAME_MAX], integrator[REPORT_NAME_MAX];
     bool newton, reduced;       /* reduced: copies travel only as far as partners do */
     char simd[REPORT_NAME_MAX]; /* instruction set of the force loop */

@@ -143,6 +143,8 @@ static void put_counts(FILE *file, const struct report *report) {
     key_count(file, "particles", report->particles);
     key_count(file, "ranks", (uint64_t)report->ranks);
     key_count(file, "threads", (uint64_t)report->threads);
+    key_real(file, "threads_working",
+             report->threads_working > 0 ? report->threads_working : report->threads);
     key_text(file, "index", report->index);
     key_text(file, "law", report->law);
     key_text(file, "integrator", report->integrator);

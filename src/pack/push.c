@@ -3,7 +3,6 @@
 #include "core/memory.h"
 
 #include <math.h>
-#include <omp.h>
 #include <string.h>
 
 /* Of a push: so many are the smallest radius times the stiffness of two smallest spheres. */
@@ -99,9 +98,8 @@ double push_all(struct pushes *pushes, const struct pack_search *search) {
     const struct pairlist *list = search->list;
     double largest = 0;
     prepare_slots(pushes, list->slot_count);
-#pragma omp parallel num_threads(pushes->threads) reduction(max : largest)
-    /* the team may be smaller than asked for: a member then takes several threads' blocks */
-    for (int t = omp_get_thread_num(); t < list->threads; t += omp_get_num_threads())
+#pragma omp parallel for schedule(static, 1) reduction(max : largest)
+    for (int t = 0; t < list->threads; t++)
         for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
             largest = fmax(largest, push_block(pushes, search, &list->blocks[b], pushes->slot[t]));
     for (size_t s = 0; s < list->slot_count; s++) {
@@ -139,7 +137,7 @@ void push_move(struct pushes *pushes, const struct pack_search *search, double f
     struct particles *particles = search->particles;
     for (int c = 0; c < CLASS_MAX; c++)
         largest[c] = 0;
-#pragma omp parallel num_threads(pushes->threads)
+#pragma omp parallel
     {
         double mine[CLASS_MAX] = {0};
 #pragma omp for schedule(static)

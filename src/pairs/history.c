@@ -2,7 +2,6 @@
 #include "core/memory.h"
 #include <assert.h>
 #include <math.h>
-#include <omp.h>
 #include <string.h>
 
 struct history *history_create(int components, int threads) {
@@ -188,13 +187,13 @@ void history_detach(const struct history *history, const struct pairlist *list,
         rows->row = memory_allocate(0, sizeof *rows->row, "history rows");
         return;
     }
-#pragma omp parallel for num_threads(history->threads) schedule(static, 1)
+#pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
         records_scatter(record_walk_begin(history, list, owned, place, t), particles, both_ends, rows->start,
                         NULL);
     rows->count = starts_from_counts(rows->start, owned);
     rows->row = memory_allocate(rows->count, sizeof *rows->row, "history rows");
-#pragma omp parallel for num_threads(history->threads) schedule(static, 1)
+#pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
         records_scatter(record_walk_begin(history, list, owned, place, t), particles, both_ends, rows->start,
                         rows->row);
@@ -302,7 +301,7 @@ static void attach_thread(struct history *history, const struct attach *a, int t
 void history_attach(struct history *history, const struct history_rows *rows, const struct pairlist *list,
                     const struct particles *particles, double apart) {
     struct attach attach = {rows, list, particles, 0.25 * apart * apart};
-#pragma omp parallel for num_threads(history->threads) schedule(static, 1)
+#pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
         attach_thread(history, &attach, t);
 }

@@ -90,7 +90,7 @@ static void links_sort(const struct keeping *keeping, uint32_t begin, uint32_t e
 
 static void links_sort_all(const struct keeping *keeping) {
     size_t owned = keeping->kept->owned, threads = (size_t)keeping->history->threads;
-#pragma omp parallel for num_threads(keeping->history->threads) schedule(static, 1)
+#pragma omp parallel for schedule(static, 1)
     for (size_t t = 0; t < threads; t++)
         links_sort(keeping, (uint32_t)(owned * t / threads), (uint32_t)(owned * (t + 1) / threads));
 }
@@ -126,10 +126,10 @@ void history_keep(const struct history *history, const struct pairlist *list,
     struct keeping keeping = {history, list, now, numbers->before, kept, NULL, NULL};
     keeping.link = memory_allocate(count, sizeof *keeping.link, "kept history");
     keeping.bounds = memory_allocate(chunks, sizeof *keeping.bounds, "kept history");
-#pragma omp parallel for num_threads(history->threads) schedule(static, 1)
+#pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
         links_make(&keeping, t);
-#pragma omp parallel for num_threads(history->threads) schedule(static)
+#pragma omp parallel for schedule(static)
     for (size_t chunk = 0; chunk < chunks; chunk++)
         bounds_find(&keeping, chunk, (chunk + 1) * CHUNK < count ? (chunk + 1) * CHUNK : count);
     links_sort_all(&keeping);
@@ -271,7 +271,7 @@ void history_restore(struct history *history, const struct history_kept *kept,
                      const struct history_rows *rows, const struct history_twins *twins,
                      const struct pairlist *list, const struct particles *particles) {
     struct restoring restoring = {kept, rows, twins, list, particles};
-#pragma omp parallel for num_threads(history->threads) schedule(static, 1)
+#pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
         restore_thread(history, &restoring, t);
     history_flip(history);

@@ -12,7 +12,6 @@
 #include "core/memory.h"
 #include "index/grids/members.h"
 #include <assert.h>
-#include <omp.h>
 #include <string.h>
 
 enum { NO_THREAD = 255, SINK_FIRST = 1 << 14, REGION_SPARE = 1024 };
@@ -295,15 +294,18 @@ static void pass_ghosts(const struct pass *pass, int t) {
 
 static void pass_run(const struct pass *pass) {
     struct pairlist *list = pass->list;
-#pragma omp parallel num_threads(list->threads)
+#pragma omp parallel
     {
-        int t = omp_get_thread_num();
-        pass_rows(pass, t);
-#pragma omp barrier
+#pragma omp for schedule(static, 1)
+        for (int t = 0; t < list->threads; t++)
+            pass_rows(pass, t);
 #pragma omp single
         ghosts_assign(pass);
-        pass_mirror(pass, t);
-        pass_ghosts(pass, t);
+#pragma omp for schedule(static, 1) nowait
+        for (int t = 0; t < list->threads; t++) {
+            pass_mirror(pass, t);
+            pass_ghosts(pass, t);
+        }
     }
 }
 

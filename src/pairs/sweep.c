@@ -1,7 +1,6 @@
 #include "pairs/sweep.h"
 #include "core/memory.h"
 #include "index/grids/members.h"
-#include <omp.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -133,7 +132,7 @@ void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned,
                  size_t originals_count) {
     sweep->stale = false;
     early_mark(sweep, list, owned, originals, originals_count);
-#pragma omp parallel for num_threads(sweep->threads) schedule(static, 1)
+#pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < sweep->threads; t++) {
         struct sweep_thread *thread = &sweep->thread[t];
         uses_find(thread, list, t, owned);

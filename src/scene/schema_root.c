@@ -332,7 +332,8 @@ static const struct schema_row root_rows[] = {
     {.key = "integrator", .type = SCHEMA_CHOICE, .choice = integrator_choice,
      .fallback = "synchronised_verlet", AT(struct scene, integrator), .help = "how the motion is integrated"},
     {.key = "threads", .type = SCHEMA_INT, .range = "[0, 255]", .fallback = "0", AT(struct scene, threads),
-     .help = "threads a rank; 0: OMP_NUM_THREADS, or its share of the cores that the ranks of its machine may run on"},
+     .help = "threads a rank; 0: OMP_NUM_THREADS, or its share of the cores that the ranks of its machine may run on, "
+             "of which fewer work at a time where other programs use the cores (the same results)"},
     {.key = "simd", .type = SCHEMA_NAME, .names = simd_names, .fallback = "auto", AT(struct scene, simd),
      .help = "vector instructions of search and forces; auto: the widest that the CPU has. Pairs and forces are the same"},
     {.key = "contact", .type = SCHEMA_SECTION, .sub = &contact_table, .main = "law",

@@ -2,7 +2,6 @@
  * its own range of particles, so that the result is the same for any number of threads. */
 #include "walls/walls_parts.h"
 #include "core/memory.h"
-#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -168,7 +167,7 @@ void walls_build(struct walls *walls, const struct particles *particles, const s
                                           "wall candidates");
     }
     anchor(walls);
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
+#pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < threads; t++)
         share[t] = count_range(walls, particles, classes, range_start(owned, t, threads),
                                range_start(owned, t + 1, threads));
@@ -181,7 +180,7 @@ void walls_build(struct walls *walls, const struct particles *particles, const s
         sum.most = mine.most > sum.most ? mine.most : sum.most;
     }
     reserve(walls, sum.candidates, sum.pieces);
-#pragma omp parallel for num_threads(threads) schedule(static, 1)
+#pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < threads; t++) {
         int32_t *number = memory_allocate(sum.most, sizeof *number, "wall candidates");
         walls_scratch_reserve(walls->scratch[t], sum.most);

@@ -169,6 +169,7 @@ static void json_holds_all_keys(void **state) {
                                            "\"particles\": 1000000,",
                                            "\"ranks\": ",
                                            "\"threads\": 3,",
+                                           "\"threads_working\": 3,",
                                            "\"index\": \"hgrid\",",
                                            "\"levels\": [",
                                            "\"cells\": 5, \"particles\": 6",
