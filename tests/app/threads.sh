@@ -100,9 +100,13 @@ working() {
 check 'one of two threads works' working
 check 'all of a number that the scene names' [ "$(number fixed/report.json threads_working)" = 2 ]
 kill "${loops[@]}"
+# all that a checkpoint holds but the scene, which names the threads
+bits() {
+    contents "$1/checkpoint-4000.h5" | grep -v '^/scene ' | awk '{ print } END { exit NR < 10 }'
+}
 same_bits() {
     OMP_WAIT_POLICY=passive run_scene 1 bed.yaml all --set threads=2 && cmp all/observables.csv crowded/observables.csv &&
-        contents all/checkpoint-4000.h5 >all.txt && contents crowded/checkpoint-4000.h5 >crowded.txt && cmp all.txt crowded.txt
+        bits all >all.txt && bits crowded >crowded.txt && cmp all.txt crowded.txt
 }
 check 'the same bits as with both at work all the time' same_bits
 finish
