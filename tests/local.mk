@@ -3,7 +3,7 @@
 TEST_LIBS = $(CMOCKA_LIBS)
 TEST_MPI_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS) $(HDF5_CFLAGS)
 
-EXTRA_DIST += tests/launch tests/lsan.supp
+EXTRA_DIST += tests/launch tests/lsan.supp tests/without_cmocka/cmocka.h
 
 dist_check_SCRIPTS += tests/lint
 
