@@ -159,6 +159,36 @@ static void test_gross_sliding(void **state) {
         }
 }
 
+/* An impact that slides throughout: Coulomb's impulse where the contact ends at zero force (the default), and
+ * more by law_end_friction where it ends at zero overlap, as the damper pulls; the restitution is that asked
+ * for in both. */
+static void test_end_and_friction(void **state) {
+    (void)state;
+    const double mu = 0.1, tangential = 10.0;
+    for (int hertz = 0; hertz < 2; hertz++)
+        for (int end = 0; end < 3; end++)
+            for (int tenth = 1; tenth < 10; tenth += 2) {
+                double e = 0.1 * tenth,
+                       share = law_end_friction(e, end == 1 ? LAW_END_OVERLAP : LAW_END_FORCE);
+                struct law_options options = law_options_default();
+                options.normal = hertz ? LAW_HERTZ : LAW_HOOKE;
+                if (end > 0)
+                    options.end = end == 1 ? LAW_END_OVERLAP : LAW_END_FORCE;
+                struct law law =
+                    law_for(options, glass,
+                            (struct law_pair){.restitution = e, .friction = mu, .k_n = 1e4, .k_t = 1e4});
+                struct ball b = {.radius = 0.5, .mass = 2.0, .z = 0.5, .vx = tangential, .vz = -1.0};
+                double time = M_PI * (hertz ? 1e-4 : sqrt(2.0 / 1e4));
+                do
+                    ball_step(&b, &law, 0.0, 0.0, 1e-4 * time);
+                while (b.z < b.radius);
+                assert_near(b.vz, e, 1e-3);
+                assert_near((tangential - b.vx) / (mu * (1.0 + e)), 1.0 + share, 2e-3);
+            }
+    assert_near(law_end_friction(0.5, LAW_END_OVERLAP), 0.067, 5e-4);
+    assert_near(law_end_friction(1.0, LAW_END_OVERLAP), 0.0, 1e-15);
+}
+
 /* Lets a ball with speed u slide on a plane until `time`. */
 static struct ball ball_on_plane(const struct law *law, double u, double w, double gx, double time) {
     const double g = 10.0, k = 1e4;
@@ -211,8 +241,9 @@ static void test_rolling_resistance(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_restitution),        cmocka_unit_test(test_restitution_ends),
-        cmocka_unit_test(test_chung_ooi),          cmocka_unit_test(test_gross_sliding),
-        cmocka_unit_test(test_sliding_to_rolling), cmocka_unit_test(test_rolling_resistance)};
+        cmocka_unit_test(test_restitution),       cmocka_unit_test(test_restitution_ends),
+        cmocka_unit_test(test_chung_ooi),         cmocka_unit_test(test_gross_sliding),
+        cmocka_unit_test(test_end_and_friction),  cmocka_unit_test(test_sliding_to_rolling),
+        cmocka_unit_test(test_rolling_resistance)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

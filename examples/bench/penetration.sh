@@ -35,7 +35,7 @@ run_lammps() {
 run_scree() {
     quietly on_ranks "$1" "$SCREE" run "$case/scene.yaml" -o "$work/run" --overwrite --set threads="$2" \
         --set duration="$(awk -v n="$3" 'BEGIN { printf "%.10g", n * 5e-7 }')" \
-        --set integrator=velocity_verlet --set contact.tangential_damping_equal=true --set contact.sliding=total \
+        --set integrator=velocity_verlet --set contact.tangential_damping_equal=true --set contact.sliding=total --set contact.end=overlap \
         --set "particles.sources[1].position=[0, 0, $z]" --set "particles.sources[1].velocity=[0, 0, $v]" \
         --set "observables.list=[{name: position, label: ball, id: 25001, components: z}]" \
         --set output.trajectory.every=0 --set output.checkpoint.at_end=false &&

@@ -60,12 +60,36 @@ static void print_term(const char *term, const char *brought_by, const char *wou
         printf("  %-22s off  %s\n", term, would_bring);
 }
 
+/* What the end of contacts does, at the least restitution of all pairs, beside what the other end would do.
+ */
+static void print_end(const struct simulation *s) {
+    enum law_end end = s->law.options.end, other = end == LAW_END_FORCE ? LAW_END_OVERLAP : LAW_END_FORCE;
+    static const char *const what[] = {[LAW_END_OVERLAP] = "overlap: the damper pulls before surfaces part",
+                                       [LAW_END_FORCE] = "force: grains never attract"};
+    double e = 1.0;
+    for (int a = 0; a < s->law.materials; a++)
+        for (int b = a; b < s->law.materials; b++)
+            e = fmin(e, s->scene->law_pair[a][b].restitution);
+    printf("  %-22s on   contact.end: %s", "end of a contact", what[end]);
+    if (s->law.options.damping == LAW_DAMPING_COEFFICIENT)
+        printf("; the restitution depends on it");
+    else if (e < 1.0)
+        printf("; at restitution %g damping ratio %.3g, friction of sliding impacts %.3f of Coulomb's (%s: "
+               "%.3g, "
+               "%.3f)",
+               e, law_hooke_damping_ratio(e, end), 1.0 + law_end_friction(e, end),
+               end == LAW_END_FORCE ? "overlap" : "force", law_hooke_damping_ratio(e, other),
+               1.0 + law_end_friction(e, other));
+    printf("\n");
+}
+
 static void print_terms(const struct simulation *s) {
     const struct scene *scene = s->scene;
     char text[WHY_MAX] = "";
     printf("\nwhat is modelled, and why\n");
     print_term("normal force",
                s->law.options.normal == LAW_HERTZ ? "contact.law: hertz" : "contact.law: hooke", "");
+    print_end(s);
     pairs_with(scene, offsetof(struct law_pair, friction), text, sizeof text);
     print_term("friction, spin, history", s->law.spin ? text[0] ? text : "contact.tangential: history" : "",
                "contact.tangential: none");

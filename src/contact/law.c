@@ -6,7 +6,7 @@
 struct law_options law_options_default(void) {
     return (struct law_options){.normal = LAW_HERTZ,
                                 .damping = LAW_DAMPING_RESTITUTION,
-                                .end = LAW_END_OVERLAP,
+                                .end = LAW_END_FORCE,
                                 .tangential = LAW_TANGENTIAL_HISTORY,
                                 .rolling = LAW_ROLLING_NONE,
                                 .tangential_damping_ratio = 1.0,
@@ -38,6 +38,13 @@ double law_hooke_damping_ratio(double restitution, enum law_end end) {
             high = middle;
     }
     return restitution >= 1.0 ? 0.0 : 0.5 * (low + high);
+}
+
+double law_end_friction(double restitution, enum law_end end) {
+    if (end == LAW_END_FORCE)
+        return 0.0;
+    double left = law_restitution_end_force(law_hooke_damping_ratio(restitution, LAW_END_OVERLAP));
+    return 2.0 * (left - restitution) / (1.0 + restitution);
 }
 
 double law_hertz_alpha(double restitution, enum law_end end) {

@@ -97,7 +97,7 @@ struct law {
     bool spin;              /* particles need angular velocity and torque */
 };
 
-/* The defaults: hertz, restitution, end at zero overlap, history, no rolling. */
+/* The defaults: hertz, restitution, end at zero force, history, no rolling. */
 struct law_options law_options_default(void);
 
 /* Makes the table of coefficients from the entries pair[a][b], a <= b < materials. Fails (user) on values out
@@ -111,6 +111,12 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
  * Matter 9 (2007) 465); there e = 0 needs an infinite damper, and e below LAW_RESTITUTION_LEAST is taken as
  * that. */
 double law_hooke_damping_ratio(double restitution, enum law_end end);
+
+/* By which part of Coulomb's impulse, mu (1 + e) m* v, the friction of an impact that slides throughout
+ * exceeds it: 0 where the contact ends at zero force; where it ends at zero overlap the limit counts the
+ * damper's pull, too: 2 (e_F - e) / (1 + e), e_F being what e would be if the same damper ended at zero force
+ * (both laws; docs/physics.md). */
+double law_end_friction(double restitution, enum law_end end);
 
 /* The Hertz damping coefficient alpha for a restitution, for either end: sqrt(5) zeta, as overlap^(5/4) turns
  * the damped Hertz contact into a linear spring-dashpot (Antypov and Elliott, EPL 94 (2011) 50004;

@@ -310,6 +310,8 @@ static bool check_law(const struct scene *scene, struct error *error) {
                            "beside tangential_damping_ratio; %s", one_of_two);
     if (scene->law.lammps_hooke && scene->law.damping != LAW_DAMPING_COEFFICIENT)
         return finish_fail(scene, error, "contact.lammps_hooke", "needs contact.damping: coefficient");
+    if (scene->law.lammps_hooke && scene->law.end != LAW_END_OVERLAP)
+        return finish_fail(scene, error, "contact.lammps_hooke", "needs contact.end: overlap");
     if (scene->law.lammps_hooke && scene->law.rolling != LAW_ROLLING_NONE)
         return finish_fail(scene, error, "contact.lammps_hooke", "has no rolling resistance");
     if (scene->law.damping == LAW_DAMPING_COEFFICIENT && scene->law.normal != LAW_HOOKE)

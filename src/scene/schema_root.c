@@ -132,8 +132,9 @@ static const struct schema_name damping_names[] = {
      "from gamma_n and gamma_t, per unit of effective mass, as LAMMPS has it; with law: hooke only"},
     {0}};
 static const struct schema_name end_names[] = {
-    {"overlap", LAW_END_OVERLAP, "when the surfaces part; the damper may pull just before"},
-    {"force", LAW_END_FORCE, "when the force would pull"},
+    {"overlap", LAW_END_OVERLAP,
+     "when the surfaces part: the damper pulls just before, and friction counts that, too, as LAMMPS has it"},
+    {"force", LAW_END_FORCE, "when the force would pull: grains never attract"},
     {0}};
 static const struct schema_name tangential_names[] = {
     {"none", LAW_FRICTIONLESS, "no friction: no spin, no torque, no history anywhere"},
@@ -153,8 +154,8 @@ static const struct schema_row contact_rows[] = {
      AT(struct law_options, normal), .help = "the normal force"},
     {.key = "damping", .type = SCHEMA_NAME, .names = damping_names, .fallback = "restitution",
      AT(struct law_options, damping), .help = "where the damping comes from"},
-    {.key = "end", .type = SCHEMA_NAME, .names = end_names, .fallback = "overlap",
-     AT(struct law_options, end), .help = "when a contact ends"},
+    {.key = "end", .type = SCHEMA_NAME, .names = end_names, .fallback = "force",
+     AT(struct law_options, end), .help = "when a contact ends; both give the restitution asked for"},
     {.key = "tangential", .type = SCHEMA_NAME, .names = tangential_names, .fallback = "history",
      AT(struct law_options, tangential), .help = "the tangential force"},
     {.key = "sliding", .type = SCHEMA_NAME, .names = sliding_names, .fallback = "series",
@@ -170,7 +171,7 @@ static const struct schema_row contact_rows[] = {
      .help = "the tangential damping coefficient equals the normal one, as in LAMMPS's pair_style granular"},
     {.key = "lammps_hooke", .type = SCHEMA_BOOL, .fallback = "false", .when = "law=hooke",
      AT(struct law_options, lammps_hooke),
-     .help = "gran/hooke/history of LAMMPS to the letter, for comparisons: the lever is the radius, too; needs damping: coefficient, rolling: none and integrator: "
+     .help = "gran/hooke/history of LAMMPS to the letter, for comparisons: the lever is the radius, too; needs damping: coefficient, end: overlap, rolling: none and integrator: "
              "velocity_verlet"},
 };
 static const struct schema_table contact_table = TABLE(contact_rows);

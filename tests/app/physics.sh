@@ -47,7 +47,7 @@ for run in plane two thousand; do
 done
 rolled() { # bounced, then rolls: in touch at the end, turned by friction, has come over several triangles
     within "$(column plane/observables.csv particle1_z)" 0.5 0.01 && [ "$(number plane/report.json contacts)" = 1 ] &&
-        awk -v x="$(column plane/observables.csv particle1_x)" 'BEGIN { exit !(x > 1.5) }'
+        awk -v x="$(column plane/observables.csv particle1_x)" 'BEGIN { exit !(x > 1.4) }'
 }
 check 'the sphere bounced and rolls' rolled
 check 'plane and 2 triangles' same_path plane two
