@@ -137,6 +137,10 @@ check_PROGRAMS += tests/test_output_options
 tests_test_output_options_SOURCES = tests/test_output_options.c
 tests_test_output_options_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
 
+check_PROGRAMS += tests/test_file
+tests_test_file_SOURCES = tests/test_file.c
+tests_test_file_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
+
 check_PROGRAMS += tests/test_library
 tests_test_library_SOURCES = tests/test_library.c
 tests_test_library_LDADD = $(APP_LIBS) $(TEST_LIBS)
@@ -163,6 +167,7 @@ tests_bench_triad_LDADD = $(CORE_LIBS)
 check_PROGRAMS += \
 	tests/test_mesh \
 	tests/test_wall \
+	tests/test_wall_edge \
 	tests/test_wall_history \
 	tests/test_wall_images \
 	tests/test_wall_mesh \
@@ -174,6 +179,8 @@ tests_test_mesh_SOURCES = tests/test_mesh.c
 tests_test_mesh_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_wall_SOURCES = tests/test_wall.c
 tests_test_wall_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
+tests_test_wall_edge_SOURCES = tests/test_wall_edge.c
+tests_test_wall_edge_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_wall_mesh_SOURCES = tests/test_wall_mesh.c
 tests_test_wall_mesh_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_wall_motion_SOURCES = tests/test_wall_motion.c

@@ -43,6 +43,11 @@ static void not_finite(void **state) {
     const double infinite[] = {1, INFINITY}, nan[] = {NAN, 2};
     assert_true(isnan(sum_of(infinite, 2)));
     assert_true(isnan(sum_of(nan, 2)));
+    struct exact whole = {{0}}, part = {{0}};
+    exact_add(&whole, 1);
+    exact_add(&part, -INFINITY);
+    exact_join(&whole, &part); /* parts of one sum: what one has seen holds of all */
+    assert_true(isnan(exact_value(&whole)));
 }
 
 /* Many terms of all sizes, forwards, backwards and in two parts: the same bits; near the sum in long double.

@@ -227,6 +227,52 @@ static void test_fixed(void **state) {
     }
 }
 
+/* Forces in order: two particles that meet through three images get the same bits in whichever order their
+ * pairs are listed; added up as they come, they get others. */
+static void test_order_of_images(void **state) {
+    (void)state;
+    static const int image[3][3] = {{0, 0, 0}, {-1, 0, 0}, {0, -1, 1}};
+    static const int turns[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    struct law law = law_number(1, 1);
+    struct box box = {.dimension = 3, .edge = {1.9, 1.7, 1.6}, .periodic = {true, true, true}};
+    int different[2] = {0, 0};
+    for (int ordered = 0; ordered < 2; ordered++) {
+        double first[8];
+        for (int turn = 0; turn < 6; turn++) {
+            struct rig rig;
+            rig_make(&rig, &law, (struct layout){1, 0.0, NULL});
+            uint32_t i[3 + INDEX_SINK_PAD] = {0}, j[3 + INDEX_SINK_PAD] = {0};
+            for (int k = 0; k < 3; k++) {
+                const int *m = image[turns[turn][k]];
+                j[k] = 1 | image_code(m[0], m[1], m[2]) << PARTICLE_INDEX_BITS;
+            }
+            struct pair_block block;
+            rig.list = list_of(&block, i, j, 3);
+            box_image_shifts(&box, rig.list.shift);
+            struct particle_state *s = rig.particles->state;
+            for (int k = 0; k < 2; k++)
+                s[k] = (struct particle_state){.radius = 0.9 + 0.1 * k,
+                                               .x = {0.3 + 0.71 * k, 0.4 + 0.83 * k, 0.9 - 0.77 * k},
+                                               .v = {0.1, -0.3 * k, 0.7},
+                                               .inverse_mass = 1.0};
+            rig.context.ordered = ordered;
+            force_loop_prepare(rig.loop, &rig.context);
+            force_loop_run(rig.loop, &rig.context, &rig.sums);
+            assert_int_equal(rig.sums.contacts, 3);
+            size_t stride = (size_t)rig.particles->force_stride;
+            double now[8];
+            for (size_t k = 0; k < 2; k++)
+                memcpy(now + 4 * k, rig.particles->force + k * stride, 4 * sizeof *now);
+            if (turn == 0)
+                memcpy(first, now, sizeof first);
+            different[ordered] += memcmp(first, now, sizeof now) != 0;
+            rig_free(&rig);
+        }
+    }
+    assert_true(different[0] > 0);
+    assert_int_equal(different[1], 0);
+}
+
 /* As many contacts as there is room for records: what the last batch writes behind them has room, too. */
 static void test_history_padding(void **state) {
     (void)state;
@@ -255,9 +301,10 @@ static void test_history_padding(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_kernel_names), cmocka_unit_test(test_kernels_agree),
-        cmocka_unit_test(test_conservation), cmocka_unit_test(test_mirrored_springs),
-        cmocka_unit_test(test_contacts),     cmocka_unit_test(test_degenerate),
-        cmocka_unit_test(test_fixed),        cmocka_unit_test(test_history_padding)};
+        cmocka_unit_test(test_kernel_names),   cmocka_unit_test(test_kernels_agree),
+        cmocka_unit_test(test_conservation),   cmocka_unit_test(test_mirrored_springs),
+        cmocka_unit_test(test_contacts),       cmocka_unit_test(test_degenerate),
+        cmocka_unit_test(test_fixed),          cmocka_unit_test(test_history_padding),
+        cmocka_unit_test(test_order_of_images)};
     return cmocka_run_group_tests(tests, make_lists, free_lists);
 }

@@ -268,6 +268,14 @@ static void test_needs(void **state) {
     double e = 1.0 / (0.96 / 1e9 + 0.96 / 210e9);
     assert_near(law.pair[0][1].k_n / (4.0 / 3.0 * e), 1.0, 1e-14);
     assert_near(law.pair[1][0].k_t / (8.0 / (1.8 * 2.4 / 1e9 + 1.8 * 2.4 / 210e9)), 1.0, 1e-14);
+    const struct law_material unlike[2] = {{"rubber", 1100.0, 1e7, 0.45}, {"cork", 240.0, 3e7, 0.05}};
+    law = law_for(options, unlike, pair);
+    e = 1.0 / ((1.0 - 0.45 * 0.45) / 1e7 + (1.0 - 0.05 * 0.05) / 3e7);
+    double g = 1.0 / (1.55 * 2.9 / 1e7 + 1.95 * 2.1 / 3e7);
+    for (int a = 0; a < 2; a++) {
+        assert_near(law.pair[a][1 - a].k_n / (4.0 / 3.0 * e), 1.0, 1e-14);
+        assert_near(law.pair[a][1 - a].k_t / (8.0 * g), 1.0, 1e-14);
+    }
     options.rolling = LAW_ROLLING_SPRING;
     law = law_for(options, glass, pair);
     assert_int_equal(law.history_components, 6);

@@ -36,6 +36,72 @@ static void converts(void **state) {
     }
 }
 
+/* Every symbol by its definition in base units, and which of them take prefixes. */
+static void knows_every_symbol(void **state) {
+    (void)state;
+    static const struct {
+        const char *name, *base;
+        double value;
+        bool prefixes;
+    } symbols[] = {
+        {"m", "m", 1, true},
+        {"g", "kg", 1e-3, true},
+        {"s", "s", 1, true},
+        {"N", "kg m s-2", 1, true},
+        {"Pa", "kg m-1 s-2", 1, true},
+        {"J", "kg m2 s-2", 1, true},
+        {"W", "kg m2 s-3", 1, true},
+        {"Hz", "s-1", 1, true},
+        {"bar", "kg m-1 s-2", 1e5, true},
+        {"L", "m3", 1e-3, true},
+        {"t", "kg", 1e3, false},
+        {"min", "s", 60, false},
+        {"h", "s", 3600, false},
+        {"rad", "rad", 1, true},
+        {"deg", "rad", M_PI / 180, false},
+        {"°", "rad", M_PI / 180, false},
+        {"rpm", "rad s-1", M_PI / 30, false},
+        {"%", "", 0.01, false},
+        {"1", "", 1, false},
+    };
+    for (size_t k = 0; k < sizeof(symbols) / sizeof(symbols[0]); k++) {
+        struct units_scale scale, one;
+        struct units_dimension dimension, base;
+        char prefixed[16];
+        assert_true(units_parse(symbols[k].name, &scale, &dimension));
+        assert_true(units_parse(symbols[k].base, &one, &base));
+        if (!units_same(&dimension, &base))
+            fail_msg("%s is not %s", symbols[k].name, symbols[k].base);
+        double value = units_convert(1, &scale);
+        if (fabs(value - symbols[k].value) > 1e-15 * symbols[k].value)
+            fail_msg("1 %s is %.17g, not %.17g", symbols[k].name, value, symbols[k].value);
+        snprintf(prefixed, sizeof(prefixed), "G%s", symbols[k].name);
+        if (units_parse(prefixed, &scale, &dimension) != symbols[k].prefixes)
+            fail_msg("%s: prefixes are %s", symbols[k].name, symbols[k].prefixes ? "refused" : "taken");
+    }
+}
+
+/* Every prefix is its power of ten, to the last bit. */
+static void knows_every_prefix(void **state) {
+    (void)state;
+    static const struct {
+        const char *name;
+        double value;
+    } prefixes[] = {{"n", 1e-9}, {"u", 1e-6}, {"\xc2\xb5", 1e-6}, {"\xce\xbc", 1e-6},
+                    {"m", 1e-3}, {"c", 1e-2}, {"d", 1e-1},        {"h", 1e2},
+                    {"k", 1e3},  {"M", 1e6},  {"G", 1e9},         {"T", 1e12}};
+    for (size_t k = 0; k < sizeof(prefixes) / sizeof(prefixes[0]); k++) {
+        struct units_scale scale;
+        struct units_dimension dimension;
+        char text[16];
+        snprintf(text, sizeof(text), "%sPa", prefixes[k].name);
+        assert_true(units_parse(text, &scale, &dimension));
+        double value = units_convert(1, &scale);
+        if (value != prefixes[k].value)
+            fail_msg("1 %s is %.17g", text, value);
+    }
+}
+
 /* Powers of ten lose nothing: the same double as the decimal number in base units. */
 static void decimals_are_exact(void **state) {
     (void)state;
@@ -96,7 +162,11 @@ static void parses_dimensions(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(converts), cmocka_unit_test(decimals_are_exact),
-                                       cmocka_unit_test(refuses), cmocka_unit_test(parses_dimensions)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(converts),
+                                       cmocka_unit_test(knows_every_symbol),
+                                       cmocka_unit_test(knows_every_prefix),
+                                       cmocka_unit_test(decimals_are_exact),
+                                       cmocka_unit_test(refuses),
+                                       cmocka_unit_test(parses_dimensions)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

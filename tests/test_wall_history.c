@@ -1,5 +1,4 @@
-/* Histories of wall contacts: round an edge, over threads, reorderings and migration, after a resume; sums
- * and energy. */
+/* Histories of wall contacts: over threads, reorderings and migration, after a resume; sums and energy. */
 #include "walls/wall.h"
 #include "contact/law_kernel.h"
 #include <setjmp.h>
@@ -8,54 +7,6 @@
 #include <cmocka.h>
 #include "near.h"
 #include "mesh_by_hand.h"
-
-/* The sphere stands at `at` (distance 0.45 from the cube's edge x = z = 3) at this angle about the edge. */
-static void stand_at_edge(struct world *w, double angle) {
-    double *x = w->particles->state[0].x;
-    x[0] = 3.0 + (angle > 0.0 ? 0.45 * sin(angle) : 0.5 * angle);
-    x[2] = 3.0 + 0.45 * (angle > 0.0 ? cos(angle) : 1.0);
-    if (angle > 0.5 * M_PI) {
-        x[0] = 3.45;
-        x[2] = 3.0 - 0.5 * (angle - 0.5 * M_PI);
-    }
-}
-
-/* Round a convex edge: one contact, the normal force stays as it is, and a spring goes along, turned with the
- * normal, from the face to the edge to the other face; from one piece of the edge to the next, and over a
- * rebuild. */
-static void test_spring_round_an_edge(void **state) {
-    (void)state;
-    char file[64];
-    struct hand_text t = text_new();
-    text_cube(&t, 1.0, 3.0, 2);
-    struct wall_options mesh = hand_mesh(text_file(&t, file, "edge"));
-    struct world w;
-    world_open(&w, hand_box(5.0), hand_law(LAW_HOOKE, 1.0, 1e6), &mesh, 1, 1);
-    remove(file);
-    world_add(&w, 0, 1.7, 0, 0.5, 1.0);
-    stand_at_edge(&w, -0.4);
-    world_rebuild(&w, NULL);
-    double *v = w.particles->state[0].v, load = 1e-4;
-    v[0] = 1.0;
-    v[1] = 2.0;
-    world_forces(&w, load); /* springs (1, 2, 0) x load */
-    v[0] = v[1] = 0.0;
-    double k_t = 2e4 / 7.0;
-    for (double angle = -0.4; angle < 0.5 * M_PI + 0.4; angle += 0.001) {
-        double turn = angle < 0.0 ? 0.0 : angle > 0.5 * M_PI ? 0.5 * M_PI : angle;
-        stand_at_edge(&w, angle);
-        w.particles->state[0].x[1] = 1.7 + 0.3 * (angle + 0.4); /* over the middle of the edge */
-        if (fabs(angle) < 0.0025 || fabs(angle - 0.7) < 0.001)
-            world_rebuild(&w, NULL);
-        world_forces(&w, 1e-4);
-        assert_int_equal(w.sums.contacts, 1);
-        const double *f = world_force(&w, 0), n = 1e4 * 0.05;
-        assert_near(f[0], n * sin(turn) - k_t * load * cos(turn), 1e-3 * k_t * load);
-        assert_near(f[1], -2.0 * k_t * load, 1e-3 * k_t * load);
-        assert_near(f[2], n * cos(turn) + k_t * load * sin(turn), 1e-3 * k_t * load);
-    }
-    world_close(&w);
-}
 
 /* Moving spheres of radius 0.4, at random wherever they do not lie deep in the walls of test_sums. */
 static void add_where_not_deep(struct world *w) {
@@ -380,13 +331,9 @@ static void test_one_of_two_ends(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_spring_round_an_edge),
-                                       cmocka_unit_test(test_sums),
-                                       cmocka_unit_test(test_threads),
-                                       cmocka_unit_test(test_reorder),
-                                       cmocka_unit_test(test_rows),
-                                       cmocka_unit_test(test_one_of_two_ends),
-                                       cmocka_unit_test(test_energy),
-                                       cmocka_unit_test(test_resume)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_sums),  cmocka_unit_test(test_threads),         cmocka_unit_test(test_reorder),
+        cmocka_unit_test(test_rows),  cmocka_unit_test(test_one_of_two_ends), cmocka_unit_test(test_energy),
+        cmocka_unit_test(test_resume)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -186,6 +186,37 @@ static void test_table(void **state) {
     remove(path);
 }
 
+/* Steps that cross rows of a table, one or two, or begin before the first or end behind the last: what the
+ * wall travels in them is what the table says, to the last digits. */
+static void test_table_rows_in_a_step(void **state) {
+    (void)state;
+    static const char rows[] = "1 0 0 0 0 0 0\n1.5 2 0 0 0 0 0.3\n1.75 2 -1 0 0 0 0.1\n3 5 0 4 0 0 -0.7\n";
+    static const double steps[][2] = {{1.4, 0.2}, {1.45, 0.4}, {1.6, 1}, {0.8, 0.5}, {2.9, 0.4}, {0.5, 3}};
+    char path[64];
+    hand_file(path, "rows", rows, sizeof rows - 1);
+    struct wall_options o = {.motions = 1};
+    o.motion[0] = (struct wall_motion){.kind = WALL_TABLE, .stop = INFINITY, .point = {-1.0, 2.0, 0.5}};
+    snprintf(o.motion[0].table, WALL_PATH_MAX, "%s", path);
+    struct wall_mover *m = mover(&o);
+    for (size_t k = 0; k < sizeof steps / sizeof steps[0]; k++) {
+        double t = steps[k][0], dt = steps[k][1], angle[2];
+        struct law_vector pivot = {0.0, 0.0, 0.0}; /* in the box's coordinates */
+        struct law_vector from = place(m, t, pivot), to = place(m, t + dt, pivot);
+        struct wall_twist twist = wall_mover_twist(m, t, dt, 0.0, 0.0);
+        for (int end = 0; end < 2; end++) {
+            struct wall_transform turned = wall_mover_place(m, t + end * dt, 0.0);
+            angle[end] = atan2(turned.rotation[3], turned.rotation[0]);
+        }
+        assert_near(twist.omega.z * dt, angle[1] - angle[0], 1e-14);
+        struct law_vector travelled = law_add(to, -1.0, from);
+        struct law_vector middle = place(m, t + 0.5 * dt, pivot); /* it turns about where the pivot is then */
+        struct law_vector mean = law_scale(dt, wall_twist_at(&twist, middle));
+        assert_point(mean, travelled.x, travelled.y, travelled.z, 1e-14);
+    }
+    wall_mover_destroy(&m);
+    remove(path);
+}
+
 static void refuse(struct wall_options o, const char *words) {
     struct wall_mover *m;
     struct error error = {0};
@@ -312,11 +343,17 @@ static void test_transforms(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_translate),    cmocka_unit_test(test_rotate),
-                                       cmocka_unit_test(test_velocities),   cmocka_unit_test(test_order),
-                                       cmocka_unit_test(test_oscillate),    cmocka_unit_test(test_table),
-                                       cmocka_unit_test(test_bad),          cmocka_unit_test(test_servo),
-                                       cmocka_unit_test(test_servo_turned), cmocka_unit_test(test_flat),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_translate),
+                                       cmocka_unit_test(test_rotate),
+                                       cmocka_unit_test(test_velocities),
+                                       cmocka_unit_test(test_order),
+                                       cmocka_unit_test(test_oscillate),
+                                       cmocka_unit_test(test_table),
+                                       cmocka_unit_test(test_table_rows_in_a_step),
+                                       cmocka_unit_test(test_bad),
+                                       cmocka_unit_test(test_servo),
+                                       cmocka_unit_test(test_servo_turned),
+                                       cmocka_unit_test(test_flat),
                                        cmocka_unit_test(test_transforms)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

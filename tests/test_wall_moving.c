@@ -189,6 +189,32 @@ static void test_turns_on_the_spot(void **state) {
     world_close(&w);
 }
 
+/* What a turning wall drags along is its velocity at the contact: a held sphere inside of a drum that turns
+ * about its own axis. */
+static void test_drags_at_the_contact(void **state) {
+    (void)state;
+    struct wall_options drum = {
+        .name = "drum", .shape = WALL_CYLINDER, .point = {4, 4, 4}, .radius = 3.0, .inside = true};
+    struct world w;
+    double force[1][6], dt = 1e-3, rate = 2.0;
+    drum.axis[1] = 1.0;
+    drum.motions = 1;
+    drum.motion[0] = (struct wall_motion){
+        .kind = WALL_ROTATE, .stop = INFINITY, .direction = {0, 1, 0}, .point = {4, 4, 4}, .rate = rate};
+    world_open(&w, hand_box(8.0), hand_law(LAW_HERTZ, 1.0, 1e6), &drum, 1, 1);
+    world_add(&w, 4.0, 4.0, 1.98, 1.0, 1.0);
+    world_rebuild(&w, NULL);
+    walls_advance(w.walls, 0.0, dt, NULL);
+    world_forces(&w, dt);
+    assert_int_equal(w.sums.contacts, 1);
+    walls_forces(w.walls, force);
+    double lever = 1.0 - 0.5 * 0.02, scale = sqrt(1.0 * 0.02);
+    double k_t = scale * w.law.pair[0][0].k_t;
+    double speed = rate * (2.02 + lever); /* of the drum, towards -x at its lowest line */
+    assert_near(force[0][0], k_t * dt * speed, 1e-4 * k_t * dt * speed);
+    world_close(&w);
+}
+
 /* How far walls have moved, for the decision to rebuild. */
 static void test_displacement(void **state) {
     (void)state;
@@ -292,6 +318,7 @@ int main(void) {
                                        cmocka_unit_test(test_drum),
                                        cmocka_unit_test(test_conveyor),
                                        cmocka_unit_test(test_turns_on_the_spot),
+                                       cmocka_unit_test(test_drags_at_the_contact),
                                        cmocka_unit_test(test_displacement),
                                        cmocka_unit_test(test_displacement_outside),
                                        cmocka_unit_test(test_offset)};

@@ -5,7 +5,7 @@ dist_check_SCRIPTS += tests/app/ablate.sh tests/app/bad_input.sh tests/app/folde
 
 dist_check_SCRIPTS += tests/app/ranks.sh tests/app/stress.sh
 
-dist_check_SCRIPTS += tests/app/verify.sh
+dist_check_SCRIPTS += tests/app/drum.sh tests/app/verify.sh
 
 dist_check_SCRIPTS += tests/app/reproducible.sh
 

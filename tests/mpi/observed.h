@@ -16,7 +16,7 @@
 enum { PARTICLES = 123, STAMP = 5 };
 
 static const struct box box = {
-    .dimension = 3, .origin = {-5, 100, 0.5}, .edge = {10, 11, 12}, .periodic = {true, false, false}};
+    .dimension = 3, .origin = {-5, 100, 0.5}, .edge = {10, 11, 12}, .periodic = {true, false, true}};
 
 struct fixture {
     struct team *team;
@@ -40,6 +40,11 @@ static inline double inverse_mass(int64_t id) {
     return id == 7 ? 0 : 1 / (1 + value_of(id, "inverse_mass", 0));
 }
 
+/* How often a particle has crossed the box in direction d. */
+static inline int32_t image_of(int64_t id, int d) {
+    return box.periodic[d] ? (int32_t)((id >> d) % 3) - 1 : 0;
+}
+
 static inline void fixture_make(struct fixture *f, struct team *team) {
     *f = (struct fixture){.team = team};
     folder_make(&f->folder, &team->comm);
@@ -54,8 +59,8 @@ static inline void fixture_make(struct fixture *f, struct team *team) {
         p->material[i] = p->id[i] % 2;
         p->density[i] = 3;
         p->state[i].inverse_mass = inverse_mass(p->id[i]);
-        p->image[i][0] = (int32_t)(p->id[i] % 3) - 1;
-        p->image[i][1] = p->image[i][2] = 0;
+        for (int d = 0; d < 3; d++)
+            p->image[i][d] = image_of(p->id[i], d);
     }
     f->motion = (struct integrator_context){
         .dt = 0.25, .gravity = {0, 0.5, -2}, .dimension = box.dimension, .groups = 1};

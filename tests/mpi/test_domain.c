@@ -335,6 +335,28 @@ static void trees_from_cuts(void **state) {
     domain_tree_destroy(&tree);
 }
 
+/* A bisection, too: what stands on a cut, or where several meet, belongs to the one subdomain that begins
+ * there. */
+static void owner_on_a_cut(void **state) {
+    (void)state;
+    static const double corner[3] = {0, 0, 0};
+    for (int b = 0; b < BOXES; b++)
+        for (int s = 0; s < SIZES; s++) {
+            struct domain_tree *tree = domain_tree_halve(sizes[s], &boxes[b]);
+            for (int rank = 0; rank < sizes[s]; rank++)
+                for (int mask = 0; mask < 8; mask++) {
+                    double lower[3], upper[3], x[3];
+                    memcpy(lower, corner, sizeof lower);
+                    memcpy(upper, boxes[b].edge, sizeof upper);
+                    domain_tree_bounds(tree, rank, lower, upper);
+                    for (int d = 0; d < 3; d++)
+                        x[d] = mask >> d & 1 ? lower[d] : 0.5 * (lower[d] + upper[d]);
+                    assert_int_equal(domain_tree_owner(tree, x), rank);
+                }
+            domain_tree_destroy(&tree);
+        }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(owner_of_any_position),    cmocka_unit_test(owner_on_the_upper_face),
@@ -342,6 +364,7 @@ int main(void) {
         cmocka_unit_test(touching_is_exact),        cmocka_unit_test(grids_of_least_surface),
         cmocka_unit_test(grids_of_least_load),      cmocka_unit_test(grids_that_do_not_fit),
         cmocka_unit_test(wrapped_directions),       cmocka_unit_test(trees_from_cuts),
+        cmocka_unit_test(owner_on_a_cut),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -22,14 +22,15 @@ static void sums_over_particles(void **state) {
     }
     struct observables *o = create(&f);
     write_row(&f, o);
-    double kinetic = 0, rotational = 0, gravity = 0, momentum[3] = {0}, spin_z = 0, centre = 0, mass_all = 0,
-           flux = 0, fastest = 0;
+    double kinetic = 0, rotational = 0, gravity = 0, momentum[3] = {0}, spin[3] = {0}, centre[3] = {0},
+           mass_all = 0, flux = 0, fastest = 0;
     for (int64_t id = 1; id <= PARTICLES; id++) {
         double v[3], w[3], r = f.cloud.radius[id - 1], x[3];
         for (int d = 0; d < 3; d++)
-            x[d] = f.cloud.x[id - 1][d] + box.origin[d] + (d == 0 ? (double)(id % 3 - 1) * box.edge[0] : 0);
+            x[d] = f.cloud.x[id - 1][d] + box.origin[d] + image_of(id, d) * box.edge[d];
         double mass = id == 7 ? 3 * 4.0 / 3 * M_PI * r * r * r : 1 / inverse_mass(id);
-        centre += mass * x[0];
+        for (int d = 0; d < 3; d++)
+            centre[d] += mass * x[d];
         mass_all += mass;
         if (id == 7)
             continue;
@@ -40,7 +41,9 @@ static void sums_over_particles(void **state) {
         gravity -= mass * (0.5 * x[1] - 2 * x[2]);
         for (int d = 0; d < 3; d++)
             momentum[d] += mass * v[d];
-        spin_z += mass * (x[0] * v[1] - x[1] * v[0] + 0.4 * r * r * w[2]);
+        for (int d = 0; d < 3; d++)
+            spin[d] += mass * (x[(d + 1) % 3] * v[(d + 2) % 3] - x[(d + 2) % 3] * v[(d + 1) % 3] +
+                               0.4 * r * r * w[d]);
         flux += mass * v[0] * v[2];
     }
     int size = team->comm.size;
@@ -49,9 +52,13 @@ static void sums_over_particles(void **state) {
     expect_near(&f, o, "energy_gravity", gravity);
     expect_near(&f, o, "momentum_x", momentum[0]);
     expect_near(&f, o, "momentum_z", momentum[2]);
-    expect_near(&f, o, "angular_momentum_z", spin_z);
+    expect_near(&f, o, "angular_momentum_x", spin[0]);
+    expect_near(&f, o, "angular_momentum_y", spin[1]);
+    expect_near(&f, o, "angular_momentum_z", spin[2]);
     expect_near(&f, o, "particles", PARTICLES);
-    expect_near(&f, o, "centre_x", centre / mass_all);
+    expect_near(&f, o, "centre_x", centre[0] / mass_all);
+    expect_near(&f, o, "centre_y", centre[1] / mass_all);
+    expect_near(&f, o, "centre_z", centre[2] / mass_all);
     expect_near(&f, o, "speed_max", fastest);
     expect_near(&f, o, "stress_xz", (flux + 5 * size) / (10.0 * 11 * 12));
     double elastic = size * (size + 1) / 2.0 + 10 * size;

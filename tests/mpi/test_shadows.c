@@ -12,6 +12,7 @@
 #include "comm/ghosts.h"
 #include "team.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -185,6 +186,42 @@ static void through_an_open_box(void **state) {
     team_finish(team);
 }
 
+/* A subdomain that a ball misses by rounding alone hands the ball on, and keeps nothing of it: slabs of
+ * thickness 1 along x, 4 along y, and a reach of 3 less some digits, where 3 would touch the next row. */
+static void what_is_handed_on_is_not_kept(void **state) {
+    struct team *team = *state;
+    int side = side_of(team), along = team->comm.size / side;
+    if (side > 5)
+        team_skip(team, "8, 27 and 125 ranks are enough");
+    for (int digits = -1; digits <= 1; digits += 2) {
+        struct flight flight;
+        flight_start(&flight, team, false, DOMAIN_BRICK, 1.5 * (1 + 20 * digits * DBL_EPSILON));
+        struct domain_options grid = {.grid = {along, side, 1}};
+        struct ghosts_options options = {.newton = true, .reduced = true, .sync = GHOSTS_SHADOW};
+        struct error error = {0};
+        const double edge[3] = {along, 4.0 * side, 1}, centre[3] = {0.5, 1, 0.5};
+        ghosts_destroy(&flight.ghosts);
+        domain_destroy(&flight.domain);
+        for (int d = 0; d < 3; d++) {
+            flight.box.edge[d] = edge[d];
+            flight.x[d] = centre[d];
+            if (flight.particles->owned > 0)
+                memcpy(flight.particles->state[0].x, centre, sizeof centre);
+        }
+        flight.domain = domain_create(&team->comm, &flight.box, &grid, &error);
+        assert_non_null(flight.domain);
+        flight.ghosts = ghosts_create(&team->comm, flight.domain, &flight.box, &options);
+        flight_step(&flight);
+        expect_copies(&flight);
+        int64_t copies = (int64_t)flight.particles->ghosts;
+        comm_sum_int(&team->comm, &copies, 1);
+        int row = along < 4 ? along - 1 : 3; /* of the own row: up to 3.5 */
+        team_expect(team, copies == row + (digits > 0), "%lld copies", (long long)copies);
+        flight_end(&flight);
+    }
+    team_finish(team);
+}
+
 /* Next-neighbour synchronisation says what it cannot do; the copies are right even then. */
 static void neighbours_refuse(void **state) {
     struct team *team = *state;
@@ -221,6 +258,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_prestate(through_a_periodic_box, &team),
         cmocka_unit_test_prestate(through_an_open_box, &team),
+        cmocka_unit_test_prestate(what_is_handed_on_is_not_kept, &team),
         cmocka_unit_test_prestate(neighbours_refuse, &team),
     };
     int failed = cmocka_run_group_tests(tests, NULL, NULL);
