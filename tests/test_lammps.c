@@ -170,8 +170,23 @@ static void dump_columns(void **state) {
     }
 }
 
+/* Scaled coordinates are parts of the box, from its lower corner on; a diameter is two radii. */
+static void dump_scaled(void **state) {
+    (void)state;
+    struct rows rows;
+    reads(read_dump,
+          "ITEM: TIMESTEP\n5\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp ff ff\n-2 2\n1 9\n-5 -4\n"
+          "ITEM: ATOMS id type diameter xs ys zs\n7 2 1.5 0.75 0.25 0.5\n",
+          &rows);
+    assert_int_equal(rows.count, 1);
+    assert_true(rows.position[0][0] == 1 && rows.position[0][1] == 3 && rows.position[0][2] == -4.5);
+    assert_true(rows.radius[0] == 0.75 && rows.material[0] == 1 && rows.id[0] == 7);
+    rows_free(&rows);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(data_comments), cmocka_unit_test(data_numbers),
-                                       cmocka_unit_test(dump_numbers), cmocka_unit_test(dump_columns)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(dump_scaled), cmocka_unit_test(data_comments),
+                                       cmocka_unit_test(data_numbers), cmocka_unit_test(dump_numbers),
+                                       cmocka_unit_test(dump_columns)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -215,6 +215,41 @@ static void test_drags_at_the_contact(void **state) {
     world_close(&w);
 }
 
+/* What a wall gets is what the sphere gives, as torques too, with a rolling spring: both about the wall's
+ * centre add up to nothing. */
+static void test_torques_balance(void **state) {
+    (void)state;
+    struct wall_options plane = hand_plane(1, 2, 1, 0.6, 0, 0.8);
+    struct law law = hand_law(LAW_HERTZ, 0.5, 0.5);
+    struct world w;
+    double force[1][6], twist = 0.0;
+    law.options.rolling = LAW_ROLLING_SPRING;
+    law.history_components = 6;
+    law.pair[0][0].rolling_friction = 0.3;
+    world_open(&w, hand_box(4.0), law, &plane, 1, 1);
+    struct particle_state *s = world_add(&w, 2.3, 2.2, 0.635, 0.5, 1.0);
+    double *omega = w.particles->omega[0];
+    for (int d = 0; d < 3; d++) {
+        s->v[d] = 0.3 - 0.2 * d;
+        omega[d] = 2.0 - 3.0 * d;
+    }
+    world_rebuild(&w, NULL);
+    for (int n = 0; n < 5; n++)
+        world_forces(&w, 1e-3);
+    assert_int_equal(w.sums.contacts, 1);
+    walls_forces(w.walls, force);
+    const double *on_sphere = world_force(&w, 0), *centre = plane.point;
+    for (int d = 0; d < 3; d++) {
+        int e = (d + 1) % 3, f = (d + 2) % 3;
+        double arm = (s->x[e] - centre[e]) * on_sphere[f] - (s->x[f] - centre[f]) * on_sphere[e];
+        assert_near(force[0][d], -on_sphere[d], 1e-9);
+        assert_near(force[0][3 + d], -arm - on_sphere[4 + d], 1e-9);
+        twist += fabs(on_sphere[4 + d]);
+    }
+    assert_true(twist > 1.0);
+    world_close(&w);
+}
+
 /* How far walls have moved, for the decision to rebuild. */
 static void test_displacement(void **state) {
     (void)state;
@@ -319,6 +354,7 @@ int main(void) {
                                        cmocka_unit_test(test_conveyor),
                                        cmocka_unit_test(test_turns_on_the_spot),
                                        cmocka_unit_test(test_drags_at_the_contact),
+                                       cmocka_unit_test(test_torques_balance),
                                        cmocka_unit_test(test_displacement),
                                        cmocka_unit_test(test_displacement_outside),
                                        cmocka_unit_test(test_offset)};

@@ -69,6 +69,40 @@ static void values_forward(void **state) {
     team_finish(team);
 }
 
+/* Copies that are put back to where their originals stand stay with them when values come. */
+static void values_in_place(void **state) {
+    struct team *team = *state;
+    for (int s = SCENE_BOULDERS; s <= SCENE_BOULDERS_SLABS; s++) {
+        struct fixture fixture;
+        fixture_make(&fixture, team, s, PARTICLES);
+        struct ghosts_options options = {.in_place = true};
+        ghosts_destroy(&fixture.ghosts);
+        fixture.ghosts = ghosts_create(&team->comm, fixture.domain, &fixture.cloud.box, &options);
+        fixture_rebuild(&fixture);
+        const struct particles *particles = fixture.particles;
+        int64_t beyond = 0;
+        for (size_t g = 0; g < particles->ghosts; g++)
+            beyond += ghosts_image(fixture.ghosts, g) != 0;
+        comm_sum_int(&team->comm, &beyond, 1);
+        team_expect(team, team->comm.size == 1 || beyond > 0, "no copy crosses the box's sides");
+        ghosts_unshift(fixture.ghosts, fixture.particles);
+        for (unsigned stamp = FIXTURE_STAMP; stamp < FIXTURE_STAMP + 3; stamp++) {
+            if (stamp > FIXTURE_STAMP) {
+                move(&fixture, stamp);
+                ghosts_forward_begin(fixture.ghosts, fixture.particles);
+                ghosts_forward_end(fixture.ghosts, fixture.particles);
+            }
+            for (size_t g = particles->owned; g < particles->owned + particles->ghosts; g++)
+                team_expect(team,
+                            memcmp(particles->state[g].x, fixture.cloud.x[particles->id[g] - 1],
+                                   sizeof particles->state[g].x) == 0,
+                            "the copy of %lld stands elsewhere", (long long)particles->id[g]);
+        }
+        fixture_free(&fixture);
+    }
+    team_finish(team);
+}
+
 /* Enough particles that threads share the work: the same copies in the same order, the same values. */
 static void threads_do_not_matter(void **state) {
     struct team *team = *state;
@@ -246,6 +280,7 @@ int main(int argc, char **argv) {
     team_start(&team, &argc, &argv);
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_prestate(values_forward, &team),
+        cmocka_unit_test_prestate(values_in_place, &team),
         cmocka_unit_test_prestate(threads_do_not_matter, &team),
         cmocka_unit_test_prestate(sums_back, &team),
         cmocka_unit_test_prestate(sums_are_reproducible, &team),
