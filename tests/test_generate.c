@@ -66,6 +66,22 @@ static void lattices(void **state) {
     check_lattice(", periodic: true", "hcp", 4 * 8 * 5 * 7);
 }
 
+/* Small spheres far apart: the lattice goes on up to the open side that still has room for one. */
+static void lattice_fills_an_open_box(void **state) {
+    (void)state;
+    struct scene_census census;
+    struct scene *scene =
+        scene_with("", "particles: {from: lattice, lattice: sc, spacing: 0.75, sizes: 0.1, material: a}\n");
+    struct particles *p = scene_all(scene, &census);
+    uint64_t expected = 1;
+    for (int d = 0; d < 3; d++)
+        expected *= (uint64_t)floor((scene->box.edge[d] - 0.2) / 0.75 + 1e-9) + 1;
+    assert_int_equal(census.particles, expected);
+    assert_inside(&scene->box, p);
+    particles_destroy(&p);
+    scene_free(&scene);
+}
+
 /* Equal spheres of fcc and hcp have twelve neighbours at one spacing; sc six. */
 static void neighbours_of_lattices(void **state) {
     (void)state;
@@ -134,6 +150,35 @@ static void lattice_in_region(void **state) {
     for (size_t i = 0; i < p->owned; i++) {
         double dx = p->state[i].x[0] - 4, dy = p->state[i].x[1] - 5, dz = p->state[i].x[2] - 6;
         assert_true(sqrt(dx * dx + dy * dy + dz * dz) + 0.15 <= 2 + 1e-9);
+    }
+    particles_destroy(&p);
+    scene_free(&scene);
+}
+
+/* Each particle has a velocity of its own, by its id: normal in each direction, and none twice. */
+static void velocities(void **state) {
+    (void)state;
+    struct scene *scene = scene_with("", "particles: {from: lattice, lattice: sc, spacing: 0.75, sizes: 0.1, "
+                                         "material: a, velocity_sigma: 2, velocity: [1, 0, 0]}\n");
+    struct particles *p = scene_all(scene, NULL);
+    double sum[3] = {0}, squares[3] = {0}, n = 0;
+    for (size_t i = 0; i < p->owned; i++) {
+        const double *v = p->state[i].v;
+        if (p->group[i] > 0) /* frozen */
+            continue;
+        n++;
+        for (int d = 0; d < 3; d++) {
+            sum[d] += v[d];
+            squares[d] += v[d] * v[d];
+            for (size_t j = 0; j < i; j++)
+                assert_true(v[d] != p->state[j].v[d]);
+        }
+    }
+    assert_true(n > 1000);
+    for (int d = 0; d < 3; d++) {
+        double mean = sum[d] / n;
+        assert_true(fabs(mean - (d == 0)) < 4 * 2 / sqrt(n));
+        assert_true(fabs(sqrt(squares[d] / n - mean * mean) / 2 - 1) < 4 / sqrt(2 * n));
     }
     particles_destroy(&p);
     scene_free(&scene);
@@ -266,9 +311,11 @@ static void groups_select(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(lattices),
+                                       cmocka_unit_test(lattice_fills_an_open_box),
                                        cmocka_unit_test(neighbours_of_lattices),
                                        cmocka_unit_test(jitter_keeps_apart),
                                        cmocka_unit_test(lattice_in_region),
+                                       cmocka_unit_test(velocities),
                                        cmocka_unit_test(random_packing),
                                        cmocka_unit_test(random_discs),
                                        cmocka_unit_test(says_what_it_reached),

@@ -92,6 +92,8 @@ static void exponential_laws(void **state) {
     struct pack_options options;
     read_good(&options, "exponential", "by=number", "scale=2");
     check_law(&options, exponential_below, (double[]){50, 2});
+    read_good(&options, "exponential", "by=number", "scale=200"); /* cut where much is left */
+    check_law(&options, exponential_below, (double[]){50, 200});
     read_good(&options, "exponential", "scale=6", NULL);
     check_law(&options, by_mass_below, (double[]){50, 6});
 }
