@@ -48,7 +48,7 @@ tests_test_force_loop_SOURCES = tests/test_force_loop.c
 tests_test_force_loop_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
 tests_test_force_loop_CPPFLAGS = $(AM_CPPFLAGS)
 if X86_KERNELS
-tests_test_force_loop_CPPFLAGS += -DFORCE_X86_KERNELS
+tests_test_force_loop_CPPFLAGS += -DSCREE_X86_KERNELS
 endif
 tests_test_integrator_SOURCES = tests/test_integrator.c
 tests_test_integrator_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)

@@ -35,7 +35,8 @@ static struct law_contact plain_contact(const struct particles *p, const struct 
     in.normal = law_scale(1.0 / sqrt(law_dot(d, d)), d);
     in.half_normal = law_scale(1.0 / sqrt(law_dot(half, half)), half);
     if (law->spin) {
-        double cut = law->options.lammps_hooke ? 0.0 : 0.5 * in.overlap;
+        double distance = sqrt(law->options.synchronised ? law_dot(half, half) : law_dot(d, d));
+        double cut = law->options.lammps_hooke ? 0.0 : 0.5 * (a->radius + b->radius - distance);
         in.surface = law_add(law_scale(a->radius - cut, vector_of(p->omega[i])), b->radius - cut,
                              vector_of(p->omega[j]));
         in.spin = law_add(vector_of(p->omega[j]), -1.0, vector_of(p->omega[i]));

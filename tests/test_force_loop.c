@@ -15,7 +15,7 @@ static void test_kernel_names(void **state) {
     assert_false(force_loop_choose(loop, "x86-64-v5"));
     assert_string_equal(force_loop_kernel(loop), kernels[0]);
     force_loop_destroy(&loop);
-#ifdef FORCE_X86_KERNELS
+#ifdef SCREE_X86_KERNELS
     assert_string_equal(force_kernel_v3.name, kernels[1]);
     assert_string_equal(force_kernel_v4.name, kernels[2]);
 #endif

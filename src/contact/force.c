@@ -1,37 +1,62 @@
+/* The force loop: the contact laws as a client of the walk over pairs. Read pairs/walk.h first. */
 #include "contact/force.h"
 #include "contact/force_kernel.h"
 #include "core/memory.h"
 #include <assert.h>
-#include <string.h>
 
 struct force_loop {
     const struct force_kernel *kernel;
+    struct walk_client client;
+    struct walk *walk;
     int threads;
-    struct force_thread **thread; /* each in pages of its own */
-    size_t slot_doubles;          /* in use, a thread */
-    size_t slot_capacity;
-    struct force_ordered *ordered; /* NULL: forces are added at once */
 };
+
+const struct force_kernel *force_kernel_find(const char *name) {
+    static const struct force_kernel *const kernels[] = {
+        &force_kernel_baseline,
+#ifdef SCREE_X86_KERNELS
+        &force_kernel_v3,
+        &force_kernel_v4,
+#endif
+    };
+    int level = walk_level(name);
+    return level < 0 ? NULL : kernels[level];
+}
+
+static void force_loop_take(struct force_loop *loop, const struct force_kernel *kernel) {
+    loop->kernel = kernel;
+    loop->client.compute = kernel->compute;
+    loop->client.note = kernel->note;
+}
+
+/* True of two particles that are both prescribed and move and turn alike: their overlap stays, and is no
+ * contact. */
+static bool force_fixed(const double record[8], const double *omega) {
+    if (record[7] != 0.0 || record[4] != 0.0 || record[5] != 0.0 || record[6] != 0.0)
+        return false;
+    return omega == NULL || (omega[0] == omega[4] && omega[1] == omega[5] && omega[2] == omega[6]);
+}
+
+/* Contacts of particles that are fixed to each other are not wanted. */
+static void force_select(const struct walk_task *task, const struct walk_batch *batch, uint8_t *keep) {
+    for (int k = 0; k < batch->count; k++)
+        keep[k] = !force_fixed(batch->record[k], task->work->gathers > 0 ? batch->gathered[0][k] : NULL);
+}
 
 struct force_loop *force_loop_create(int threads) {
     struct force_loop *loop = memory_allocate_zero(1, sizeof *loop, "force loop");
-    loop->kernel = force_kernel_find(NULL);
     loop->threads = threads;
-    loop->thread = memory_allocate_zero((size_t)threads, sizeof *loop->thread, "force loop");
-    for (int t = 0; t < threads; t++)
-        loop->thread[t] = memory_allocate_zero(1, sizeof *loop->thread[t], "batch of the force loop");
+    loop->client = (struct walk_client){
+        .name = "contact", .memory = sizeof(struct force_thread), .select = force_select};
+    force_loop_take(loop, force_kernel_find(NULL));
+    loop->walk = walk_create(&loop->client, threads);
     return loop;
 }
 
 void force_loop_destroy(struct force_loop **loop) {
     if (*loop == NULL)
         return;
-    for (int t = 0; t < (*loop)->threads; t++) {
-        memory_free((*loop)->thread[t]->slots);
-        memory_free((*loop)->thread[t]);
-    }
-    force_ordered_destroy(&(*loop)->ordered);
-    memory_free((*loop)->thread);
+    walk_destroy(&(*loop)->walk);
     memory_free(*loop);
     *loop = NULL;
 }
@@ -40,82 +65,58 @@ const char *force_loop_kernel(const struct force_loop *loop) {
     return loop->kernel->name;
 }
 
-bool force_loop_choose(struct force_loop *loop, const char *kernel) {
-    const struct force_kernel *found = force_kernel_find(kernel);
-    if (found)
-        loop->kernel = found;
+bool force_loop_choose(struct force_loop *loop, const char *name) {
+    const struct force_kernel *found = force_kernel_find(name);
+    if (found) {
+        force_loop_take(loop, found);
+        walk_choose(loop->walk, name);
+    }
     return found != NULL;
 }
 
-/* Ready for the first block: nothing summed, nothing remembered, old records from the start. */
-static void force_loop_reset(struct force_loop *loop, struct history *history) {
-    for (int t = 0; t < loop->threads; t++) {
-        struct force_thread *thread = loop->thread[t];
-        thread->cursor = 0;
-        thread->sums = (struct force_sums){0};
-        if (loop->slot_doubles > 0)
-            memset(thread->slots, 0, loop->slot_doubles * sizeof(double));
-        if (history)
-            history->part[1 - history->now][t].count = 0;
+/* An evaluation, as the walk sees it. */
+static struct walk_work force_work(const struct force_context *context) {
+    const struct particles *particles = context->particles;
+    struct walk_work work = {.context = context,
+                             .particles = particles,
+                             .list = context->list,
+                             .history = context->history,
+                             .target = particles->force,
+                             .stride = (size_t)particles->force_stride,
+                             .radii = true,
+                             .range = context->law->range,
+                             .selective = particles->group != NULL,
+                             .ordered = context->ordered};
+    if (context->law->spin) {
+        work.gathers = 1;
+        work.gather[0] = (struct walk_field){&particles->omega[0][0], 4};
     }
-    if (loop->ordered)
-        force_ordered_clear(loop->ordered);
+    return work;
 }
 
-/* Ledgers for the threads where forces are summed in order, and none where not. */
-static void force_loop_set_ordered(struct force_loop *loop, bool ordered) {
-    if (ordered == (loop->ordered != NULL))
-        return;
-    if (ordered)
-        loop->ordered = force_ordered_create(loop->threads);
-    else
-        force_ordered_destroy(&loop->ordered);
+static struct force_thread *force_loop_thread(const struct force_loop *loop, int thread) {
+    return (struct force_thread *)walk_batch_of(loop->walk, thread);
+}
+
+static void force_loop_clear(struct force_loop *loop) {
     for (int t = 0; t < loop->threads; t++)
-        loop->thread[t]->ledger = ordered ? force_ordered_ledger(loop->ordered, t) : NULL;
+        force_loop_thread(loop, t)->sums = (struct force_sums){0};
 }
 
 void force_loop_prepare(struct force_loop *loop, const struct force_context *context) {
-    const struct pairlist *list = context->list;
-    assert(list->threads == loop->threads);
-    assert(context->law->range == 0.0);
+    struct walk_work work = force_work(context);
     assert((context->history != NULL) == (context->law->history_components > 0));
-    loop->slot_doubles = context->ordered ? 0 : list->slot_count * (size_t)context->particles->force_stride;
-    for (int t = 0; t < loop->threads && loop->slot_doubles > loop->slot_capacity; t++)
-        loop->thread[t]->slots =
-            memory_resize(loop->thread[t]->slots, loop->slot_doubles, sizeof(double), "force slots");
-    if (loop->slot_doubles > loop->slot_capacity)
-        loop->slot_capacity = loop->slot_doubles;
-    force_loop_set_ordered(loop, context->ordered);
-    force_loop_reset(loop, context->history);
+    loop->client.scatter = !context->law->spin                                 ? WALK_FORCE
+                           : context->law->options.rolling == LAW_ROLLING_NONE ? WALK_TORQUE
+                                                                               : WALK_ROLLING;
+    walk_prepare(loop->walk, &work);
+    force_loop_clear(loop);
 }
 
 void force_loop_block(struct force_loop *loop, const struct force_context *context, int thread, int block) {
-    const struct pairlist *list = context->list;
-    struct history *history = context->history;
-    const struct pair_block *work = &list->blocks[block];
-    struct force_task task = {.context = context,
-                              .block = work,
-                              .thread = loop->thread[thread],
-                              .pair_base = pairlist_thread_first(list, thread),
-                              .step = law_step_of(&context->law->options, context->dt),
-                              .energies = context->want_sums};
-    if (history) {
-        task.old = &history->part[history->now][thread];
-        task.new = &history->part[1 - history->now][thread];
-        history_reserve(history, thread, task.new->count + (work->end_pair - work->first_pair));
-    }
-    loop->kernel->block(&task);
-}
-
-/* Adds what the threads gave to the busy particles, in thread order. */
-static void force_loop_add_slots(const struct force_loop *loop, const struct force_context *context) {
-    size_t stride = (size_t)context->particles->force_stride;
-    for (size_t s = 0; s < context->list->slot_count; s++) {
-        double *force = context->particles->force + context->list->busy[s] * stride;
-        for (int t = 0; t < loop->threads; t++)
-            for (size_t c = 0; c < stride; c++)
-                force[c] += loop->thread[t]->slots[s * stride + c];
-    }
+    struct walk_work work = force_work(context);
+    loop->kernel->begin(force_loop_thread(loop, thread), context);
+    walk_block(loop->walk, &work, thread, block);
 }
 
 void force_sums_add(struct force_sums *total, const struct force_sums *part) {
@@ -135,21 +136,18 @@ void force_sums_add(struct force_sums *total, const struct force_sums *part) {
 
 void force_loop_finish(struct force_loop *loop, const struct force_context *context,
                        struct force_sums *sums) {
-    if (loop->ordered)
-        force_ordered_add(loop->ordered, context->particles->owned, context->particles->force,
-                          (size_t)context->particles->force_stride);
-    else
-        force_loop_add_slots(loop, context);
+    struct walk_work work = force_work(context);
+    walk_finish(loop->walk, &work);
     *sums = (struct force_sums){0};
     for (int t = 0; t < loop->threads; t++)
-        force_sums_add(sums, &loop->thread[t]->sums);
-    if (context->history)
-        history_flip(context->history);
-    force_loop_reset(loop, context->history);
+        force_sums_add(sums, &force_loop_thread(loop, t)->sums);
+    force_loop_clear(loop);
 }
 
 void force_loop_abandon(struct force_loop *loop, const struct force_context *context) {
-    force_loop_reset(loop, context->history);
+    struct walk_work work = force_work(context);
+    walk_abandon(loop->walk, &work);
+    force_loop_clear(loop);
 }
 
 void force_loop_run(struct force_loop *loop, const struct force_context *context, struct force_sums *sums) {

@@ -1,23 +1,12 @@
-/* Inside of the force loop: what force.c hands to the compiled kernels, and a batch of contacts. The walls
- * use batches and `respond` for their contacts (walls_force.c). Nobody else but tests includes this.
+/* Inside of the force loop: the contact laws as a client of the walk over pairs (pairs/walk.h), a batch of
+ * contacts at a time. The walls use batches and `respond` for their contacts (walls_force.c). Nobody else but
+ * tests includes this.
  *
- * force_block.c is compiled several times, for several instruction sets, and the best one that the CPU has is
- * chosen at run time. All give the same bits: no sum depends on the vector length, and nothing is contracted
- * into fused operations.
+ * force_block.c is compiled for several instruction sets, as the walk is. All give the same bits. Its
+ * `compute` has two phases:
  *
- * A block goes through these stages (docs/performance.md):
- *
- *   filter   distances of four pairs at a time against r_i + r_j; the numbers of those that touch are
- *            appended to `candidate`
- *
- * then for each FORCE_BATCH candidates, and for the rest at the end of the block:
- *
- *   gather   the records of the two particles, their difference written to the batch
- *   recall   old springs, found by the merge pointer
  *   measure  a vectorised loop, specialised for the law: geometry
  *   respond  another: law_respond
- *   scatter  forces to i, and to j or its slot, by segment
- *   remember springs to the other history buffer
  *
  * Distances are formed as (x_j - x_i) + shift, so that a pair and its mirror have exactly opposite ones; the
  * law keeps that up. */
@@ -25,19 +14,19 @@
 #define SCREE_CONTACT_FORCE_KERNEL_H
 
 #include "contact/force.h"
-#include "contact/force_ordered.h"
 #include "contact/law_kernel.h"
+#include "pairs/walk.h"
 
-/* FORCE_QUAD: pairs that the filter takes at a time. FORCE_AHEAD: how many pairs ahead partners are fetched;
- * lists are padded by more than that. */
-enum { FORCE_CHUNK = 512, FORCE_BATCH = 64, FORCE_LANES = 8, FORCE_QUAD = 4, FORCE_AHEAD = 16 };
+enum { FORCE_BATCH = WALK_BATCH, FORCE_LANES = WALK_LANES };
 
-/* Contacts on their way through the phases. Entry k of each array belongs to contact k; the loops run to the
- * next multiple of FORCE_LANES: what lies there repeats the last contact, or is left from earlier ones. */
+/* Where the batch of the walk has what the law answers: components x y z each. */
+enum { FORCE_OUT = 0, FORCE_MOMENT = 3, FORCE_ROLLING = 6 };
+
+/* Contacts on their way through the law. Entry k of each array belongs to contact k; the loops run to the
+ * next multiple of FORCE_LANES. walk.history: the springs, tangential (0..2) and rolling (3..5). walk.out:
+ * the force on j, the torque per lever, the rolling torque on j. walk.gathered[0]: omega_i 0 omega_j 0. */
 struct force_batch {
-    double record[FORCE_BATCH][8];      /* x_j - x_i, r_i + r_j, v_j - v_i, 1/m_i + 1/m_j */
-    double omega[FORCE_BATCH][8];       /* omega_i 0 omega_j 0 */
-    double radius[2][FORCE_BATCH];      /* r_i, r_j */
+    struct walk_batch walk;
     double coefficient[6][FORCE_BATCH]; /* the members of struct law_coefficients */
     double overlap[FORCE_BATCH];        /* what struct law_contact holds, by component */
     double mass[FORCE_BATCH];
@@ -47,16 +36,7 @@ struct force_batch {
     double half_normal[3][FORCE_BATCH];
     double surface[3][FORCE_BATCH];
     double spin[3][FORCE_BATCH];
-    double spring[HISTORY_COMPONENTS_MAX][FORCE_BATCH]; /* in: the old ones; out: the new ones */
-    double force[3][FORCE_BATCH];                       /* on j */
-    double moment[3][FORCE_BATCH];                      /* torque per lever */
-    double rolling[3][FORCE_BATCH];                     /* torque on j */
-    double lever[2][FORCE_BATCH];                       /* of i, of j */
-    double energy[3][FORCE_BATCH];                      /* normal, springs, work taken; if asked for */
-    double share[FORCE_BATCH][12];                      /* force 0 moment 0 rolling 0, as records have them */
-    uint32_t i[FORCE_BATCH], j[FORCE_BATCH];            /* particle numbers, without image code */
-    uint32_t pair[FORCE_BATCH];                         /* pair number - first pair of the thread */
-    int count, padded;
+    double energy[3][FORCE_BATCH]; /* normal, springs, work taken; if asked for */
 };
 
 typedef void force_physics(struct force_batch *batch, struct law_step step);
@@ -85,33 +65,22 @@ static inline void force_add_virial(double virial[6], double weight, const doubl
 /* Adds a thread's sums to the total; largest overlaps are compared. */
 void force_sums_add(struct force_sums *total, const struct force_sums *part);
 
-/* A thread's own memory. */
+/* A thread's batch, and what its law and its sums need. */
 struct force_thread {
     struct force_batch batch;
-    /* Touching pairs, number - first pair of the block; FORCE_QUAD are written at a time. */
-    uint32_t candidate[FORCE_CHUNK + FORCE_BATCH + FORCE_QUAD];
-    size_t candidates;
-    size_t cursor; /* merge pointer into the old history records */
     struct force_sums sums;
-    double *slots;               /* force_stride doubles a busy particle */
-    struct force_ledger *ledger; /* NULL: forces are added at once */
-};
-
-/* One block's work, as force.c sets it up. */
-struct force_task {
-    const struct force_context *context;
-    const struct pair_block *block;
-    struct force_thread *thread;
-    size_t pair_base;               /* first pair of the thread */
-    const struct history_part *old; /* NULL without history */
-    struct history_part *new;
     struct law_step step;
     bool energies;
+    force_physics *measure, *respond; /* the loops of this law */
 };
 
 struct force_kernel {
-    const char *name;                             /* the instruction set */
-    void (*block)(const struct force_task *task); /* computes a block */
+    const char *name; /* the instruction set */
+    /* Before a thread's blocks: chooses its loops. */
+    void (*begin)(struct force_thread *thread, const struct force_context *context);
+    void (*compute)(const struct walk_task *task,
+                    struct walk_batch *batch); /* the client's part of a batch */
+    void (*note)(const struct walk_task *task, struct walk_batch *batch);
     /* The law alone over the first `count` contacts of a batch whose overlap ... spring are filled in, for
      * contacts that are no pairs: fills force ... energy. */
     void (*respond)(const struct law_options *options, bool energies, struct force_batch *batch,
@@ -122,7 +91,7 @@ struct force_kernel {
 const struct force_kernel *force_kernel_find(const char *name);
 
 extern const struct force_kernel force_kernel_baseline;
-#ifdef FORCE_X86_KERNELS
+#ifdef SCREE_X86_KERNELS
 extern const struct force_kernel force_kernel_v3; /* x86-64-v3: AVX2 */
 extern const struct force_kernel force_kernel_v4; /* x86-64-v4: AVX-512 */
 #endif

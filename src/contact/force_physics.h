@@ -22,8 +22,8 @@ LAW_INLINE void force_set(double a[3][FORCE_BATCH], int k, struct law_vector v) 
 
 /* First loop: what the law wants to know of contact k, from the records. */
 LAW_INLINE void force_measure(struct law_case law, struct force_batch *b, int k, struct law_step step) {
-    const double *record = b->record[k], *omega = b->omega[k];
-    double ri = b->radius[0][k], rj = b->radius[1][k];
+    const double *record = b->walk.record[k], *omega = b->walk.gathered[0][k];
+    double ri = b->walk.radius[0][k], rj = b->walk.radius[1][k];
     struct law_vector d = {record[0], record[1], record[2]}, v = {record[4], record[5], record[6]};
     double distance = sqrt(law_dot(d, d)), overlap = record[3] - distance;
     b->overlap[k] = overlap;
@@ -34,14 +34,17 @@ LAW_INLINE void force_measure(struct law_case law, struct force_batch *b, int k,
         b->effective[k] = ri * rj / record[3];
     if (!law.friction)
         return;
-    if (law.synchronised) {
-        struct law_vector half = law_add(d, -0.5 * step.dt, v);
-        force_set(b->half_normal, k, law_scale(force_ratio(1.0, sqrt(law_dot(half, half))), half));
-    }
     struct law_vector wi = {omega[0], omega[1], omega[2]}, wj = {omega[4], omega[5], omega[6]};
     double lever_i = law_lever(law, ri, overlap), lever_j = law_lever(law, rj, overlap);
-    b->lever[0][k] = lever_i;
-    b->lever[1][k] = lever_j;
+    b->walk.lever[0][k] = lever_i;
+    b->walk.lever[1][k] = lever_j;
+    if (law.synchronised) {
+        struct law_vector half = law_add(d, -0.5 * step.dt, v);
+        double apart = sqrt(law_dot(half, half));
+        force_set(b->half_normal, k, law_scale(force_ratio(1.0, apart), half));
+        lever_i = law_lever(law, ri, record[3] - apart);
+        lever_j = law_lever(law, rj, record[3] - apart);
+    }
     force_set(b->surface, k, law_add(law_scale(lever_i, wi), lever_j, wj));
     if (law.rolling)
         force_set(b->spin, k, law_add(wj, -1.0, wi));
@@ -60,16 +63,16 @@ LAW_INLINE void force_respond(struct law_case law, struct force_batch *b, int k,
         in.radius = b->effective[k];
     if (law.friction) {
         in.surface = force_vector(b->surface, k);
-        in.spring = force_vector(b->spring, k);
+        in.spring = force_vector(b->walk.history, k);
     }
     if (law.synchronised)
         in.half_normal = force_vector(b->half_normal, k);
     if (law.rolling) {
         in.spin = force_vector(b->spin, k);
-        in.roll = force_vector(b->spring + 3, k);
+        in.roll = force_vector(b->walk.history + 3, k);
     }
     struct law_response out = law_respond(law, step, &in);
-    force_set(b->force, k, out.force);
+    force_set(b->walk.out + FORCE_OUT, k, out.force);
     if (law.energies) {
         b->energy[0][k] = out.normal_energy;
         b->energy[1][k] = out.spring_energy;
@@ -77,19 +80,19 @@ LAW_INLINE void force_respond(struct law_case law, struct force_batch *b, int k,
     }
     if (!law.friction)
         return;
-    force_set(b->moment, k, out.moment);
-    force_set(b->spring, k, out.spring);
+    force_set(b->walk.out + FORCE_MOMENT, k, out.moment);
+    force_set(b->walk.history, k, out.spring);
     if (!law.rolling)
         return;
-    force_set(b->rolling, k, out.rolling);
-    force_set(b->spring + 3, k, out.roll);
+    force_set(b->walk.out + FORCE_ROLLING, k, out.rolling);
+    force_set(b->walk.history + 3, k, out.roll);
 }
 
 /* Two loops, as one is so long that a processor cannot begin a contact before the last has waited for all its
  * roots and divisions. Their bodies are functions, as variables inside of an `omp simd` loop would become
  * arrays. */
 LAW_INLINE void force_measure_all(struct law_case law, struct force_batch *restrict b, struct law_step step) {
-    int count = b->padded;
+    int count = b->walk.padded;
 #pragma omp simd
     for (int k = 0; k < count; k++)
         force_measure(law, b, k, step);
@@ -97,7 +100,7 @@ LAW_INLINE void force_measure_all(struct law_case law, struct force_batch *restr
 
 LAW_INLINE void force_respond_loop(struct law_case law, struct force_batch *restrict b,
                                    struct law_step step) {
-    int count = b->padded;
+    int count = b->walk.padded;
 #pragma omp simd
     for (int k = 0; k < count; k++)
         force_respond(law, b, k, step);

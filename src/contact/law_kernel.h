@@ -13,12 +13,12 @@
  * prefers a side; `moment` keeps its sign: the torques are i: lever_i moment - rolling        j: lever_j
  * moment + rolling.
  *
- * Spheres: velocity = v_j - v_i of the centres, surface = lever_i omega_i + lever_j omega_j, spin = omega_j -
- * omega_i, mass and radius the effective ones. The lever is r - overlap / 2: the contact point lies in the
- * middle of the overlap whatever the radii, so that the levers add up to the distance and angular momentum is
- * conserved; with lammps_hooke it is r. Walls: velocity = that of the wall's material point at the
- * contact point - v of the sphere's centre, surface = lever_i omega_i, spin = omega of the wall - omega_i,
- * mass and radius those of the sphere. */
+ * Spheres: velocity = v_j - v_i of the centres, surface = lever_i omega_i + lever_j omega_j (levers of the
+ * half step where springs advance in its plane), spin = omega_j - omega_i, mass and radius the effective
+ * ones. The lever is r - overlap / 2: the contact point lies in the middle of the overlap whatever the radii,
+ * so that the levers add up to the distance and angular momentum is conserved; with lammps_hooke it is r.
+ * Walls: velocity = that of the wall's material point at the contact point - v of the sphere's centre,
+ * surface = lever_i omega_i, spin = omega of the wall - omega_i, mass and radius those of the sphere. */
 #ifndef SCREE_CONTACT_LAW_KERNEL_H
 #define SCREE_CONTACT_LAW_KERNEL_H
 

@@ -34,8 +34,8 @@ static void recall_springs(const struct wall_task *task, int w, const struct wal
     const struct wall_records *old = &walls->records[walls->now];
     struct force_batch *b = &task->scratch->batch->contact;
     struct law_vector none = {0.0, 0.0, 0.0};
-    put(b->spring, k, none);
-    put(b->spring + 3, k, none);
+    put(b->walk.history, k, none);
+    put(b->walk.history + 3, k, none);
     if (from < 0)
         return;
     size_t record = walls->first[task->candidate] + (size_t)from;
@@ -47,14 +47,24 @@ static void recall_springs(const struct wall_task *task, int w, const struct wal
         spring = walls_carry(spring, before, touch->normal);
         roll = walls_carry(roll, before, touch->normal);
     }
-    put(b->spring, k, spring);
-    put(b->spring + 3, k, roll);
+    put(b->walk.history, k, spring);
+    put(b->walk.history + 3, k, roll);
+}
+
+/* The lever that the slip velocity is taken with: that of half a step ago, where springs advance in that
+ * plane. */
+static double lever_of_slip(const struct wall_task *task, int k, double lever, double radius) {
+    struct force_batch *b = &task->scratch->batch->contact;
+    if (!task->law.synchronised)
+        return lever;
+    double growth = -law_dot(get(b->velocity, k), get(b->normal, k)); /* of the overlap */
+    return law_max(law_lever(task->law, radius, b->overlap[k] - 0.5 * task->step.dt * growth), 0.0);
 }
 
 /* Puts the contact `touch` of the task's particle with wall w into the batch; `from` is its old record. */
 static void collect(const struct wall_task *task, int w, const struct wall_touch *touch, int32_t from) {
     struct force_batch *b = &task->scratch->batch->contact;
-    int k = b->count++;
+    int k = b->walk.count++;
     struct wall_entry *entry = &task->scratch->batch->entry[k];
     const struct wall *wall = &task->walls->wall[w];
     const struct particles *p = task->context->particles;
@@ -83,7 +93,7 @@ static void collect(const struct wall_task *task, int w, const struct wall_touch
     if (!task->law.friction)
         return;
     struct law_vector omega = wall_vector(p->omega[task->particle]);
-    put(b->surface, k, law_scale(lever, omega));
+    put(b->surface, k, law_scale(lever_of_slip(task, k, lever, state->radius), omega));
     put(b->spin, k, law_add(wall->twist.omega, -1.0, omega));
     put(b->half_normal, k,
         task->law.synchronised ? walls_half_normal(wall, touch, &sphere, task->step.dt) : touch->normal);
@@ -108,9 +118,9 @@ static void apply_to_wall(const struct wall_task *task, int k) {
     const struct wall_entry *entry = &task->scratch->batch->entry[k];
     int w = entry->key.wall;
     struct law_vector arm = law_add(entry->at, -1.0, task->walls->wall[w].centre_now);
-    struct law_vector force = get(b->force, k), torque = law_cross(arm, force);
+    struct law_vector force = get(b->walk.out + FORCE_OUT, k), torque = law_cross(arm, force);
     if (task->law.rolling)
-        torque = law_add(torque, 1.0, get(b->rolling, k));
+        torque = law_add(torque, 1.0, get(b->walk.out + FORCE_ROLLING, k));
     if (task->scratch->exact) {
         add_exactly(task->scratch->exact[w], force);
         add_exactly(task->scratch->exact[w] + 3, torque);
@@ -126,11 +136,11 @@ static void apply(const struct wall_task *task, int k) {
     struct force_batch *b = &task->scratch->batch->contact;
     const struct wall_entry *entry = &task->scratch->batch->entry[k];
     double *force = p->force + entry->particle * (size_t)p->force_stride;
-    add_to(force, -1.0, get(b->force, k));
+    add_to(force, -1.0, get(b->walk.out + FORCE_OUT, k));
     if (task->law.friction)
-        add_to(force + 4, entry->lever, get(b->moment, k));
+        add_to(force + 4, entry->lever, get(b->walk.out + FORCE_MOMENT, k));
     if (task->law.rolling)
-        add_to(force + 4, -1.0, get(b->rolling, k));
+        add_to(force + 4, -1.0, get(b->walk.out + FORCE_ROLLING, k));
     apply_to_wall(task, k);
 }
 
@@ -152,7 +162,7 @@ static void account(const struct wall_task *task, int k) {
     sums->taken += b->energy[2][k];
     if (!task->context->want_virial)
         return;
-    struct law_vector d = law_scale(entry->lever, get(b->normal, k)), f = get(b->force, k);
+    struct law_vector d = law_scale(entry->lever, get(b->normal, k)), f = get(b->walk.out + FORCE_OUT, k);
     force_add_virial(sums->virial, 1.0, (double[3]){d.x, d.y, d.z}, (double[3]){f.x, f.y, f.z});
 }
 
@@ -166,14 +176,14 @@ static void remember(const struct wall_task *task, int k) {
     size_t record = walls->first[entry->candidate] + (size_t) new->count[entry->candidate]++;
     new->key[record] = entry->key;
     for (int c = 0; c < components; c++)
-        new->value[record * (size_t)components + (size_t)c] = b->spring[c][k];
+        new->value[record * (size_t)components + (size_t)c] = b->walk.history[c][k];
 }
 
 /* Contact k for the contact list. */
 static struct force_contact contact_of(const struct wall_task *task, int k) {
     struct force_batch *b = &task->scratch->batch->contact;
     const struct wall_entry *entry = &task->scratch->batch->entry[k];
-    struct law_vector n = get(b->normal, k), f = get(b->force, k);
+    struct law_vector n = get(b->normal, k), f = get(b->walk.out + FORCE_OUT, k);
     return (struct force_contact){.id_i = task->context->particles->id[entry->particle],
                                   .id_j = -(int64_t)(entry->key.wall + 1),
                                   .number_i = entry->particle,
@@ -187,10 +197,10 @@ static struct force_contact contact_of(const struct wall_task *task, int k) {
 /* Takes the batch through the law, and what comes of it to where it belongs. */
 static void flush(struct wall_task *task) {
     struct force_batch *b = &task->scratch->batch->contact;
-    if (b->count == 0)
+    if (b->walk.count == 0)
         return;
     task->walls->kernel->respond(&task->context->law->options, task->law.energies, b, task->step);
-    for (int k = 0; k < b->count; k++) {
+    for (int k = 0; k < b->walk.count; k++) {
         if (task->list) {
             task->list[task->listed++] = contact_of(task, k);
             continue;
@@ -200,7 +210,7 @@ static void flush(struct wall_task *task) {
         if (task->walls->law->history_components > 0)
             remember(task, k);
     }
-    b->count = 0;
+    b->walk.count = 0;
 }
 
 /* Finds the contacts of candidate k with the wall of the pieces from `first` on, in scratch; sets *last to
@@ -232,7 +242,7 @@ static void take_particle(struct wall_task *task) {
         int w = walls->piece[first].wall;
         size_t count = find_contacts(walls, k, first, &last, wall_vector(state->x), state->radius, scratch);
         for (size_t c = 0; c < count; c++) {
-            if (scratch->batch->contact.count == FORCE_BATCH)
+            if (scratch->batch->contact.walk.count == FORCE_BATCH)
                 flush(task);
             collect(task, w, &scratch->touch[c], scratch->from[c]);
         }

@@ -1,7 +1,7 @@
 /* The particles are cut into as many ranges as there are threads. A thread looks through all ledgers for the
  * entries of its range and sorts them by particle (count, scan, fill), then those of each particle by source:
  * no thread waits for another, and none writes where another does. */
-#include "contact/force_ordered.h"
+#include "pairs/walk_ordered.h"
 #include "core/memory.h"
 #include <assert.h>
 #include <stdlib.h>
@@ -11,61 +11,61 @@
 enum { SORT_SHORT = 24 };
 
 /* An entry in the order in which it is to be added. */
-struct force_place {
-    struct force_source source;
+struct walk_place {
+    struct walk_source source;
     const double *share;
 };
 
 /* The room of one range. */
-struct force_range {
+struct walk_range {
     size_t first, last;
     size_t *start; /* of each particle's places; last - first + 1 */
     size_t start_room;
-    struct force_place *place;
+    struct walk_place *place;
     size_t place_room;
 };
 
-struct force_ordered {
+struct walk_ordered {
     int threads;
     size_t stride; /* doubles that ledgers hold an entry */
-    struct force_ledger **ledger;
-    struct force_range **range; /* each in pages of its own */
+    struct walk_ledger **ledger;
+    struct walk_range **range; /* each in pages of its own */
 };
 
-void force_ledger_reserve(struct force_ledger *ledger, size_t entries, size_t stride) {
+void walk_ledger_reserve(struct walk_ledger *ledger, size_t entries, size_t stride) {
     if (entries <= ledger->capacity)
         return;
     size_t n = ledger->capacity = entries + entries / 4 + 1024;
-    ledger->particle = memory_resize(ledger->particle, n, sizeof *ledger->particle, "forces in order");
-    ledger->source = memory_resize(ledger->source, n, sizeof *ledger->source, "forces in order");
-    ledger->share = memory_resize(ledger->share, n * stride, sizeof *ledger->share, "forces in order");
+    ledger->particle = memory_resize(ledger->particle, n, sizeof *ledger->particle, "shares in order");
+    ledger->source = memory_resize(ledger->source, n, sizeof *ledger->source, "shares in order");
+    ledger->share = memory_resize(ledger->share, n * stride, sizeof *ledger->share, "shares in order");
 }
 
-void force_ledger_free(struct force_ledger *ledger) {
+void walk_ledger_free(struct walk_ledger *ledger) {
     memory_free(ledger->particle);
     memory_free(ledger->source);
     memory_free(ledger->share);
-    *ledger = (struct force_ledger){0};
+    *ledger = (struct walk_ledger){0};
 }
 
-struct force_ordered *force_ordered_create(int threads) {
-    struct force_ordered *o = memory_allocate_zero(1, sizeof *o, "forces in order");
+struct walk_ordered *walk_ordered_create(int threads) {
+    struct walk_ordered *o = memory_allocate_zero(1, sizeof *o, "shares in order");
     o->threads = threads;
-    o->ledger = memory_allocate_zero((size_t)threads, sizeof *o->ledger, "forces in order");
-    o->range = memory_allocate_zero((size_t)threads, sizeof *o->range, "forces in order");
+    o->ledger = memory_allocate_zero((size_t)threads, sizeof *o->ledger, "shares in order");
+    o->range = memory_allocate_zero((size_t)threads, sizeof *o->range, "shares in order");
     for (int t = 0; t < threads; t++) {
-        o->ledger[t] = memory_allocate_zero(1, sizeof *o->ledger[t], "forces in order");
-        o->range[t] = memory_allocate_zero(1, sizeof *o->range[t], "forces in order");
+        o->ledger[t] = memory_allocate_zero(1, sizeof *o->ledger[t], "shares in order");
+        o->range[t] = memory_allocate_zero(1, sizeof *o->range[t], "shares in order");
     }
     return o;
 }
 
-void force_ordered_destroy(struct force_ordered **ordered) {
-    struct force_ordered *o = *ordered;
+void walk_ordered_destroy(struct walk_ordered **ordered) {
+    struct walk_ordered *o = *ordered;
     if (o == NULL)
         return;
     for (int t = 0; t < o->threads; t++) {
-        force_ledger_free(o->ledger[t]);
+        walk_ledger_free(o->ledger[t]);
         memory_free(o->ledger[t]);
         memory_free(o->range[t]->start);
         memory_free(o->range[t]->place);
@@ -77,28 +77,28 @@ void force_ordered_destroy(struct force_ordered **ordered) {
     *ordered = NULL;
 }
 
-struct force_ledger *force_ordered_ledger(struct force_ordered *ordered, int thread) {
+struct walk_ledger *walk_ordered_ledger(struct walk_ordered *ordered, int thread) {
     return ordered->ledger[thread];
 }
 
-static int source_compare(const struct force_source *a, const struct force_source *b) {
+static int source_compare(const struct walk_source *a, const struct walk_source *b) {
     if (a->partner != b->partner)
         return a->partner < b->partner ? -1 : 1;
     return a->image < b->image ? -1 : a->image > b->image;
 }
 
 static int place_compare(const void *a, const void *b) {
-    const struct force_place *x = a, *y = b;
+    const struct walk_place *x = a, *y = b;
     return source_compare(&x->source, &y->source);
 }
 
-static void places_sort(struct force_place *place, size_t n) {
+static void places_sort(struct walk_place *place, size_t n) {
     if (n > SORT_SHORT) {
         qsort(place, n, sizeof *place, place_compare);
         return;
     }
     for (size_t k = 1; k < n; k++) {
-        struct force_place one = place[k];
+        struct walk_place one = place[k];
         size_t at = k;
         for (; at > 0 && source_compare(&one.source, &place[at - 1].source) < 0; at--)
             place[at] = place[at - 1];
@@ -107,16 +107,16 @@ static void places_sort(struct force_place *place, size_t n) {
 }
 
 /* Counts the entries of each particle of the range, and turns the counts into starts, one place ahead. */
-static void range_count(const struct force_ordered *o, struct force_range *range) {
+static void range_count(const struct walk_ordered *o, struct walk_range *range) {
     size_t n = range->last - range->first, sum = 0;
     if (n + 2 > range->start_room) {
         range->start_room = n + n / 8 + 2;
         memory_free(range->start);
-        range->start = memory_allocate(range->start_room, sizeof *range->start, "forces in order");
+        range->start = memory_allocate(range->start_room, sizeof *range->start, "shares in order");
     }
     memset(range->start, 0, (n + 2) * sizeof *range->start);
     for (int t = 0; t < o->threads; t++) {
-        const struct force_ledger *ledger = o->ledger[t];
+        const struct walk_ledger *ledger = o->ledger[t];
         for (size_t e = 0; e < ledger->count; e++)
             if (ledger->particle[e] - range->first < n)
                 range->start[ledger->particle[e] - range->first + 2]++;
@@ -126,27 +126,27 @@ static void range_count(const struct force_ordered *o, struct force_range *range
     if (sum > range->place_room) {
         range->place_room = sum + sum / 8;
         memory_free(range->place);
-        range->place = memory_allocate(range->place_room, sizeof *range->place, "forces in order");
+        range->place = memory_allocate(range->place_room, sizeof *range->place, "shares in order");
     }
 }
 
-static void range_fill(const struct force_ordered *o, struct force_range *range, size_t stride) {
+static void range_fill(const struct walk_ordered *o, struct walk_range *range, size_t stride) {
     size_t n = range->last - range->first;
     for (int t = 0; t < o->threads; t++) {
-        const struct force_ledger *ledger = o->ledger[t];
+        const struct walk_ledger *ledger = o->ledger[t];
         for (size_t e = 0; e < ledger->count; e++)
             if (ledger->particle[e] - range->first < n)
                 range->place[range->start[ledger->particle[e] - range->first + 1]++] =
-                    (struct force_place){ledger->source[e], ledger->share + e * stride};
+                    (struct walk_place){ledger->source[e], ledger->share + e * stride};
     }
 }
 
 /* The sums of all particles of the range, with a constant stride. */
-static inline __attribute__((always_inline)) void range_sum(const struct force_range *range, double *force,
+static inline __attribute__((always_inline)) void range_sum(const struct walk_range *range, double *force,
                                                             const size_t stride) {
     for (size_t i = range->first; i < range->last; i++) {
         size_t first = range->start[i - range->first], n = range->start[i - range->first + 1] - first;
-        struct force_place *place = range->place + first;
+        struct walk_place *place = range->place + first;
         double sum[8];
         if (n == 0)
             continue;
@@ -159,8 +159,7 @@ static inline __attribute__((always_inline)) void range_sum(const struct force_r
     }
 }
 
-static void range_add(const struct force_ordered *o, struct force_range *range, double *force,
-                      size_t stride) {
+static void range_add(const struct walk_ordered *o, struct walk_range *range, double *force, size_t stride) {
     assert(stride == 4 || stride == 8);
     range_count(o, range);
     range_fill(o, range, stride);
@@ -170,7 +169,7 @@ static void range_add(const struct force_ordered *o, struct force_range *range, 
         range_sum(range, force, 4);
 }
 
-void force_ordered_add(struct force_ordered *o, size_t owned, double *force, size_t stride) {
+void walk_ordered_add(struct walk_ordered *o, size_t owned, double *force, size_t stride) {
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < o->threads; t++) {
         o->range[t]->first = owned * (size_t)t / (size_t)o->threads;
@@ -178,10 +177,10 @@ void force_ordered_add(struct force_ordered *o, size_t owned, double *force, siz
         range_add(o, o->range[t], force, stride);
     }
     o->stride = stride;
-    force_ordered_clear(o);
+    walk_ordered_clear(o);
 }
 
-void force_ordered_clear(struct force_ordered *o) {
+void walk_ordered_clear(struct walk_ordered *o) {
     for (int t = 0; t < o->threads; t++)
         o->ledger[t]->count = 0;
 }
