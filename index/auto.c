@@ -85,7 +85,7 @@ static void look(const struct index_view *view, struct cost_scene *scene) {
     scene->dimension = view->dimension;
     scene->threads = view->threads;
     scene->volume =
-        in_steps(view->owned > 0 ? occupied(view, levels_cutoffs(view, 0, view->classes - 1).largest) : 1);
+        in_steps(view->owned > 0 ? occupied(view, frame_cutoffs(view, 0, view->classes - 1).largest) : 1);
     for (int c = 0; c < view->classes; c++) {
         scene->count[c] = in_steps((double)count[c]);
         scene->radius_max[c] = scene->radius_min[c] = view->radius_max[c];

@@ -11,7 +11,7 @@ static void bytype_plan(const struct index_params *params, const struct index_vi
     plan->grids = view->classes;
     for (int c = 0; c < view->classes; c++) {
         plan->grid_of[c] = c;
-        plan->edge[c] = levels_index_factor(params, CELL_FACTOR) * levels_cutoffs(view, c, c).largest;
+        plan->edge[c] = levels_index_factor(params, CELL_FACTOR) * frame_cutoffs(view, c, c).largest;
     }
 }
 

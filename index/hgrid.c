@@ -20,7 +20,7 @@ static void hgrid_plan(const struct index_params *params, const struct index_vie
         double given = params->level_cell[level];
         plan->edge[level] =
             given > 0 ? given
-                      : levels_index_factor(params, CELL_FACTOR) * levels_cutoffs(view, first, last).largest;
+                      : levels_index_factor(params, CELL_FACTOR) * frame_cutoffs(view, first, last).largest;
         plan->fixed[level] = plan->fixed[level] || given > 0;
     }
 }

@@ -9,7 +9,7 @@ static void linkcell_plan(const struct index_params *params, const struct index_
                           struct levels_plan *plan) {
     plan->grids = 1;
     plan->edge[0] =
-        levels_index_factor(params, CELL_FACTOR) * levels_cutoffs(view, 0, view->classes - 1).largest;
+        levels_index_factor(params, CELL_FACTOR) * frame_cutoffs(view, 0, view->classes - 1).largest;
 }
 
 static struct index *linkcell_create(const struct index_params *params) {

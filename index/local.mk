@@ -14,6 +14,8 @@ libindex_la_SOURCES = \
 	index/choose/auto_choose.c \
 	index/choose/cost.c \
 	index/choose/cost.h \
+	index/choose/prices.c \
+	index/choose/prices.h \
 	index/grids/cells.c \
 	index/grids/cells.h \
 	index/grids/cells_sort.c \
@@ -28,6 +30,7 @@ libindex_la_SOURCES = \
 	index/grids/levels.h \
 	index/grids/levels_index.c \
 	index/grids/levels_index.h \
+	index/grids/levels_parts.h \
 	index/grids/levels_plan.c \
 	index/grids/levels_plan.h \
 	index/grids/locate.c \
@@ -39,6 +42,7 @@ libindex_la_SOURCES = \
 	index/search/lanes_avx2.h \
 	index/search/lanes_avx512.h \
 	index/search/lanes_plain.h \
+	index/search/search.c \
 	index/search/search.h \
 	index/search/search_avx2.c \
 	index/search/search_avx512.c \
@@ -46,4 +50,5 @@ libindex_la_SOURCES = \
 	index/search/search_gather.h \
 	index/search/search_pairs.h \
 	index/search/search_plain.c \
-	index/search/search_rows.h
+	index/search/search_rows.h \
+	index/search/sizes.h

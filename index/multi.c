@@ -11,7 +11,7 @@ static void multi_plan(const struct index_params *params, const struct index_vie
     plan->grids = 1;
     plan->stencils = true;
     plan->edge[0] =
-        levels_index_factor(params, CELL_FACTOR) * levels_cutoffs(view, 0, view->classes - 1).smallest;
+        levels_index_factor(params, CELL_FACTOR) * frame_cutoffs(view, 0, view->classes - 1).smallest;
 }
 
 static struct index *multi_create(const struct index_params *params) {

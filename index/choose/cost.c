@@ -1,21 +1,13 @@
 #include "index/choose/cost.h"
 
 #include "index/grids/levels.h"
+#include "index/search/sizes.h"
 
 #include <math.h>
 #include <stdio.h>
 
-enum { SPAN_OWN = 12, SPAN_OTHER = 32, LANES = 8 };
-
 /* Handing out what larger rows found costs a row half a visit. */
 static const double HANDED_OUT = 0.5;
-
-/* Nanoseconds an event, on an AMD EPYC (Zen 4), AVX-512: from three fits, which agree in particles, windows,
- * vectors and tests; visits, runs and rounds differ from fit to fit. Mixed and singles are estimates. */
-static const double price[COST_TERMS] = {
-    [COST_PARTICLE] = 28, [COST_MIXED] = 60, [COST_WINDOW] = 10, [COST_VECTOR] = 1.65, [COST_VISIT] = 3,
-    [COST_RUN] = 8,       [COST_ROUND] = 6,  [COST_SPARSE] = 27, [COST_TEST] = 4.3,    [COST_SINGLE] = 60,
-};
 
 static const char *const names[COST_TERMS] = {
     [COST_PARTICLE] = "particles", [COST_MIXED] = "mixed",   [COST_WINDOW] = "windows",
@@ -26,10 +18,6 @@ static const char *const names[COST_TERMS] = {
 
 const char *cost_name(enum cost_term term) {
     return names[term];
-}
-
-double cost_price(enum cost_term term) {
-    return price[term];
 }
 
 /* One level as the model sees it. */
@@ -78,8 +66,8 @@ static struct part part_of(const struct cost_scene *scene, const struct cost_pla
     part.pencils = scene->dimension == 3 ? wide * wide : wide;
     part.pencil = part.count / part.pencils;
     part.sparse = levels_too_many_cells(levels_cells(scene->volume, part.edge, scene->dimension), part.count);
-    part.span_radius[0] = largest_of(scene, first, last, part.count, fmin(SPAN_OWN, part.pencil + 1));
-    part.span_radius[1] = largest_of(scene, first, last, part.count, fmin(SPAN_OTHER, part.pencil + 1));
+    part.span_radius[0] = largest_of(scene, first, last, part.count, fmin(SEARCH_OWN_ROWS, part.pencil + 1));
+    part.span_radius[1] = largest_of(scene, first, last, part.count, fmin(SEARCH_ROWS, part.pencil + 1));
     return part;
 }
 
@@ -121,7 +109,7 @@ static void count_direct(const struct cost_scene *scene, const struct part *g, d
     struct window window = window_of(scene, g, 0, 0, g->radius_mean + g->radius_max + g->margin);
     double share = 0.5 + 0.5 / window.pencils;
     double found = g->density * window.length * window.high * (scene->dimension == 2 ? 1 : window.wide);
-    double vectors = fmax(1, found / window.pencils / LANES + 0.5);
+    double vectors = fmax(1, found / window.pencils / SEARCH_LANES + 0.5);
     count[COST_WINDOW] += g->count * share * window.pencils;
     count[COST_VECTOR] += g->count * share * window.pencils * vectors;
 }
@@ -130,7 +118,7 @@ static void count_direct(const struct cost_scene *scene, const struct part *g, d
 static void count_spans(const struct cost_scene *scene, const struct part *g, const struct part *h, bool own,
                         double count[COST_TERMS]) {
     bool flat = scene->dimension == 2;
-    double spans = spans_of(g, own ? SPAN_OWN : SPAN_OTHER), rows = g->count / spans;
+    double spans = spans_of(g, own ? SEARCH_OWN_ROWS : SEARCH_ROWS), rows = g->count / spans;
     double across = pow(scene->volume, 1.0 / scene->dimension);
     struct window window = window_of(scene, h, fmin(across, rows / g->pencil * across),
                                      fmin(g->edge, across) * (rows - 1) / (rows + 1),
@@ -148,7 +136,7 @@ static void count_spans(const struct cost_scene *scene, const struct part *g, co
     count[COST_RUN] += spans * runs;
     count[COST_ROUND] += window.round ? spans * runs : 0;
     count[COST_SPARSE] += h->sparse ? spans * runs : 0;
-    count[COST_TEST] += spans * rows * (found / LANES + 0.5 * some);
+    count[COST_TEST] += spans * rows * (found / SEARCH_LANES + 0.5 * some);
 }
 
 /* Rows of h, one by one, in the table of the smaller ones of g. */
@@ -159,12 +147,12 @@ static void count_singles(const struct part *g, const struct part *h, const stru
     count[COST_VISIT] += HANDED_OUT * g->count;
     if (!g->sparse && window->pencils <= LEVELS_PENCILS_DIRECT) {
         count[COST_WINDOW] += pencils;
-        count[COST_VECTOR] += pencils * fmax(1, found / window->pencils / LANES + 0.5);
+        count[COST_VECTOR] += pencils * fmax(1, found / window->pencils / SEARCH_LANES + 0.5);
     } else {
         count[COST_RUN] += pencils;
         count[COST_ROUND] += window->round ? pencils : 0;
         count[COST_SPARSE] += g->sparse ? pencils : 0;
-        count[COST_TEST] += h->count * (0.6 * found / LANES + 0.5);
+        count[COST_TEST] += h->count * (0.6 * found / SEARCH_LANES + 0.5);
     }
 }
 
@@ -175,14 +163,14 @@ static void count_cross(const struct cost_scene *scene, const struct part *g, co
     const struct window up = window_of(scene, h, g->edge, g->edge, reach),
                         down = window_of(scene, g, 0, 0, reach);
     const bool flat = scene->dimension == 2;
-    const struct cross_sides sides = {
+    const struct prices_sides sides = {
         .smaller = g->count,
         .larger = h->count,
         .found_smaller = fmin(g->count, g->density * down.length * down.high * (flat ? 1 : down.wide)),
         .found_larger = fmin(h->count, h->density * up.length * up.high * (flat ? 1 : up.wide)),
         .pencils = down.pencils,
         .sparse = g->sparse};
-    if (cross_from_larger(&sides)) {
+    if (prices_from_larger(&sides)) {
         count_singles(g, h, &down, sides.found_smaller, count);
     } else {
         count_spans(scene, g, h, false, count);
@@ -216,7 +204,7 @@ double cost_seconds(const struct cost_scene *scene, const struct cost_plan *plan
     double count[COST_TERMS], sum = 0;
     cost_count(scene, plan, count);
     for (int t = 0; t < COST_TERMS; t++) {
-        sum += count[t] * price[t];
+        sum += count[t] * prices_event(t);
     }
     return sum * 1e-9 / (scene->threads > 0 ? scene->threads : 1);
 }
@@ -226,12 +214,12 @@ void cost_why(const struct cost_scene *scene, const struct cost_plan *plan, char
     size_t used = 0;
     cost_count(scene, plan, count);
     for (int t = 0; t < COST_TERMS; t++) {
-        sum += count[t] * price[t];
+        sum += count[t] * prices_event(t);
     }
     particles = count[COST_PARTICLE] > 0 ? count[COST_PARTICLE] : 1;
     why[0] = '\0';
     for (int t = 0; t < COST_TERMS; t++) {
-        double share = sum > 0 ? 100 * count[t] * price[t] / sum : 0;
+        double share = sum > 0 ? 100 * count[t] * prices_event(t) / sum : 0;
         if (share >= 0.5 && used < INDEX_WHY_MAX) {
             used += (size_t)snprintf(why + used, INDEX_WHY_MAX - used, "%s%s %.3g a particle (%.0f %%)",
                                      used ? ", " : "", names[t], count[t] / particles, share);

@@ -24,6 +24,7 @@
 #ifndef SCREE_INDEX_CHOOSE_COST_H
 #define SCREE_INDEX_CHOOSE_COST_H
 
+#include "index/choose/prices.h"
 #include "index/index.h"
 
 enum { COST_BINS = 64 };
@@ -49,21 +50,6 @@ struct cost_plan {
     double edge[INDEX_CLASS_MAX]; /* cell edge in y and z, length unit */
 };
 
-/* Events of one rebuild. */
-enum cost_term {
-    COST_PARTICLE,
-    COST_MIXED,
-    COST_WINDOW,
-    COST_VECTOR,
-    COST_VISIT,
-    COST_RUN,
-    COST_ROUND,
-    COST_SPARSE,
-    COST_TEST,
-    COST_SINGLE,
-    COST_TERMS
-};
-
 /* Counts the events of a plan; the work of all threads together. */
 void cost_count(const struct cost_scene *scene, const struct cost_plan *plan, double count[COST_TERMS]);
 
@@ -73,9 +59,8 @@ double cost_seconds(const struct cost_scene *scene, const struct cost_plan *plan
 /* One line that says what the cost consists of. */
 void cost_why(const struct cost_scene *scene, const struct cost_plan *plan, char why[INDEX_WHY_MAX]);
 
-/* Name of a term, and its price in nanoseconds. */
+/* Name of a term. */
 const char *cost_name(enum cost_term term);
-double cost_price(enum cost_term term);
 
 /* The cut-off, 2 radius + margin, that the cells of a level are made from. */
 double cost_cutoff(const struct cost_scene *scene, const struct cost_plan *plan, int level);

@@ -1,24 +1,12 @@
 #include "index/grids/cross.h"
 
 #include "core/memory.h"
-#include "index/grids/levels.h"
 
 #include <omp.h>
 
 enum { CHUNK = 32, CHUNKS_A_THREAD = 8, FOUND_FIRST = 1 << 12 };
 
 static const uint32_t particle_mask = ((uint32_t)1 << INDEX_IMAGE_SHIFT) - 1;
-
-/* Nanoseconds, estimated on an AMD EPYC (Zen 4), not fitted: a small particle looks at the large ones about
- * it; a large one looks up pencils of small ones and tests these. */
-static const double row_price = 8, large_price = 0.25;
-static const double single_price = 100, pencil_price = 12, sparse_price = 40, small_price = 0.25;
-
-bool cross_from_larger(const struct cross_sides *sides) {
-    double pencil = sides->sparse ? sparse_price : pencil_price;
-    return sides->larger * (single_price + sides->pencils * pencil + sides->found_smaller * small_price) <
-           sides->smaller * (row_price + sides->found_larger * large_price);
-}
 
 static void sink_reserve(struct index_sink *sink, size_t count) {
     if (count > sink->capacity) {
@@ -28,32 +16,33 @@ static void sink_reserve(struct index_sink *sink, size_t count) {
     }
 }
 
-static void find_rows(const struct levels *levels, const struct index_view *view, size_t first, size_t last,
-                      struct index_sink *sink) {
+static void find_rows(const struct cross_finder *finder, const struct index_view *view, size_t first,
+                      size_t last, struct index_sink *sink) {
     size_t before = sink->count;
-    levels_search(levels, &levels->cross_searches, view, first, last, sink);
+    finder->find(finder->context, view, first, last, sink);
     if (sink->count > sink->capacity) {
         sink_reserve(sink, sink->count);
         sink->count = before;
-        levels_search(levels, &levels->cross_searches, view, first, last, sink);
+        finder->find(finder->context, view, first, last, sink);
     }
 }
 
 /* The share of one thread of a team in the search for pairs. */
-static void find_share(const struct levels *levels, const struct index_view *view, size_t first,
+static void find_share(const struct cross_finder *finder, const struct index_view *view,
                        struct index_sink *sink) {
-    const struct members *owned = &levels->owned;
+    const struct members *owned = finder->owned;
+    const size_t first = finder->first;
     const size_t share = (view->owned - first) / (CHUNKS_A_THREAD * (size_t)omp_get_num_threads());
     const size_t chunk = share < 1 ? 1 : share < CHUNK ? share : CHUNK;
 #pragma omp for schedule(dynamic, 1)
     for (size_t begin = first; begin < view->owned; begin += chunk) {
         size_t end = begin + chunk < view->owned ? begin + chunk : view->owned;
         if (owned->contiguous) {
-            find_rows(levels, view, owned->first + begin, owned->first + end, sink);
+            find_rows(finder, view, owned->first + begin, owned->first + end, sink);
             continue;
         }
         for (size_t k = begin; k < end; k++) {
-            find_rows(levels, view, owned->list[k], owned->list[k] + 1, sink);
+            find_rows(finder, view, owned->list[k], owned->list[k] + 1, sink);
         }
     }
 }
@@ -144,23 +133,19 @@ static void reserve_partners(struct cross_pairs *cross, size_t count) {
     }
 }
 
-void cross_find(struct cross_pairs *cross, const struct levels *levels, const struct index_view *view) {
-    int lowest = INDEX_CLASS_MAX; /* the first grid whose particles search smaller ones */
-    for (int c = 0; c < view->classes; c++) {
-        int grid = levels->plan.grid_of[c];
-        lowest = levels->cross_searches.count[c] > 0 && grid < lowest ? grid : lowest;
-    }
-    cross->rows = lowest < INDEX_CLASS_MAX ? view->owned : 0;
-    if (cross->rows == 0) {
-        return;
-    }
+void cross_clear(struct cross_pairs *cross) {
+    cross->rows = 0;
+}
+
+void cross_find(struct cross_pairs *cross, const struct cross_finder *finder, const struct index_view *view) {
+    cross->rows = view->owned;
     reserve(cross, view);
     size_t *begin = memory_allocate_zero((size_t)view->threads + 1, sizeof *begin, "pairs of levels");
 #pragma omp parallel num_threads(view->threads)
     {
         size_t threads = (size_t)omp_get_num_threads(), t = (size_t)omp_get_thread_num();
         size_t first = view->owned * t / threads, last = view->owned * (t + 1) / threads;
-        find_share(levels, view, levels->owned.begin[lowest], &cross->found[t]);
+        find_share(finder, view, &cross->found[t]);
         begin[t + 1] = count_rows(cross, first, last);
 #pragma omp barrier
 #pragma omp single

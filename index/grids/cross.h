@@ -7,9 +7,7 @@
 #ifndef SCREE_INDEX_GRIDS_CROSS_H
 #define SCREE_INDEX_GRIDS_CROSS_H
 
-#include "index/index.h"
-
-struct levels;
+#include "index/grids/members.h"
 
 struct cross_pairs {
     size_t rows;       /* owned particles; 0: nothing was found from the larger side */
@@ -20,9 +18,22 @@ struct cross_pairs {
     int threads;
 };
 
-/* Finds the pairs of all searches in levels->cross_searches and sorts them; their set and order do not depend
- * on the number of threads. Opens teams of threads. */
-void cross_find(struct cross_pairs *cross, const struct levels *levels, const struct index_view *view);
+/* Who finds them. */
+struct cross_finder {
+    const struct members *owned;
+    size_t first; /* place in `owned` of the first that searches smaller ones; those after it all do */
+    const void *context;
+    /* Emits what rows [first, last) find among smaller ones. Many threads at once. */
+    void (*find)(const void *context, const struct index_view *view, size_t first, size_t last,
+                 struct index_sink *sink);
+};
+
+/* Finds the pairs and sorts them; their set and order do not depend on the number of threads. Opens teams of
+ * threads. */
+void cross_find(struct cross_pairs *cross, const struct cross_finder *finder, const struct index_view *view);
+
+/* Forgets all pairs: nothing was found from the larger side. */
+void cross_clear(struct cross_pairs *cross);
 
 /* Emits the pairs of rows [first, last). Many threads at once. */
 void cross_visit(const struct cross_pairs *cross, size_t first, size_t last, struct index_sink *sink);
@@ -31,17 +42,5 @@ void cross_free(struct cross_pairs *cross);
 
 /* Bytes held. */
 size_t cross_memory(const struct cross_pairs *cross);
-
-/* The two sides of a pair of levels: particles of each, those that lie about one of the other side (about a
- * span of rows, of the larger ones), and the pencils of small cells that a large one meets. */
-struct cross_sides {
-    double smaller, larger;
-    double found_smaller, found_larger;
-    double pencils;
-    bool sparse; /* the table of the smaller ones is */
-};
-
-/* True if the larger side finds the pairs of the two in less time. */
-bool cross_from_larger(const struct cross_sides *sides);
 
 #endif

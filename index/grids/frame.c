@@ -4,14 +4,24 @@
  * below 8 sqrt(3) e M < 16 e M = 2^-20 M in all. */
 #include "index/grids/frame.h"
 
-#include "index/grids/levels.h"
-
 #include <float.h>
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
 
 enum { SAMPLE = 1024, CELLS_ACROSS = 1 << 20 };
+
+struct frame_cutoffs frame_cutoffs(const struct index_view *view, int first, int last) {
+    struct frame_cutoffs cutoffs = {INFINITY, 0};
+    for (int c = first; c <= last; c++) {
+        double cutoff = 2 * view->radius_max[c] + view->margin[c][c];
+        if (cutoff > 0) {
+            cutoffs.smallest = fmin(cutoffs.smallest, cutoff);
+            cutoffs.largest = fmax(cutoffs.largest, cutoff);
+        }
+    }
+    return cutoffs.largest > 0 ? cutoffs : (struct frame_cutoffs){1, 1};
+}
 
 struct extent {
     double low[3], high[3];
@@ -95,7 +105,7 @@ static void open_direction(struct frame *frame, const struct index_view *view, i
     extent_add(&all, &extents[1]);
     double bounds[2] = {all.low[d], all.high[d]};
     if (!all.finite || !(bounds[1] - bounds[0] < CELLS_ACROSS * frame->unit)) {
-        bounds_robust(view, d, 1024 * frame->unit + levels_cutoffs(view, 0, view->classes - 1).largest,
+        bounds_robust(view, d, 1024 * frame->unit + frame_cutoffs(view, 0, view->classes - 1).largest,
                       bounds);
         bounds[0] = fmax(bounds[0], all.low[d]);
         bounds[1] = fmin(bounds[1], all.high[d]);
@@ -143,7 +153,7 @@ static bool hollow(const struct index_view *view, const struct extent *owned) {
 }
 
 void frame_make(struct frame *frame, const struct index_view *view) {
-    *frame = (struct frame){.unit = levels_cutoffs(view, 0, view->classes - 1).smallest};
+    *frame = (struct frame){.unit = frame_cutoffs(view, 0, view->classes - 1).smallest};
     frame->scale = 1 / frame->unit;
     struct extent extents[2] = {extent_none(), extent_none()};
     if (!(view->periodic[0] && view->periodic[1] && view->periodic[2])) {

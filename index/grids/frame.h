@@ -31,6 +31,13 @@ struct frame {
     bool clamped;
 };
 
+/* Smallest and largest cut-off, 2 radius_max + margin, of the classes first ... last; both 1 where none has a
+ * size. */
+struct frame_cutoffs {
+    double smallest, largest;
+};
+struct frame_cutoffs frame_cutoffs(const struct index_view *view, int first, int last);
+
 /* Fits a frame to the view. Opens a team of threads if a direction is open. */
 void frame_make(struct frame *frame, const struct index_view *view);
 

@@ -17,18 +17,6 @@ enum {
 /* An edge that the user did not fix may grow so far to keep the grid dense. */
 static const double GROWTH = 2.5;
 
-struct levels_cutoffs levels_cutoffs(const struct index_view *view, int first, int last) {
-    struct levels_cutoffs cutoffs = {INFINITY, 0};
-    for (int c = first; c <= last; c++) {
-        double cutoff = 2 * view->radius_max[c] + view->margin[c][c];
-        if (cutoff > 0) {
-            cutoffs.smallest = fmin(cutoffs.smallest, cutoff);
-            cutoffs.largest = fmax(cutoffs.largest, cutoff);
-        }
-    }
-    return cutoffs.largest > 0 ? cutoffs : (struct levels_cutoffs){1, 1};
-}
-
 void levels_start(struct levels *levels, const struct index_params *params) {
     int best = search_instructions();
     int wanted = params->instructions;
@@ -143,6 +131,30 @@ static bool same_grids(const struct levels_plan *a, const struct levels_plan *b,
     return same;
 }
 
+static void search_smaller(const void *context, const struct index_view *view, size_t first, size_t last,
+                           struct index_sink *sink) {
+    const struct levels *levels = context;
+    search_run(levels, &levels->cross_searches, view, first, last, sink);
+}
+
+/* The pairs of unlike levels that are found from the larger side. */
+static void find_cross(struct levels *levels, const struct index_view *view) {
+    int lowest = INDEX_CLASS_MAX; /* the first grid whose particles search smaller ones */
+    for (int c = 0; c < view->classes; c++) {
+        int grid = levels->plan.grid_of[c];
+        lowest = levels->cross_searches.count[c] > 0 && grid < lowest ? grid : lowest;
+    }
+    if (lowest == INDEX_CLASS_MAX || view->owned == 0) {
+        cross_clear(&levels->cross);
+        return;
+    }
+    struct cross_finder finder = {.owned = &levels->owned,
+                                  .first = levels->owned.begin[lowest],
+                                  .context = levels,
+                                  .find = search_smaller};
+    cross_find(&levels->cross, &finder, view);
+}
+
 void levels_build(struct levels *levels, const struct levels_plan *plan, const struct index_view *view) {
     levels->kept = levels->kept && view->ordered && view->total == view->owned &&
                    levels->owned.begin[INDEX_CLASS_MAX] == view->owned &&
@@ -166,7 +178,7 @@ void levels_build(struct levels *levels, const struct levels_plan *plan, const s
         levels->radius_min[c] = c > 0 ? levels->radius_max[c - 1] : 0;
     }
     levels_plan_searches(levels, view);
-    cross_find(&levels->cross, levels, view);
+    find_cross(levels, view);
 }
 
 void levels_order(struct levels *levels, const struct levels_plan *plan, const struct index_view *view,
@@ -200,17 +212,6 @@ void levels_order(struct levels *levels, const struct levels_plan *plan, const s
     }
 }
 
-void levels_search(const struct levels *levels, const struct searches *searches,
-                   const struct index_view *view, size_t first, size_t last, struct index_sink *sink) {
-    if (levels->instructions == INDEX_AVX512) {
-        search_avx512(levels, searches, view, first, last, sink);
-    } else if (levels->instructions == INDEX_AVX2) {
-        search_avx2(levels, searches, view, first, last, sink);
-    } else {
-        search_plain(levels, searches, view, first, last, sink);
-    }
-}
-
 /* Pairs with larger particles come soon after the others of their rows, for the sake of who reads the list.
  */
 void levels_visit(const struct levels *levels, const struct index_view *view, size_t first, size_t last,
@@ -218,7 +219,7 @@ void levels_visit(const struct levels *levels, const struct index_view *view, si
     const size_t step = levels->cross.rows > 0 ? VISIT_ROWS : last - first;
     for (size_t row = first, end; row < last; row = end) {
         end = row + step < last ? row + step : last;
-        levels_search(levels, &levels->searches, view, row, end, sink);
+        search_run(levels, &levels->searches, view, row, end, sink);
         cross_visit(&levels->cross, row, end, sink);
     }
 }

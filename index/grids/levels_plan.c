@@ -1,6 +1,8 @@
 /* Which tables the rows of each class search (the table at the head of levels.h). */
 #include "index/grids/levels_plan.h"
 
+#include "index/choose/prices.h"
+
 #include <math.h>
 
 /* Least and largest margin between class c and the classes of grid g. */
@@ -107,10 +109,10 @@ static bool from_larger(const struct levels *levels, const struct index_view *vi
         }
     }
     double reach = small->owned.r_max + large->owned.r_max + margin;
-    struct cross_sides sides = {.smaller = (double)small->owned.count,
-                                .larger = (double)large->owned.count,
-                                .pencils = 1,
-                                .sparse = small->owned.sparse};
+    struct prices_sides sides = {.smaller = (double)small->owned.count,
+                                 .larger = (double)large->owned.count,
+                                 .pencils = 1,
+                                 .sparse = small->owned.sparse};
     sides.found_smaller = sides.smaller;
     sides.found_larger = sides.larger;
     for (int d = 0; d < 3; d++) {
@@ -123,7 +125,7 @@ static bool from_larger(const struct levels *levels, const struct index_view *vi
     if (sides.sparse) {
         sides.pencils = fmin(sides.pencils, (double)small->owned.pencils);
     }
-    return cross_from_larger(&sides);
+    return prices_from_larger(&sides);
 }
 
 void levels_plan_searches(struct levels *levels, const struct index_view *view) {

@@ -2,7 +2,7 @@
 #ifndef SCREE_INDEX_GRIDS_LEVELS_PLAN_H
 #define SCREE_INDEX_GRIDS_LEVELS_PLAN_H
 
-#include "index/grids/levels.h"
+#include "index/grids/levels_parts.h"
 
 /* Sets levels->searches and cross_searches, and the stencils of a plan that has them, for tables that are
  * built. */

@@ -3,9 +3,14 @@
 #ifndef SCREE_INDEX_SEARCH_SEARCH_H
 #define SCREE_INDEX_SEARCH_SEARCH_H
 
-#include "index/grids/levels.h"
+#include "index/grids/levels_parts.h"
 
-/* Emits the pairs that these searches find for the rows [first, last). Any number of threads at once. */
+/* Emits the pairs that these searches find for the rows [first, last), by the levels' instruction set. Any
+ * number of threads at once. */
+void search_run(const struct levels *levels, const struct searches *searches, const struct index_view *view,
+                size_t first, size_t last, struct index_sink *sink);
+
+/* The same by one instruction set, which the CPU must have. */
 void search_plain(const struct levels *levels, const struct searches *searches, const struct index_view *view,
                   size_t first, size_t last, struct index_sink *sink);
 void search_avx2(const struct levels *levels, const struct searches *searches, const struct index_view *view,

@@ -5,10 +5,11 @@
 
 #include "index/exact.h"
 #include "index/search/search.h"
+#include "index/search/sizes.h"
 
 #include <stdalign.h>
 
-enum { ROWS = 32, OWN_ROWS = 12, SLOTS_APART = 128, CANDIDATES = 512 };
+enum { ROWS = SEARCH_ROWS, OWN_ROWS = SEARCH_OWN_ROWS, SLOTS_APART = 128, CANDIDATES = 512 };
 
 struct block {
     int rows;

@@ -1,0 +1,38 @@
+/* What the steps of a search cost, in nanoseconds: the one list of prices, by which `auto` chooses an index
+ * (cost.h) and an index of levels chooses the side that finds pairs of unlike levels. */
+#ifndef SCREE_INDEX_CHOOSE_PRICES_H
+#define SCREE_INDEX_CHOOSE_PRICES_H
+
+#include <stdbool.h>
+
+/* Events of one rebuild. */
+enum cost_term {
+    COST_PARTICLE,
+    COST_MIXED,
+    COST_WINDOW,
+    COST_VECTOR,
+    COST_VISIT,
+    COST_RUN,
+    COST_ROUND,
+    COST_SPARSE,
+    COST_TEST,
+    COST_SINGLE,
+    COST_TERMS
+};
+
+/* The price of an event. */
+double prices_event(enum cost_term term);
+
+/* The two sides of a pair of levels: particles of each, those that lie about one of the other side (about a
+ * span of rows, of the larger ones), and the pencils of small cells that a large one meets. */
+struct prices_sides {
+    double smaller, larger;
+    double found_smaller, found_larger;
+    double pencils;
+    bool sparse; /* the table of the smaller ones is */
+};
+
+/* True if the larger side finds the pairs of the two in less time. */
+bool prices_from_larger(const struct prices_sides *sides);
+
+#endif

@@ -1,0 +1,11 @@
+/* Sizes of the search's loops, which its cost depends on. */
+#ifndef SCREE_INDEX_SEARCH_SIZES_H
+#define SCREE_INDEX_SEARCH_SIZES_H
+
+enum {
+    SEARCH_ROWS = 32,     /* rows that are searched together in a table of others, at most */
+    SEARCH_OWN_ROWS = 12, /* in their own table */
+    SEARCH_LANES = 8      /* candidates that are tested together, as the model counts them */
+};
+
+#endif
