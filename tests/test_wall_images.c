@@ -11,16 +11,21 @@
 
 static const double radius = 0.52, load = 1e-4;
 
+/* From the centre to the middle of the overlap, of a sphere as far from a wall. */
+static double lever(double distance) {
+    return 0.5 * (radius + distance);
+}
+
 /* A sphere between two images of a post, which are 1 away from each other: at x the springs along y are these
  * on its lower and on its upper side, in units of the load. */
 static void assert_springs(struct world *w, double x, double lower, double upper) {
-    double k_t = 2e4 / 7.0;
+    double k_t = 2e4 / 7.0, off = x - 2.0 * nearbyint(0.5 * x);
     w->particles->state[0].x[0] = x;
     world_forces(w, load);
     const double *force = world_force(w, 0);
     assert_int_equal(w->sums.contacts, (lower != 0.0) + (upper != 0.0));
     assert_near(force[1], -k_t * load * (lower + upper), 1e-9);
-    assert_near(force[6], -k_t * load * (upper - lower) * radius, 1e-9);
+    assert_near(force[6], -k_t * load * (upper * lever(0.5 - off) - lower * lever(0.5 + off)), 1e-9);
 }
 
 /* Springs stay on their sides whichever image is nearer, over a rebuild that wraps the sphere, after rows
@@ -40,19 +45,20 @@ static void test_springs_of_two_images(void **state) {
     world_rebuild(&w, NULL);
     s->v[1] = 1.0;
     w.particles->omega[0][2] = 0.5 / radius;
-    assert_springs(&w, 1.999, 0.5, 1.5);
+    double lower = 1.0 - 0.5 * lever(0.499) / radius, upper = 1.0 + 0.5 * lever(0.501) / radius;
+    assert_springs(&w, 1.999, lower, upper);
     s->v[1] = w.particles->omega[0][2] = 0.0;
-    assert_springs(&w, 2.001, 0.5, 1.5);
-    assert_springs(&w, 1.999, 0.5, 1.5);
+    assert_springs(&w, 2.001, lower, upper);
+    assert_springs(&w, 1.999, lower, upper);
     world_rebuild(&w, NULL);
-    assert_springs(&w, 2.001, 0.5, 1.5);
+    assert_springs(&w, 2.001, lower, upper);
     world_rebuild(&w, NULL);
     assert_near(w.particles->state[0].x[0], 0.001, 1e-12);
-    assert_springs(&w, -0.001, 0.5, 1.5);
+    assert_springs(&w, -0.001, lower, upper);
     walls_detach(w.walls, w.particles, &rows);
     wall_rows_free(&rows);
-    assert_springs(&w, 0.001, 0.5, 1.5);
-    assert_springs(&w, 0.03, 0.0, 1.5); /* parted from the lower one */
+    assert_springs(&w, 0.001, lower, upper);
+    assert_springs(&w, 0.03, 0.0, upper); /* parted from the lower one */
     world_close(&w);
 }
 
