@@ -113,6 +113,28 @@ static bool hidden(const struct wall_touch *touch, size_t taken, struct law_vect
     return false;
 }
 
+/* True if contact l makes contact k part of a smooth patch: nearly the same normal, and nearer. */
+static bool smooth_with(const struct wall_touch *touch, size_t l, size_t k) {
+    static const double alike = 1.0 - 0.5 * WALL_TOUCH_SMOOTH * WALL_TOUCH_SMOOTH; /* cosine, to 2e-5 */
+    double beyond = touch[k].distance - touch[l].distance;
+    return (beyond > 0.0 || (beyond == 0.0 && l < k)) && law_dot(touch[k].normal, touch[l].normal) > alike;
+}
+
+/* Leaves of contacts with nearly the same normal the nearest one; the order stays. `drop` has room for a mark
+ * of each. */
+static size_t smooth(struct wall_touch *touch, size_t taken, struct wall_nearest *drop) {
+    size_t left = 0;
+    for (size_t k = 0; k < taken; k++) {
+        drop[k].feature = 0;
+        for (size_t l = 0; l < taken && drop[k].feature == 0; l++)
+            drop[k].feature = l != k && smooth_with(touch, l, k);
+    }
+    for (size_t k = 0; k < taken; k++)
+        if (drop[k].feature == 0)
+            touch[left++] = touch[k];
+    return left;
+}
+
 size_t wall_touch_resolve(const struct wall_mesh *mesh, struct wall_nearest *near, size_t count,
                           double radius, struct wall_touch *touch) {
     double tolerance = fmin(mesh->tolerance, 1e-3 * radius);
@@ -130,7 +152,7 @@ size_t wall_touch_resolve(const struct wall_mesh *mesh, struct wall_nearest *nea
         touch[taken].normal = direction_of(one->to, behind, &touch[taken].distance);
         taken++;
     }
-    return taken;
+    return taken > 1 ? smooth(touch, taken, near) : taken;
 }
 
 struct law_vector wall_touch_toward(const struct wall_mesh *mesh, int32_t feature, struct law_vector x,

@@ -12,14 +12,21 @@
  *   - edges and vertices give none where a face covers them: in concave corners only the faces count
  *   - a convex edge gives one contact, of the edge, once the centre has left the prisms over both faces
  *   - the far side of a thin plate is not felt through the near one.
- * A limit of the method, as of all that add up contacts: bodies of a wall that are nearer to one another than
- * the overlap's width sqrt(2 r overlap), and concave edges so flat that a sphere overlaps both sides by more
- * than r angle^2 / 2 when it comes to them, come into contact with a jump. */
+ * Of contacts whose normals differ by less than WALL_TOUCH_SMOOTH only the nearest one is left: they are one
+ * smooth patch, and its elastic energy is that of the distance to it, which has no jump where the sphere goes
+ * from a facet to the next. If both acted, the second would begin with all but r angle^2 / 2 of the overlap
+ * of the first, with energy from nowhere. A limit of the method, as of all that add up contacts: bodies of a
+ * wall that are nearer to one another than the overlap's width sqrt(2 r overlap), and concave edges of a
+ * larger angle that a sphere overlaps by more than r angle^2 / 2 (1.1 % of r) when it comes to them, come
+ * into contact with a jump. */
 #ifndef SCREE_WALLS_WALL_TOUCH_H
 #define SCREE_WALLS_WALL_TOUCH_H
 
 #include "walls/wall_mesh.h"
 #include "walls/wall_motion.h"
+
+/* Contacts with a wall whose normals differ by less than this angle (rad, 8.6 degrees) are one. */
+#define WALL_TOUCH_SMOOTH 0.15
 
 enum wall_touch_kind { WALL_TOUCH_FACE, WALL_TOUCH_EDGE, WALL_TOUCH_VERTEX };
 
