@@ -38,7 +38,7 @@
  *   3. Fill one `const struct index_ops NAME_ops` with designated initialisers, no casts.
  *   4. Declare it in registry.c and add one line to its table. Nothing else in the program knows your name.
  *   5. Add the file to local.mk, and run `make check`: tests/index compares every registered index with
- * `brute`.
+ *      `brute`.
  *   6. Describe it in docs/indexes.md.
  *
  * Only index.c calls through the table; everybody else uses the wrappers below, which check, count and time.
@@ -77,9 +77,9 @@ struct index_view {
 
 /* What the user may set of an index (scene key `index`). Zero or negative means: the index's default. */
 struct index_params {
-    double
-        cell_factor; /* cell edge as a multiple of the cut-off that the index builds on; 0: its own default */
-    int levels;      /* hgrid: number of levels, each a run of neighbouring classes; 0: one a class */
+    /* Cell edge as a multiple of the cut-off that the index builds on; 0: its own default. */
+    double cell_factor;
+    int levels; /* hgrid: number of levels, each a run of neighbouring classes; 0: one a class */
     double level_cell[INDEX_CLASS_MAX]; /* hgrid: cell edge of each level, length unit; 0: cell_factor x the
                                            level's cut-off */
     int cross_search;                   /* who looks up whom in pairs of unlike levels: an enum index_cross */

@@ -5,7 +5,7 @@
  *
  *   dense    begin[cell], for every cell of the grid
  *   sparse   only pencils with particles: their keys in order, their slices, the x cell of each slot
- * (searched by bisection), and a hash from key to pencil. Memory grows with the particles alone. */
+ *            (searched by bisection), and a hash from key to pencil. Memory grows with the particles alone */
 #ifndef SCREE_INDEX_GRIDS_CELLS_H
 #define SCREE_INDEX_GRIDS_CELLS_H
 

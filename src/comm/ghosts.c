@@ -4,8 +4,8 @@
  *   - `to` and `from` are sorted by rank; peers may appear in one of them alone (reduced ghosts), and the own
  *     rank in both (copies of own particles).
  *   - to[t] covers the entries [first, first + count) of `original`: owned particles, one entry a copy;
- *     those that round 1 made (shadows.h) increase within a peer. from[f] covers the ghosts owned + [first,
- * first + count).
+ *     those that round 1 made (shadows.h) increase within a peer. from[f] covers the ghosts
+ *     owned + [first, first + count).
  *   - What rank a sends to b is, in number and order, what b has from a: no lengths travel with values.
  *   - Values cross in one message per peer; forward and reverse use the same two buffers the other way round,
  *     never at the same time.

@@ -1,7 +1,7 @@
-/* The threaded force loop over the pair list, in two stages: a cheap vectorised distance filter over the flat
- * pairs of a block, then the contacts that really touch, in batches (docs/performance.md). The functions work
- * block by block, so that a stepper may run other passes of the step on a block just before or after (DESIGN
- * of the step in docs/architecture.md). */
+/* The threaded force loop: the contact laws as a client of the walk over pairs (pairs/walk.h). A cheap vectorised
+ * distance filter over the flat pairs of a block comes first, then the contacts that really touch, in batches
+ * (docs/performance.md). The functions work block by block, so that the step may run other passes on a block just
+ * before or after (docs/architecture.md). */
 #ifndef SCREE_CONTACT_FORCE_H
 #define SCREE_CONTACT_FORCE_H
 
@@ -18,9 +18,9 @@ struct force_sums {
     double virial[6];   /* sum of x_ij F_ij: xx yy zz xy xz yz, energy */
     double overlap_max; /* largest overlap / smaller radius, and who */
     int64_t overlap_id[2];
-    size_t
-        contact_sides; /* sides of touching pairs that were computed: 2 a pair, or 1 here and 1 elsewhere */
-    size_t contacts;   /* contact_sides / 2; over ranks add up the sides, then halve */
+    /* Sides of touching pairs that were computed: 2 a pair, or 1 here and 1 elsewhere. */
+    size_t contact_sides;
+    size_t contacts; /* contact_sides / 2; over ranks add up the sides, then halve */
 };
 
 /* One evaluated contact, for the contact list (force chains). */

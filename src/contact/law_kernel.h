@@ -10,8 +10,9 @@
  * Signs. The normal n points from i to j (wall: from the sphere to the wall). Velocities are those of j minus
  * those of i. Force, rolling torque and springs are those of j; the negatives hold for i. With n, velocities
  * and springs negated (the pair seen from j) every result is the negative to the last bit, as no operation
- * prefers a side; `moment` keeps its sign: the torques are i: lever_i moment - rolling        j: lever_j
- * moment + rolling.
+ * prefers a side; `moment` keeps its sign: the torques are
+ *
+ *     i: lever_i moment - rolling        j: lever_j moment + rolling
  *
  * Spheres: velocity = v_j - v_i of the centres, surface = lever_i omega_i + lever_j omega_j (levers of the
  * half step where springs advance in its plane), spin = omega_j - omega_i, mass and radius the effective

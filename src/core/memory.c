@@ -1,7 +1,6 @@
 /* A block is what the system gave, an array is what the caller sees:
  *
- *   block ............ header | array (count * size bytes) | padding of at least one cache line ... end of
- * block
+ *   block ... header | array (count * size bytes) | padding of at least one cache line ... end of block
  *
  * The header, one cache line, ends where the array begins and knows the block. Small blocks begin on a cache
  * line and the array right after the header. Large ones begin on a huge page and the system is asked to back

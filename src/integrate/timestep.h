@@ -2,8 +2,8 @@
  * time. Formulas with their sources in docs/physics.md; in short:
  *
  *   A spring k and a damper c on a mass m, with w = sqrt(k/m) and zeta = c/(2 m w), are stable in the
- * leapfrog scheme whose damper sees the velocity of the last half step up to dt = 2 (sqrt(1 + zeta^2) - zeta)
- * / w, for any zeta (overdamped: dt -> 2 m/c).
+ *   leapfrog scheme whose damper sees the velocity of the last half step up to
+ *   dt = 2 (sqrt(1 + zeta^2) - zeta) / w, for any zeta (overdamped: dt -> 2 m/c).
  *
  *   A contact has a normal mode (k_n, c_n, mass m*) and, with friction, a tangential one, where both spheres
  * turn (k_t, c_t, mass m* / 3.5; with rolling resistance m* / 6). A particle with N contacts at a time is

@@ -14,7 +14,7 @@
  * The last two blocks of a thread have no rows of their own:
  *   mirror block   second copies of pairs whose row belongs to another thread: row i here, one-sided
  *   ghost block    all pairs with ghosts. With newton on a ghost belongs to the first thread that meets it;
- * the others have it one-sided, and its thread the mirrored pair, whose row is the ghost
+ *                  the others have it one-sided, and its thread the mirrored pair, whose row is the ghost
  *
  * Thus no atomics, and forces depend on the number of threads only through the order of sums. The set of
  * primary pairs (all but the mirrored ones) is the same for any number of threads.
@@ -71,8 +71,8 @@ struct pairlist {
 struct pairlist_options {
     int threads;
     size_t block_rows; /* rows a block; 0: chosen for the cache */
-    double
-        busy_bound; /* particles of a class with more partners on average than this get slots; 0: default */
+    /* Particles of a class with more partners on average than this get slots; 0: default. */
+    double busy_bound;
 };
 
 /* Makes an empty list; destroy frees it and nulls the pointer. */

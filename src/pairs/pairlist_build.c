@@ -1,13 +1,13 @@
 /* How a pair list is built; the layout is told in pairlist.h. The order of events in one pass:
  *
  *   1. every thread visits its row blocks and sorts what it finds: into the segments of the block, into
- * `mirror` (second copies for other threads), into `ghost`;
+ *      `mirror` (second copies for other threads), into `ghost`;
  *   2. (one thread) each ghost is given to the first thread, in thread order, that meets it;
  *   3. every thread appends its mirror block, picking its pairs from all threads' `mirror` in thread order,
- * and its ghost block.
+ *      and its ghost block.
  *
- * A pass whose region overflowed has counted what it needs; the layout is made from the counts and the pass
- * repeated. So it is if the set of busy classes turns out otherwise than assumed. */
+ * A pass whose region overflowed has counted what it needs; the layout is made from the counts and the pass is
+ * repeated. The pass is repeated too if the set of busy classes turns out otherwise than assumed. */
 #include "pairs/pairlist_build.h"
 #include "core/memory.h"
 #include "index/grids/members.h"

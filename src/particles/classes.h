@@ -17,9 +17,9 @@ enum { CLASS_MAX = 32 };
 enum classes_method { CLASSES_AUTO, CLASSES_ONE, CLASSES_CUTS, CLASSES_QUANTILES, CLASSES_GEOMETRIC };
 
 struct classes_options {
-    enum classes_method
-        method; /* CLASSES_AUTO: as a search costs least (index/choose/auto.h), and between sizes far apart */
-    int count;  /* QUANTILES and GEOMETRIC: how many, 1 ... CLASS_MAX */
+    /* AUTO: as a search costs least (index/choose/auto.h), and between sizes far apart. */
+    enum classes_method method;
+    int count;             /* QUANTILES and GEOMETRIC: how many, 1 ... CLASS_MAX */
     int cut_count;         /* CUTS: number of given cuts, 0 ... CLASS_MAX - 1 */
     double cut[CLASS_MAX]; /* CUTS: radii, increasing, length unit */
     bool skin_given;       /* true: `skin` is a length, the same for all class pairs */

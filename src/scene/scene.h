@@ -1,11 +1,13 @@
 /* The scene: all that a user sets, read from a YAML file against one schema (schema.h), as the option structs
  * of the modules by value, plus what belongs to the scene alone. Nobody else knows the file.
  *
- *     text (any rank reads it, all parse it)  ->  tree.h: nodes with lines, --set applied
- *         ->  schema_read: every key checked and stored  ->  scene_finish.c: derived values  ->
- * scene_check.c: combinations
+ *     text (any rank reads it, all parse it)
+ *         ->  tree.h: nodes with lines, --set applied
+ *         ->  schema_read: every key checked and stored
+ *         ->  finish.c: derived values
+ *         ->  scene_check.c: combinations
  *
- * A number that the user did not give and that has no default is NAN while reading; scene_finish leaves none
+ * A number that the user did not give and that has no default is NAN while reading; finish.c leaves none
  * behind in what the modules receive (`step.dt`, for one, is then 0). Lengths of regions, sources, walls and
  * observables are in the user's coordinates; everything handed to particles is box-relative. */
 #ifndef SCREE_SCENE_SCENE_H

@@ -4,9 +4,10 @@
  *   plane      infinite and one-sided: beyond it is solid, however deep
  *   cylinder   infinite: one-sided, solid beyond it. Finite: the shell alone, without end caps; it is felt
  *              within a radius of the sphere to both sides, pushes to the side named by `inside`, and its
- * rims are edges. A sphere larger than the opening of a tube touches it at one point of the rim mesh       a
- * two-sided surface of triangles. A sphere that touches several triangles of one flat patch feels one plane;
- * edges and vertices count once, and only where no face covers them (wall_touch.h)
+ *              rims are edges. A sphere larger than the opening of a tube touches it at one point of the rim
+ *   mesh       a two-sided surface of triangles. A sphere that touches several triangles of one flat patch
+ *              feels one plane; edges and vertices count once, and only where no face covers them
+ *              (wall_touch.h)
  *
  * A contact with a wall belongs to a *feature* of it: the plane; the shell of a cylinder (0) or a rim (1, 2);
  * of a mesh a flat patch, an edge between patches or a vertex of one (numbered in this order). The history of
@@ -90,9 +91,10 @@ struct wall_pose {
     double centre[3];
     double servo_speed;  /* along the servo's direction */
     double servo_offset; /* its displacement so far */
-    double
-        base_rotation[9]; /* what the motions act upon: the identity, unless a run was resumed with other */
-    double base_translation[3]; /* motions, which start from the pose that they find */
+    /* The pose that the motions act upon: none, unless a run was resumed with other motions, which then start from
+     * the pose that they find. */
+    double base_rotation[9];
+    double base_translation[3];
     double force[6]; /* force and torque in the last evaluation, this rank's part; in a checkpoint the
                         sum over ranks, of which rank 0 takes all when it is read */
 };

@@ -4,14 +4,16 @@
  * With L the diagonal of the mesh's bounding box:
  *   - corners nearer than 1e-6 L to an earlier vertex become that vertex
  *   - triangles of a height of 1e-6 L or less, and triangles with the corners of an earlier one, are left
- * out, each with a note
+ *     out, each with a note
  *   - a flat patch is a set of triangles connected by edges whose corners lie within 1e-6 L of one plane
- * (that of its largest triangle) and whose normals are within 1e-3 rad of it (or whose corners lie within
- * 1e-7 L of the plane, as the normals of tiny triangles are noise). All of its triangles are the plane that
- * is the mean of theirs, weighted by area
+ *     (that of its largest triangle) and whose normals are within 1e-3 rad of it (or whose corners lie within
+ *     1e-7 L of the plane, as the normals of tiny triangles are noise). All of its triangles are the plane
+ *     that is the mean of theirs, weighted by area
  *   - an edge of a triangle is a feature unless the patch goes on behind it; a vertex is a feature of the
- * patches that have such an edge there. Features are numbered: patches, then edges, then vertices; the
- * numbers depend on the file alone. Coordinates are those of the body: box-relative, before any motion. */
+ *     patches that have such an edge there
+ *
+ * Features are numbered: patches, then edges, then vertices; the numbers depend on the file alone. Coordinates
+ * are those of the body: box-relative, before any motion. */
 #ifndef SCREE_WALLS_WALL_MESH_H
 #define SCREE_WALLS_WALL_MESH_H
 
