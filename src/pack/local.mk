@@ -5,7 +5,7 @@ libpack_la_SOURCES = \
 	src/pack/laws.c src/pack/laws.h \
 	src/pack/options.c src/pack/options.h \
 	src/pack/pack.c src/pack/pack.h \
-	src/pack/parts.h \
+	src/pack/parts.c src/pack/parts.h \
 	src/pack/push.c src/pack/push.h \
 	src/pack/relax.c src/pack/relax.h \
 	src/pack/search.c src/pack/search.h
