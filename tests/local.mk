@@ -40,6 +40,7 @@ check_PROGRAMS += \
 	tests/test_integrator \
 	tests/test_law \
 	tests/test_law_impact \
+	tests/test_stability \
 	tests/test_timestep
 EXTRA_DIST += tests/forces_by_hand.h tests/laws_by_hand.h tests/near.h tests/pairs_by_hand.h
 tests_test_force_SOURCES = tests/test_force.c
@@ -56,6 +57,8 @@ tests_test_law_SOURCES = tests/test_law.c
 tests_test_law_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
 tests_test_law_impact_SOURCES = tests/test_law_impact.c
 tests_test_law_impact_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
+tests_test_stability_SOURCES = tests/test_stability.c
+tests_test_stability_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_timestep_SOURCES = tests/test_timestep.c
 tests_test_timestep_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 

@@ -50,7 +50,7 @@ said() { head -n 1 "$out/said" | cut -c 1-170; }
 
 case_ratio() {
     what='radii 1:1000, masses 1:10^9, in one contact: restitution 0.5'
-    go ratio ratio --set step.fraction=0.04 || { outcome=$(said); return 1; }
+    go ratio ratio --set step.fraction=0.03 || { outcome=$(said); return 1; }
     local e
     e=$(calc "($(value ratio grain_vx)) - ($(value ratio sphere_vx))")
     outcome="e = $(awk "BEGIN { printf \"%.6f\", $(value ratio grain_vx) - ($(value ratio sphere_vx)) }")"

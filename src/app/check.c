@@ -194,6 +194,9 @@ static void print_step(const struct simulation *s) {
     printf("  stable       %.6g (contact '%s' - '%s', damping ratio %.3g)\n", s->limits.stable,
            s->scene->material[s->limits.material_a].name, s->scene->material[s->limits.material_b].name,
            s->limits.damping_ratio);
+    if (s->limits.stable < s->limits_expected)
+        printf("               for the contacts that there are; %.6g for contacts to come\n",
+               s->limits_expected);
     printf("  contact time %.6g\n", s->limits.contact_time);
     if (s->limits.rayleigh > 0)
         printf("  Rayleigh     %.6g\n", s->limits.rayleigh);
@@ -224,6 +227,9 @@ static void print_guards(const struct simulation *s) {
     printf("  overlap  like particles, or one and a wall, overlap by %.3g of the radius (bound %g)%s\n",
            s->overlap_expected, guards->overlap_bound,
            guard_word(guards->overlap, s->overlap_expected > guards->overlap_bound));
+    if (s->overlap_started > 0)
+        printf("           overlaps at the start are up to %.3g%s\n", s->overlap_started,
+               guard_word(guards->overlap, s->overlap_started > guards->overlap_bound));
     printf("  energy   %s\n", guards->energy == SCENE_GUARD_OFF ? "growth is not looked at"
                                                                 : "growth without cause is looked for");
     if (s->dt > s->limits.stable)

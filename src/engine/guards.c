@@ -5,7 +5,11 @@
 #include <string.h>
 
 /* The balance of energies is looked at every so many steps. */
-enum { ENERGY_EVERY = 20 };
+enum { ENERGY_EVERY = 20, ENERGY_EVERY_AUTO = 100 };
+
+/* By default a run stops where more than this times guards.energy_bound has come without cause: no drift, but
+ * energy that grows without bound. */
+#define ENERGY_AUTO 10
 
 /* Stops or warns. */
 static void guard_trip(struct simulation *s, enum scene_guard guard, int which, const char *text) {
@@ -99,6 +103,12 @@ static void guard_speed(struct simulation *s) {
     guard_trip(s, s->scene->guards.speed, 1, text);
 }
 
+void guards_step(struct simulation *s, const char *text) {
+    if (s->comm->rank > 0 && s->scene->guards.step == SCENE_GUARD_WARN)
+        return;
+    guard_trip(s, s->scene->guards.step, 3, text);
+}
+
 void guards_check(struct simulation *s) {
     guard_overlap(s);
     guard_speed(s);
@@ -141,14 +151,16 @@ bool guards_prepare(struct simulation *s, struct error *error) {
     char place[SCENE_PATH_MAX];
     if (scene->guards.energy == SCENE_GUARD_OFF)
         return true;
+    s->guard_energy.mechanical = scene->guards.energy == SCENE_GUARD_AUTO;
     for (int g = 0; g < scene->groups; g++)
         if (scene->group[g].motion == SCENE_MOVING)
-            return error_set(
-                error, ERROR_USER,
-                "%s: guards.energy: group '%s' moves by order, and what it gives to others is in no "
-                "balance; allowed here: off",
-                scene_place(scene, "guards.energy", place, sizeof place), scene->group[g].name);
-    s->sums_each_step = true;
+            return s->guard_energy.mechanical ||
+                   error_set(
+                       error, ERROR_USER,
+                       "%s: guards.energy: group '%s' moves by order, and what it gives to others is in no "
+                       "balance; allowed here: auto, off",
+                       scene_place(scene, "guards.energy", place, sizeof place), scene->group[g].name);
+    s->sums_each_step = s->sums_each_step || !s->guard_energy.mechanical;
     if (!observables_create(&s->guard_energy.observables, &options, &view, &run, error))
         return false;
     if (s->step == 0) /* else there are no sums before the first step */
@@ -162,7 +174,8 @@ void guards_destroy(struct simulation *s) {
 }
 
 bool guards_energy_due(const struct simulation *s, uint64_t step) {
-    return s->guard_energy.observables && step % ENERGY_EVERY == 0;
+    const struct guard_energy *energy = &s->guard_energy;
+    return energy->observables && step % (energy->mechanical ? ENERGY_EVERY_AUTO : ENERGY_EVERY) == 0;
 }
 
 /* The balance, and the energy in play: the largest that any form has reached, potential energy left out, as
@@ -171,6 +184,7 @@ static bool energy_measure(struct simulation *s, double *balance, double *in_pla
     struct observables *observables = s->guard_energy.observables;
     struct output_view view = simulation_view(s);
     struct error error = {0};
+    double dissipated = 0;
     *in_play = 0;
     if (!observables_write(observables, &view, &error)) {
         s->error = error;
@@ -181,9 +195,12 @@ static bool energy_measure(struct simulation *s, double *balance, double *in_pla
         double value = observables_values(observables)[c];
         if (strcmp(name, "energy_balance") == 0)
             *balance = value;
+        else if (s->guard_energy.mechanical && strcmp(name, "energy_dissipated") == 0)
+            dissipated = value; /* not summed each step */
         else if (strcmp(name, "energy_gravity") != 0)
             *in_play = fmax(*in_play, fabs(value));
     }
+    *balance -= dissipated;
     return true;
 }
 
@@ -203,7 +220,10 @@ void guards_check_energy(struct simulation *s) {
     energy->last = balance;
     energy->step = s->step;
     double growth = balance - energy->start - energy->gained;
-    if (!(growth > s->scene->guards.energy_bound * energy->in_play) || s->particles->owned == 0)
+    double bound = s->scene->guards.energy_bound * (energy->mechanical ? ENERGY_AUTO : 1);
+    if (energy->mechanical) /* what is lost is lost */
+        energy->start = fmin(energy->start, balance - energy->gained);
+    if (!(growth > bound * energy->in_play) || s->particles->owned == 0)
         return;
     char text[512], one[160];
     name_at(s, fastest_find(s, &speed), one, sizeof one);
@@ -211,7 +231,7 @@ void guards_check_energy(struct simulation *s) {
         text, sizeof text,
         "guards.energy: energy has grown by %.3g without cause, %.3g of the %.3g in play (bound %g), at step "
         "%llu, t = %.9g; fastest is %s with %.3g: the time step is too large, or a law is given wrongly",
-        growth, growth / energy->in_play, energy->in_play, s->scene->guards.energy_bound,
-        (unsigned long long)s->step, s->time, one, speed);
-    guard_trip(s, s->scene->guards.energy, 2, text);
+        growth, growth / energy->in_play, energy->in_play, bound, (unsigned long long)s->step, s->time, one,
+        speed);
+    guard_trip(s, energy->mechanical ? SCENE_GUARD_STOP : s->scene->guards.energy, 2, text);
 }

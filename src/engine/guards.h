@@ -11,13 +11,16 @@
 bool guards_prepare(struct simulation *simulation, struct error *error);
 void guards_destroy(struct simulation *simulation);
 
+/* What contacts that have become too stiff for the time step do (`text`), on all ranks alike. */
+void guards_step(struct simulation *simulation, const char *text);
+
 /* Overlap and speed after a force evaluation; free. */
 void guards_check(struct simulation *simulation);
 
 /* Positions and velocities that are no numbers; a pass over all particles. */
 void guards_check_positions(struct simulation *simulation);
 
-/* True if guards_check_energy is to follow that step. */
+/* True if guards_check_energy is to follow that step, which then needs the energy sums. */
 bool guards_energy_due(const struct simulation *simulation, uint64_t step);
 
 /* Growth of energy without cause: kinetic + elastic + gravity + dissipated - work of walls, less what

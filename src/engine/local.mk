@@ -4,6 +4,8 @@ libengine_la_SOURCES = \
 	src/engine/folder.h \
 	src/engine/guards.c \
 	src/engine/guards.h \
+	src/engine/limit.c \
+	src/engine/limit.h \
 	src/engine/load.c \
 	src/engine/load.h \
 	src/engine/outputs.c \

@@ -114,6 +114,17 @@ static void crowd_tell(struct run *run) {
             run->progress.mode == PROGRESS_BAR ? "\r\033[K" : "", text);
 }
 
+/* A step that is shortened needs more steps to the end. */
+static void look_at_step(struct run *run) {
+    struct simulation *s = run->s;
+    double dt = s->dt;
+    if (!timing_due(s, s->step))
+        return;
+    timing_look(s);
+    if (s->dt != dt)
+        run->last = last_step(s);
+}
+
 static bool step_once(struct run *run, struct error *error) {
     struct simulation *s = run->s;
     int64_t every = s->scene->step.rebuild_every;
@@ -123,7 +134,7 @@ static bool step_once(struct run *run, struct error *error) {
     bool watched = watch && watch->due(watch->context, s->step + 1);
     signals_ask(run);
     s->contact.want_virial = watched || (run->outputs && outputs_want_sums(run->outputs, s, s->step + 1));
-    s->contact.want_sums = s->contact.want_virial || s->sums_each_step;
+    s->contact.want_sums = s->contact.want_virial || s->sums_each_step || guards_energy_due(s, s->step + 1);
     step_run(s, rebuild);
     crowd_tell(run);
     run->record.particle_steps += (double)s->total;
@@ -131,6 +142,7 @@ static bool step_once(struct run *run, struct error *error) {
         guards_check_positions(s);
     if (guards_energy_due(s, s->step))
         guards_check_energy(s);
+    look_at_step(run);
     timer_start(&s->timers, TIMER_OUTPUT);
     bool good = run->outputs == NULL || outputs_write(run->outputs, s, error);
     if (good && watched)

@@ -304,16 +304,26 @@ static bool index_suits(struct simulation *s, struct error *error) {
 }
 
 /* The start of a run that is not resumed: first rebuild, first forces, velocities half a step back. */
-static void run_begin(struct simulation *s) {
+static bool run_begin(struct simulation *s, struct error *error) {
     struct rebuild_rows rows = {0};
     rebuild_from_rows(s, &rows);
+    if (!timing_contacts(s, error))
+        return false;
     s->contact.want_sums = s->contact.want_virial = true;
     step_forces(s);
     s->taken = 0;
+    s->overlap_started = s->sums.overlap_max;
+    comm_max(s->comm, &s->overlap_started, 1);
 #pragma omp parallel for schedule(static)
     for (int b = 0; b < s->list->block_count; b++)
         integrator_stagger(s->particles, &s->motion, s->list->blocks[b].first_row,
                            s->list->blocks[b].last_row);
+    return true;
+}
+
+static bool run_go_on(struct simulation *s, struct rebuild_rows *rows, struct error *error) {
+    resume_begin(s, rows);
+    return timing_contacts(s, error);
 }
 
 /* What must hold of the particles, now that they are there. */
@@ -343,12 +353,9 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
         rebuild_rows_free(&rows);
         return false;
     }
-    if (resume)
-        resume_begin(s, &rows);
-    else
-        run_begin(s);
+    bool begun = resume ? run_go_on(s, &rows, error) : run_begin(s, error);
     step_plan(s);
-    if (!guards_prepare(s, error))
+    if (!begun || !guards_prepare(s, error))
         return false;
     *error = s->error;
     return s->error.kind == ERROR_NONE;

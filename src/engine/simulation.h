@@ -62,6 +62,8 @@ struct step_signals {
 /* The guard of energies (guards.c). Energies as in observables. */
 struct guard_energy {
     struct observables *observables; /* NULL: not asked for */
+    bool mechanical; /* kinetic, elastic and potential energy alone, which cannot grow: needs no sums each
+                        step */
     bool begun;
     double start, last, gained, in_play;
     uint64_t step, changes; /* of the last look: its number, particles that have come and gone */
@@ -84,6 +86,8 @@ struct simulation {
     struct law law;
     struct integrator_context motion;
     struct timestep_limits limits;
+    double limits_expected;  /* the stable step for contacts to come, those that there are left out */
+    double overlap_started;  /* largest overlap at the start of a run, over the smaller radius */
     double speed_expected;   /* of an impact: what the stable step counts with; length/time */
     double overlap_expected; /* of the heaviest like particles, or of one and a wall, at that speed, over the
                                 radius */
@@ -169,6 +173,15 @@ void simulation_index_view(struct simulation *simulation, struct index_view *vie
 
 /* Stable time step and its limits from the particles present; sets dt or refuses. Collective. */
 bool timing_choose(struct simulation *simulation, struct error *error);
+
+/* The same for the contacts that there are, once pairs are known and before velocities are staggered;
+ * shortens a step that is a fraction. Collective. */
+bool timing_contacts(struct simulation *simulation, struct error *error);
+
+/* During the run: true if timing_look is to follow that step; it looks whether contacts have become so stiff
+ * that the step is nearly unstable, and then shortens it, if it is a fraction, or warns. Collective. */
+bool timing_due(const struct simulation *simulation, uint64_t step);
+void timing_look(struct simulation *simulation);
 
 /* Full rebuild: history detached, particles wrapped, inserted, deleted and migrated, sorted, copied,
  * searched; history attached. Collective. */

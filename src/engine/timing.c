@@ -1,9 +1,15 @@
 /* The time step of a run: given, or a fraction of the stable one; refused where it lies above. The stable one
  * depends on the speeds of the particles at the start, so a resume by the same rule keeps the step that it
  * finds. */
-#include "engine/simulation.h"
+#include "engine/guards.h"
+#include "engine/limit.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
+
+/* Contacts are looked at every so many steps; the step may be this part of the stable one at most. */
+enum { LOOK_EVERY = 500 };
+#define LOOK_PART 0.9
 
 /* What is present, from this rank's free particles and from what insertions may bring. Particles of one
  * material may differ in density: they are kept apart by powers of two of it, and each kind is taken to have
@@ -140,16 +146,38 @@ static void limits_find(struct simulation *s) {
                                    .kind = kind,
                                    .material = s->scene->material,
                                    .speed_max = speed_expected(s),
-                                   .contacts = s->scene->step.contacts};
+                                   .contacts = s->scene->step.contacts,
+                                   .dimension = s->scene->box.dimension};
     timestep_limits(&s->limits, &input);
     s->speed_expected = input.speed_max;
     s->overlap_expected = overlap_expected(s, heaviest, &input);
+}
+
+static void dt_set(struct simulation *s, double dt) {
+    s->dt = s->motion.dt = s->contact.dt = dt;
+}
+
+static bool dt_allowed(const struct simulation *s, struct error *error) {
+    char place[SCENE_PATH_MAX], why[256];
+    if (s->dt <= s->limits.stable || s->scene->step.force)
+        return true;
+    if (s->limits.stable < s->limits_expected)
+        snprintf(why, sizeof why, "of the contacts that there are at the start");
+    else
+        snprintf(why, sizeof why, "contact between materials '%s' and '%s', damping ratio %.3g",
+                 s->scene->material[s->limits.material_a].name, s->scene->material[s->limits.material_b].name,
+                 s->limits.damping_ratio);
+    return error_set(error, ERROR_USER,
+                     "%s: step.dt: the time step %.6g is above the stable one, %.6g (%s); allowed: up to "
+                     "that, or step.force: true",
+                     scene_place(s->scene, "step.dt", place, sizeof place), s->dt, s->limits.stable, why);
 }
 
 bool timing_choose(struct simulation *s, struct error *error) {
     const struct scene_step *step = &s->scene->step;
     char place[SCENE_PATH_MAX];
     limits_find(s);
+    s->limits_expected = s->limits.stable;
     if (step->dt > 0) {
         s->dt = step->dt;
     } else {
@@ -163,14 +191,55 @@ bool timing_choose(struct simulation *s, struct error *error) {
         s->dt_fraction = fraction;
         s->dt = goes_on ? s->resumed_dt : fraction * s->limits.stable;
     }
-    if (s->dt > s->limits.stable && !step->force)
-        return error_set(error, ERROR_USER,
-                         "%s: step.dt: the time step %.6g is above the stable one, %.6g (contact between "
-                         "materials '%s' and '%s', "
-                         "damping ratio %.3g); allowed: up to that, or step.force: true",
-                         scene_place(s->scene, "step.dt", place, sizeof place), s->dt, s->limits.stable,
-                         s->scene->material[s->limits.material_a].name,
-                         s->scene->material[s->limits.material_b].name, s->limits.damping_ratio);
-    s->motion.dt = s->contact.dt = s->dt;
-    return true;
+    dt_set(s, s->dt);
+    return dt_allowed(s, error);
+}
+
+/* From now on steps are of another length. */
+static void dt_change(struct simulation *s, double dt) {
+    s->step_base = s->step;
+    s->time_base = s->time;
+    dt_set(s, dt);
+}
+
+bool timing_contacts(struct simulation *s, struct error *error) {
+    double most = s->limits.stable;
+    if (!isfinite(most))
+        return true;
+    s->limits.stable = limit_of_contacts(s, most);
+    if (s->dt_fraction > 0 && s->dt > s->dt_fraction * s->limits.stable &&
+        (s->resumed_dt != s->dt || s->dt > s->limits.stable))
+        dt_change(s, s->dt_fraction * s->limits.stable);
+    return dt_allowed(s, error);
+}
+
+bool timing_due(const struct simulation *s, uint64_t step) {
+    return step % LOOK_EVERY == 0 && isfinite(s->limits.stable) && !s->scene->step.force &&
+           s->scene->guards.step != SCENE_GUARD_OFF;
+}
+
+void timing_look(struct simulation *s) {
+    double stable = limit_of_contacts(s, s->dt / LOOK_PART), before = s->dt;
+    char text[256];
+    s->limits.stable = fmin(s->limits.stable, stable);
+    if (s->dt <= LOOK_PART * stable)
+        return;
+    if (s->dt_fraction > 0) {
+        struct integrator_context shift = s->motion;
+        dt_change(s, fmin(s->dt_fraction, LOOK_PART) * stable);
+        shift.dt = s->dt - before; /* velocities stand half a step back: of the new one */
+        integrator_stagger(s->particles, &shift, 0, s->particles->owned);
+        if (s->comm->rank == 0)
+            fprintf(stderr,
+                    "scree: note: contacts have become stiffer: the time step is %.4g from step %llu on, "
+                    "it was %.4g\n",
+                    s->dt, (unsigned long long)s->step, before);
+        return;
+    }
+    snprintf(
+        text, sizeof text,
+        "guards.step: the time step %.6g is %.3g of what is surely stable for the contacts at step %llu, "
+        "t = %.9g: energy may grow",
+        s->dt, s->dt / stable, (unsigned long long)s->step, s->time);
+    guards_step(s, text);
 }

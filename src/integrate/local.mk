@@ -2,5 +2,7 @@ noinst_LTLIBRARIES += libintegrate.la
 libintegrate_la_SOURCES = \
 	src/integrate/integrator.c \
 	src/integrate/integrator.h \
+	src/integrate/stability.c \
+	src/integrate/stability.h \
 	src/integrate/timestep.c \
 	src/integrate/timestep.h

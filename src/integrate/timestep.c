@@ -1,15 +1,25 @@
 #include "integrate/timestep.h"
 #include <math.h>
 
-enum { TIMESTEP_CONTACTS = 4 };
+/* Contacts of a particle with its like at a time, in three dimensions and in two. */
+enum { TIMESTEP_CONTACTS_3D = 12, TIMESTEP_CONTACTS_2D = 6, TIMESTEP_SIDES_MAX = 2048 };
 
 static const double timestep_overlap_relative = 1e-3;
 
-/* A pair of sizes that may meet. */
+/* A kind at one end of its sizes, and the stiffest that its contacts may make it. */
+struct timestep_side {
+    const struct timestep_kind *kind;
+    double radius, inverse_mass;     /* of a wall: infinite, 0 */
+    double stiffness, damping;       /* local ones: 1/time^2, 1/time */
+    double stable;                   /* of the partner that alone would set the least step */
+    double frequency, damping_ratio; /* of one contact with it */
+    int partner;                     /* its material */
+};
+
+/* Two sides that may meet. */
 struct timestep_meeting {
-    double inverse_mass; /* 1/m* */
-    double radius;       /* R* */
-    double radius_min;   /* the smaller one */
+    double mass, radius, overlap; /* m*, R* */
+    struct timestep_springs springs;
 };
 
 double timestep_default_fraction(void) {
@@ -24,70 +34,126 @@ double timestep_bound(double stiffness, double damping, double inverse_mass) {
     return 2.0 / (sqrt(square + rate * rate) + rate);
 }
 
-static struct timestep_meeting timestep_meet(const struct timestep_kind *a, double radius_a,
-                                             const struct timestep_kind *b, double radius_b) {
-    struct timestep_meeting meeting = {0.0, 0.0, INFINITY};
-    const struct timestep_kind *kind[2] = {a, b};
-    const double radius[2] = {radius_a, radius_b};
-    double curvature = 0.0;
-    for (int side = 0; side < 2; side++) {
-        if (kind[side]->wall)
-            continue;
-        double relative = radius[side] / kind[side]->radius_min;
-        meeting.inverse_mass += 1.0 / (kind[side]->mass_min * relative * relative * relative);
-        curvature += 1.0 / radius[side];
-        meeting.radius_min = fmin(meeting.radius_min, radius[side]);
+struct timestep_springs timestep_springs(const struct law *law, int a, int b, double mass, double radius,
+                                         double overlap) {
+    const struct law_options *options = &law->options;
+    const struct law_coefficients *c = &law->pair[a][b];
+    bool hertz = options->normal == LAW_HERTZ;
+    double scale = hertz ? sqrt(radius * overlap) : 1.0;
+    double base = options->damping == LAW_DAMPING_COEFFICIENT ? mass : sqrt(mass * c->k_n * scale);
+    struct timestep_springs s = {.k_n = (hertz ? 1.5 : 1.0) * c->k_n * scale, .c_n = c->c_n * base};
+    if (law->spin && c->friction > 0.0) {
+        s.k_t = c->k_t * scale;
+        s.c_t = c->c_t * base;
     }
-    meeting.radius = 1.0 / curvature;
-    return meeting;
+    if (law->spin && options->rolling != LAW_ROLLING_NONE && c->rolling_friction > 0.0) {
+        s.k_r = c->k_t * scale;
+        s.c_r = c->c_t * base;
+    }
+    return s;
 }
 
-/* Limits of one contact, compared with what was found so far. */
-static void timestep_consider(struct timestep_limits *limits, const struct timestep_input *input, int a,
-                              int b, const struct timestep_meeting *meeting) {
-    const struct law_options *options = &input->law->options;
-    const struct law_coefficients *c = &input->law->pair[a][b];
-    double mass = 1.0 / meeting->inverse_mass, scale = 1.0, tangent = c->k_n, duration;
-    if (options->normal == LAW_HERTZ) {
+static struct timestep_meeting timestep_meet(const struct timestep_input *input,
+                                             const struct timestep_side *a, const struct timestep_side *b) {
+    const struct law *law = input->law;
+    struct timestep_meeting m = {.mass = 1.0 / (a->inverse_mass + b->inverse_mass),
+                                 .radius = 1.0 / (1.0 / a->radius + 1.0 / b->radius)};
+    int p = a->kind->material, q = b->kind->material;
+    if (law->options.normal == LAW_HERTZ) {
         double least = input->overlap_relative > 0.0 ? input->overlap_relative : timestep_overlap_relative;
-        double stiffness = c->k_n * sqrt(meeting->radius); /* F = this x overlap^(3/2) */
-        double reached = pow(1.25 * mass * input->speed_max * input->speed_max / stiffness, 0.4);
-        double overlap = fmax(reached, least * meeting->radius_min);
-        scale = sqrt(meeting->radius * overlap);
-        tangent = 1.5 * c->k_n * scale;
-        duration = 2.94328 * overlap / sqrt(0.8 * stiffness * pow(overlap, 2.5) / mass);
-    } else {
-        duration = M_PI * sqrt(mass / c->k_n);
+        double stiffness = law->pair[p][q].k_n * sqrt(m.radius); /* F = this x overlap^(3/2) */
+        double reached = pow(1.25 * m.mass * input->speed_max * input->speed_max / stiffness, 0.4);
+        m.overlap = fmax(reached, least * fmin(a->radius, b->radius));
     }
-    double base = options->damping == LAW_DAMPING_COEFFICIENT ? mass : sqrt(mass * c->k_n * scale);
-    double many = input->contacts > 0 ? input->contacts : TIMESTEP_CONTACTS;
-    double stable = timestep_bound(tangent, c->c_n * base, many * meeting->inverse_mass);
-    if (input->law->spin) {
-        double turning = options->rolling != LAW_ROLLING_NONE ? 6.0 : 3.5;
-        stable = fmin(stable,
-                      timestep_bound(c->k_t * scale, c->c_t * base, turning * many * meeting->inverse_mass));
+    m.springs = timestep_springs(law, p, q, m.mass, m.radius, m.overlap);
+    return m;
+}
+
+/* Contacts that `a` may have with the like of b: N with its own, more where it is larger; by default fewer
+ * where it is smaller, down to a quarter with walls. */
+static double timestep_contacts(const struct timestep_input *input, const struct timestep_side *a,
+                                const struct timestep_side *b) {
+    bool plane = input->dimension == 2;
+    double ratio = 0.5 * (1.0 + a->radius / b->radius), room = plane ? ratio : ratio * ratio;
+    if (input->contacts > 0)
+        return input->contacts * fmax(1.0, room);
+    return plane ? fmax(3.0, TIMESTEP_CONTACTS_2D * room) : TIMESTEP_CONTACTS_3D * room;
+}
+
+/* The local stiffness over 1/mass of n contacts with springs k_n, k_t, k_r (the last one times (R* / r)^2):
+ * the largest of three on one side, of pushing and of turning (docs/physics.md). Dampers likewise. */
+static double timestep_local(int dimension, double n, double k_n, double k_t, double k_r) {
+    const double turn = 1.0 / TIMESTEP_INERTIA;
+    double single = fmax(k_n, (1.0 + turn) * k_t + turn * k_r);
+    double even = n / (dimension == 2 ? 2.0 : 3.0); /* sum of n n^T along any direction, if spread evenly */
+    double along = dimension == 2 ? fmax(even, fmin(n, 3.0)) : fmax(even, fmin(n, 4.0));
+    double across = dimension == 2 ? n : fmax(2.0 * even, fmin(n, 8.0));
+    double push = fmax(along * k_n + (n - along) * k_t, even * k_n + (n - even) * k_t);
+    return fmax(fmin(n, 3.0) * single, fmax(push, across * turn * (k_t + k_r)));
+}
+
+/* The local stiffness and damper of `a` among the like of b, compared with what was found so far. */
+static void timestep_surround(const struct timestep_input *input, struct timestep_side *a,
+                              const struct timestep_side *b, const struct timestep_meeting *meeting) {
+    const struct timestep_springs *s = &meeting->springs;
+    double n = timestep_contacts(input, a, b), share = meeting->radius / a->radius;
+    if (a->inverse_mass == 0.0)
+        return;
+    double stiffness =
+        timestep_local(input->dimension, n, s->k_n, s->k_t, s->k_r * share * share) * a->inverse_mass;
+    double damping =
+        timestep_local(input->dimension, n, s->c_n, s->c_t, s->c_r * share * share) * a->inverse_mass;
+    double stable = timestep_bound(stiffness, damping, 1.0);
+    a->stiffness = fmax(a->stiffness, stiffness);
+    a->damping = fmax(a->damping, damping);
+    if (stable >= a->stable)
+        return;
+    a->stable = stable;
+    a->frequency = sqrt(s->k_n / meeting->mass);
+    a->damping_ratio = 0.5 * s->c_n / sqrt(s->k_n * meeting->mass);
+    a->partner = b->kind->material;
+}
+
+/* Duration of an elastic contact. */
+static double timestep_duration(const struct law *law, const struct timestep_meeting *m) {
+    if (law->options.normal != LAW_HERTZ)
+        return M_PI * sqrt(m->mass / m->springs.k_n);
+    double stiffness = m->springs.k_n / (1.5 * sqrt(m->overlap));
+    return 2.94328 * m->overlap / sqrt(0.8 * stiffness * pow(m->overlap, 2.5) / m->mass);
+}
+
+/* The extremes of each kind's sizes decide, as stiffness and mass are monotonic in the radii. */
+static int timestep_sides(const struct timestep_input *input, struct timestep_side *side) {
+    int n = 0;
+    for (int k = 0; k < input->kinds; k++) {
+        const struct timestep_kind *kind = &input->kind[k];
+        const double radius[2] = {kind->radius_min, kind->radius_max};
+        int ends = kind->wall || !(kind->radius_max > kind->radius_min) ? 1 : 2;
+        for (int e = 0; e < ends && n < TIMESTEP_SIDES_MAX; e++) {
+            struct timestep_side s = {.kind = kind, .radius = INFINITY, .stable = INFINITY};
+            double relative = radius[e] / kind->radius_min;
+            if (!kind->wall) {
+                s.radius = radius[e];
+                s.inverse_mass = 1.0 / (kind->mass_min * relative * relative * relative);
+            }
+            side[n++] = s;
+        }
     }
-    limits->contact_time = fmin(limits->contact_time, duration);
+    return n;
+}
+
+/* The limit that two sides set that may meet, each among its stiffest partners. */
+static void timestep_consider(struct timestep_limits *limits, const struct timestep_side *a,
+                              const struct timestep_side *b) {
+    double stable = timestep_bound(a->stiffness + b->stiffness, a->damping + b->damping, 1.0);
+    const struct timestep_side *stiff = a->stable <= b->stable ? a : b;
     if (stable >= limits->stable)
         return;
     limits->stable = stable;
-    limits->frequency = sqrt(tangent / mass);
-    limits->damping_ratio = 0.5 * c->c_n * base / sqrt(tangent * mass);
-    limits->material_a = a;
-    limits->material_b = b;
-}
-
-/* All sizes of two kinds: the extremes decide, as stiffness and mass are monotonic in the radii. */
-static void timestep_consider_kinds(struct timestep_limits *limits, const struct timestep_input *input,
-                                    const struct timestep_kind *a, const struct timestep_kind *b) {
-    if (a->wall && b->wall)
-        return;
-    const double radius_a[2] = {a->radius_min, a->radius_max}, radius_b[2] = {b->radius_min, b->radius_max};
-    for (int p = 0; p < 2; p++)
-        for (int q = 0; q < 2; q++) {
-            struct timestep_meeting meeting = timestep_meet(a, radius_a[p], b, radius_b[q]);
-            timestep_consider(limits, input, a->material, b->material, &meeting);
-        }
+    limits->frequency = stiff->frequency;
+    limits->damping_ratio = stiff->damping_ratio;
+    limits->material_a = stiff->kind->material < stiff->partner ? stiff->kind->material : stiff->partner;
+    limits->material_b = stiff->kind->material < stiff->partner ? stiff->partner : stiff->kind->material;
 }
 
 /* Rayleigh's time pi r sqrt(density / G) / (0.1631 nu + 0.8766). */
@@ -96,16 +162,32 @@ static double timestep_rayleigh(const struct law_material *m, double radius) {
     return M_PI * radius * sqrt(m->density / shear) / (0.1631 * m->poisson + 0.8766);
 }
 
+static bool timestep_meets(const struct timestep_side *a, const struct timestep_side *b) {
+    return a->inverse_mass + b->inverse_mass > 0.0;
+}
+
 void timestep_limits(struct timestep_limits *limits, const struct timestep_input *input) {
-    *limits = (struct timestep_limits){.stable = INFINITY, .contact_time = INFINITY};
-    bool hertz = input->law->options.normal == LAW_HERTZ;
+    struct timestep_side side[TIMESTEP_SIDES_MAX];
+    int n = timestep_sides(input, side);
     double rayleigh = INFINITY;
-    for (int k = 0; k < input->kinds; k++) {
-        const struct timestep_kind *a = &input->kind[k];
-        for (int l = k; l < input->kinds; l++)
-            timestep_consider_kinds(limits, input, a, &input->kind[l]);
-        if (hertz && !a->wall)
-            rayleigh = fmin(rayleigh, timestep_rayleigh(&input->material[a->material], a->radius_min));
-    }
+    *limits = (struct timestep_limits){.stable = INFINITY, .contact_time = INFINITY};
+    for (int a = 0; a < n; a++)
+        for (int b = a; b < n; b++) {
+            if (!timestep_meets(&side[a], &side[b]))
+                continue;
+            struct timestep_meeting meeting = timestep_meet(input, &side[a], &side[b]);
+            timestep_surround(input, &side[a], &side[b], &meeting);
+            if (a != b)
+                timestep_surround(input, &side[b], &side[a], &meeting);
+            limits->contact_time = fmin(limits->contact_time, timestep_duration(input->law, &meeting));
+        }
+    for (int a = 0; a < n; a++)
+        for (int b = a; b < n; b++)
+            if (timestep_meets(&side[a], &side[b]))
+                timestep_consider(limits, &side[a], &side[b]);
+    for (int k = 0; k < input->kinds; k++)
+        if (input->law->options.normal == LAW_HERTZ && !input->kind[k].wall)
+            rayleigh = fmin(rayleigh, timestep_rayleigh(&input->material[input->kind[k].material],
+                                                        input->kind[k].radius_min));
     limits->rayleigh = isfinite(rayleigh) ? rayleigh : 0.0;
 }

@@ -5,10 +5,10 @@
  *   leapfrog scheme whose damper sees the velocity of the last half step up to
  *   dt = 2 (sqrt(1 + zeta^2) - zeta) / w, for any zeta (overdamped: dt -> 2 m/c).
  *
- *   A contact has a normal mode (k_n, c_n, mass m*) and, with friction, a tangential one, where both spheres
- * turn (k_t, c_t, mass m* / 3.5; with rolling resistance m* / 6). A particle with N contacts at a time is
- * counted as N times the spring and N times the damper: exact for N aligned contacts, and never too little
- * where each partner has N contacts at most.
+ *   Each particle has a local stiffness L: the largest eigenvalue of the springs that hold it, over its mass
+ * and inertia, its partners being fixed. No frequency of an assembly has a square above the largest L_i + L_j
+ * of two particles that touch, and the same for dampers (docs/physics.md derives it). Here L is that of an
+ * assumed number of contacts with like partners; stability.h finds it for the contacts that there are.
  *
  *   Hertz: tangent stiffness at the overlap that the expected speed reaches, or at the stated one, whichever
  * is larger. */
@@ -35,7 +35,9 @@ struct timestep_input {
     double speed_max;        /* largest impact speed expected, length/time; hertz stiffness grows with it */
     double overlap_relative; /* hertz: overlap counted with at least, relative to the smaller radius; 0:
                                 default (0.001) */
-    int contacts;            /* N, simultaneous contacts counted on a particle; 0: default (4) */
+    int contacts;            /* N, simultaneous contacts counted on a particle with its like; 0: default, 12,
+                                or 6 in two dimensions */
+    int dimension;           /* 2, or else 3 */
 };
 
 struct timestep_limits {
@@ -54,6 +56,18 @@ double timestep_default_fraction(void);
 
 /* The stability bound above for stiffness k, damper c and inverse mass. Infinite if all are 0. */
 double timestep_bound(double stiffness, double damping, double inverse_mass);
+
+/* The springs and dampers of a contact of materials a and b with effective mass and radius at an overlap, as
+ * they act on small changes: normal, tangential and rolling ones; those that the pair has not are 0. */
+struct timestep_springs {
+    double k_n, k_t, k_r; /* force/length */
+    double c_n, c_t, c_r; /* force time/length */
+};
+struct timestep_springs timestep_springs(const struct law *law, int a, int b, double mass, double radius,
+                                         double overlap);
+
+/* The inertia of a solid sphere over m r^2. */
+#define TIMESTEP_INERTIA 0.4
 
 /* Finds the limits. One thread. */
 void timestep_limits(struct timestep_limits *limits, const struct timestep_input *input);

@@ -71,10 +71,11 @@ struct scene_group {
 enum scene_ghosts { SCENE_GHOSTS_FULL, SCENE_GHOSTS_REDUCED, SCENE_GHOSTS_AUTO };
 
 /* What a guard does. */
-enum scene_guard { SCENE_GUARD_STOP, SCENE_GUARD_WARN, SCENE_GUARD_OFF };
+enum scene_guard { SCENE_GUARD_STOP, SCENE_GUARD_WARN, SCENE_GUARD_OFF, SCENE_GUARD_AUTO };
 
 struct scene_guards {
-    enum scene_guard overlap, nan, speed, energy;
+    enum scene_guard overlap, nan, speed, step;
+    enum scene_guard energy; /* AUTO: stop, with a cheaper and coarser look, where there can be one */
     double overlap_bound; /* largest overlap / smaller radius */
     double energy_bound;  /* largest growth without cause / energy in play */
 };

@@ -62,7 +62,7 @@ static const struct schema_row step_rows[] = {
      .help = "run although the step is above the stable one"},
     {.key = "contacts", .type = SCHEMA_INT, .fallback = "0", .range = "[0, 100]",
      AT(struct scene_step, contacts),
-     .help = "simultaneous contacts of a particle counted for the stable step; 0: 4"},
+     .help = "contacts of a particle with its like at a time, counted for the stable step; larger ones have more; 0: 12, or 6 in two dimensions"},
     {.key = "speed_max", .type = SCHEMA_REAL, .unit = "m/s", .fallback = "0", .range = "[0, inf)",
      AT(struct scene_step, speed_max),
      .help = "largest impact speed expected, for the stable step; 0: the largest of the particles at the start, or that of a fall through the "
@@ -291,6 +291,14 @@ static const struct schema_name guard_names[] = {
     {"warn", SCENE_GUARD_WARN, "one warning, then on"},
     {"off", SCENE_GUARD_OFF, NULL},
     {0}};
+static const struct schema_name energy_names[] = {
+    {"auto", SCENE_GUARD_AUTO,
+     "stop where kinetic + elastic + gravity - work of walls has grown by ten times energy_bound, looked at every "
+     "100 steps; not looked at where a group moves by order"},
+    {"stop", SCENE_GUARD_STOP, "stop, after a checkpoint to look at; looked at every 20 steps, dissipation included"},
+    {"warn", SCENE_GUARD_WARN, "one warning, then on; looked at like stop"},
+    {"off", SCENE_GUARD_OFF, NULL},
+    {0}};
 static const struct schema_name nan_names[] = {
     {"stop", SCENE_GUARD_STOP, "always: a search cannot go on with such places"}, {0}};
 static const struct schema_row guards_rows[] = {
@@ -305,10 +313,14 @@ static const struct schema_row guards_rows[] = {
      AT(struct scene_guards, speed),
      .help = "a particle that moves by more than the smallest radius in a step: it may pass through others "
              "unseen"},
-    {.key = "energy", .type = SCHEMA_NAME, .names = guard_names, .fallback = "off",
+    {.key = "step", .type = SCHEMA_NAME, .names = guard_names, .fallback = "warn",
+     AT(struct scene_guards, step),
+     .help = "contacts that have become so many or so stiff that the step is more than 0.9 of what is surely "
+             "stable, looked at every 500 steps; a step that is a fraction is then shortened, unless this is off"},
+    {.key = "energy", .type = SCHEMA_NAME, .names = energy_names, .fallback = "auto",
      AT(struct scene_guards, energy),
      .help = "growth of energy without cause: kinetic + elastic + gravity + dissipated - work of walls, "
-             "less what came and went with particles; costs the energy sums at each step"},
+             "less what came and went with particles; stop and warn cost the energy sums at each step"},
     {.key = "energy_bound", .type = SCHEMA_REAL, .range = "(0, inf)", .fallback = "0.05",
      AT(struct scene_guards, energy_bound),
      .help = "largest growth allowed, as a part of the largest energy in play"},

@@ -102,7 +102,7 @@ check 'files of a run that stopped and went on equal those of one that did not' 
 check 'so on two ranks' files_go_on 2
 
 # Particles come at steps 100 and 200 and go at each 20th, so frames vary in length; the checkpoint is of step 160
-varying=(--set 'insertions=[{rate: 100, material: soft, sizes: 0.2, velocity_sigma: 2, region: {shape: box, lower: [0, 0, 1.6], upper: [6, 6, 8]}}]'
+varying=(--set step.force=true --set 'insertions=[{rate: 100, material: soft, sizes: 0.2, velocity_sigma: 2, region: {shape: box, lower: [0, 0, 1.6], upper: [6, 6, 8]}}]'
     --set 'deletions=[{every: 20, region: {shape: box, lower: [0, 0, 0], upper: [2, 2, 4]}}]'
     --set output.trajectory.every=8 --set output.dump.every=6 --set observables.every=4 --set output.checkpoint.every=160)
 varying_go_on() {
