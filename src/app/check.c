@@ -1,5 +1,6 @@
 /* `scree check`: what a scene needs, and why. */
 #include "app/command.h"
+#include "engine/notes.h"
 #include "engine/outputs.h"
 #include "engine/simulation.h"
 #include "core/memory.h"
@@ -204,23 +205,26 @@ static void print_step(const struct simulation *s) {
            timestep_default_fraction());
 }
 
+/* All that people should look at again, together, for those who read no more; the last line says where a
+ * guard would end the run. */
+static void print_notes(const struct notes *notes) {
+    if (notes->count)
+        printf("\n");
+    notes_print(notes, "", stdout);
+    if (notes->stops[0])
+        printf("\na guard would stop this run at the expected speed: %s\n", notes->stops);
+}
+
 static const char *guard_word(enum scene_guard guard, bool trips) {
     if (guard == SCENE_GUARD_OFF)
         return "off";
     return !trips ? "" : guard == SCENE_GUARD_STOP ? ": would stop the run" : ": would warn";
 }
 
-/* The way of a step at the expected speed, over the smallest radius. */
-static double moved_expected(const struct simulation *s) {
-    return s->classes.count && s->classes.radius_min[0] > 0
-               ? s->speed_expected * s->dt / s->classes.radius_min[0]
-               : 0;
-}
-
 /* What can be told of the guards before anything runs. */
 static void print_guards(const struct simulation *s) {
     const struct scene_guards *guards = &s->scene->guards;
-    double moved = moved_expected(s);
+    double moved = notes_moved(s);
     printf("\nguards, at the expected speed of %.4g\n", s->speed_expected);
     printf("  speed    moves by %.3g of the smallest radius in a step (bound 1)%s\n", moved,
            guard_word(guards->speed, moved > 1));
@@ -236,18 +240,6 @@ static void print_guards(const struct simulation *s) {
         printf("  step     %.3g of the stable one: energy will grow\n", s->dt / s->limits.stable);
 }
 
-/* The last line, where a guard would end the run. */
-static void print_verdict(const struct simulation *s) {
-    const struct scene_guards *guards = &s->scene->guards;
-    char names[64] = "";
-    if (guards->speed == SCENE_GUARD_STOP && moved_expected(s) > 1)
-        add(names, sizeof names, "guards.speed");
-    if (guards->overlap == SCENE_GUARD_STOP && s->overlap_expected > guards->overlap_bound)
-        add(names, sizeof names, "guards.overlap");
-    if (names[0])
-        printf("\na guard would stop this run at the expected speed: %s\n", names);
-}
-
 static void print_memory(const struct simulation *s) {
     double n = s->particles->owned ? (double)s->particles->owned : 1;
     printf("\nmemory, rank 0: %.1f MiB, %.0f bytes a particle\n", (double)memory_in_use() / 1048576,
@@ -256,64 +248,6 @@ static void print_memory(const struct simulation *s) {
            (double)(particles_bytes_each(s->particles) * s->particles->capacity) / 1048576,
            (double)pairlist_memory(s->list) / 1048576, (double)index_memory(s->index) / 1048576,
            s->history ? (double)history_memory(s->history) / 1048576 : 0);
-}
-
-/* The smallest box around something, in the user's coordinates; lower above upper: nothing. */
-struct extent {
-    double lower[3], upper[3];
-};
-
-static const struct extent nothing = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-
-static void extent_add(struct extent *extent, const double x[3], double reach) {
-    for (int d = 0; d < 3; d++) {
-        extent->lower[d] = fmin(extent->lower[d], x[d] - reach);
-        extent->upper[d] = fmax(extent->upper[d], x[d] + reach);
-    }
-}
-
-/* Of the particles on all ranks, and how many centres lie beyond an open side of the box. Collective. */
-static struct extent particles_extent(const struct simulation *s, int64_t *outside) {
-    const struct box *box = &s->scene->box;
-    struct extent extent = nothing;
-    *outside = 0;
-    for (size_t k = 0; k < s->particles->owned; k++) {
-        const struct particle_state *p = &s->particles->state[k];
-        double x[3];
-        bool out = false;
-        for (int d = 0; d < 3; d++) {
-            x[d] = p->x[d] + box->origin[d];
-            out = out || (d < box->dimension && !box->periodic[d] && (p->x[d] < 0 || p->x[d] > box->edge[d]));
-        }
-        extent_add(&extent, x, p->radius);
-        *outside += out;
-    }
-    comm_min(s->comm, extent.lower, 3);
-    comm_max(s->comm, extent.upper, 3);
-    comm_sum_int(s->comm, outside, 1);
-    return extent;
-}
-
-/* A mesh at its place at the start; a cylinder and a plane as the scene gives them, a plane that is not
- * square to an axis without bounds. */
-static struct extent wall_extent(const struct simulation *s, int w) {
-    const struct wall_options *wall = &s->scene->wall[w];
-    struct extent extent = nothing;
-    double(*triangle)[9] = NULL;
-    size_t count = walls_triangles(s->walls, w, &triangle);
-    for (size_t k = 0; k < count; k++)
-        for (int corner = 0; corner < 3; corner++)
-            extent_add(&extent, triangle[k] + 3 * corner, 0);
-    memory_free(triangle);
-    for (int d = 0; wall->shape != WALL_MESH && d < 3; d++) {
-        double along = fabs(wall->axis[d]), half = wall->length > 0 ? wall->length / 2 : INFINITY;
-        double reach = (along > 0 ? along * half : 0) + wall->radius * sqrt(fmax(0, 1 - along * along));
-        if (wall->shape == WALL_PLANE)
-            reach = fabs(wall->normal[d]) == 1 ? 0 : INFINITY;
-        extent.lower[d] = wall->point[d] - reach;
-        extent.upper[d] = wall->point[d] + reach;
-    }
-    return extent;
 }
 
 static void print_extent(const char *what, const char *name, const struct extent *extent, const char *note) {
@@ -326,7 +260,7 @@ static void print_extent(const char *what, const char *name, const struct extent
 }
 
 /* Where everything is: what lies apart was seldom meant to. */
-static void print_extents(const struct simulation *s, const struct extent *particles, int64_t outside) {
+static void print_extents(const struct simulation *s, const struct notes *notes) {
     static const char *const shapes[] = {
         [WALL_PLANE] = "plane", [WALL_CYLINDER] = "cylinder", [WALL_MESH] = "mesh"};
     const struct scene *scene = s->scene;
@@ -337,22 +271,19 @@ static void print_extents(const struct simulation *s, const struct extent *parti
     printf("\nwhere it is\n  %-24s  %-27s  %-27s  %s\n", "", "x from ... to", "y from ... to",
            "z from ... to");
     print_extent("box", "", &box, "");
-    if (outside > 0)
-        snprintf(note, sizeof note, "  NOTE: %lld of them outside of the box", (long long)outside);
+    if (notes->outside > 0)
+        snprintf(note, sizeof note, "  NOTE: %lld of them outside of the box", (long long)notes->outside);
     if (s->total > 0)
-        print_extent("particles", "", particles, note);
+        print_extent("particles", "", &notes->particles, note);
     for (int w = 0; w < s->scene->walls; w++) {
         const struct wall_options *wall = &s->scene->wall[w];
-        struct extent extent = wall_extent(s, w);
-        bool apart = false;
-        for (int d = 0; wall->shape == WALL_MESH && d < scene->box.dimension; d++)
-            apart = apart || extent.upper[d] < box.lower[d] || extent.lower[d] > box.upper[d];
+        struct extent extent = extent_of_wall(s, w);
         print_extent(shapes[wall->shape], wall->name, &extent,
-                     apart ? "  NOTE: wholly outside of the box" : "");
+                     notes->apart[w] ? "  NOTE: wholly outside of the box" : "");
     }
 }
 
-static void print_all(const struct simulation *s, const struct extent *particles, int64_t outside) {
+static void print_all(const struct simulation *s, const struct notes *notes) {
     const struct scene *scene = s->scene;
     printf("%s: valid\n", scene->file);
     printf("  %llu particles, %d materials, %d walls, %d groups, %s, %s, %s\n", (unsigned long long)s->total,
@@ -363,7 +294,7 @@ static void print_all(const struct simulation *s, const struct extent *particles
            s->view.newton ? "on" : "off", s->list->primary_count, s->sums.contacts);
     if (scene->reproducible)
         printf("  reproducible: pairs across ranks are computed on both sides (newton off, full copies)\n");
-    print_extents(s, particles, outside);
+    print_extents(s, notes);
     print_terms(s);
     printf("\npasses of a step\n");
     step_plan_print(s, stdout);
@@ -374,7 +305,7 @@ static void print_all(const struct simulation *s, const struct extent *particles
     print_step(s);
     print_guards(s);
     print_memory(s);
-    print_verdict(s);
+    print_notes(notes);
 }
 
 /* Refuses what a run would refuse before its first step although all its parts could be made. */
@@ -385,17 +316,20 @@ static bool outputs_suit(const struct simulation *s, struct error *error) {
 }
 
 int command_check(const struct comm *comm, const struct command_line *line, struct error *error) {
+    int status = 0;
     struct scene *scene = command_scene(comm, line, NULL, 0, error);
     if (scene == NULL)
         return error->kind;
     struct simulation *s = simulation_create(comm, scene, NULL, error);
     if (s && outputs_suit(s, error)) {
-        int64_t outside;
-        struct extent particles = particles_extent(s, &outside);
+        struct notes *notes = memory_allocate_zero(1, sizeof *notes, "notes");
+        notes_take(s, notes);
         if (comm->rank == 0)
-            print_all(s, &particles, outside);
+            print_all(s, notes);
+        status = notes->stops[0] ? ERROR_PHYSICS : 0;
+        memory_free(notes);
     }
     simulation_destroy(&s);
     scene_free(&scene);
-    return error->kind;
+    return error->kind ? (int)error->kind : status;
 }

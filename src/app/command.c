@@ -33,7 +33,7 @@ static const struct flag flags[] = {
     {"overwrite", NULL,
      "a file that is there already is replaced; without it, it is kept, and nothing is written",
      "convert pack"},
-    {"quiet", NULL, "no progress and no report on the terminal", NULL},
+    {"quiet", NULL, "no notes, no progress and no report on the terminal", NULL},
     {"to", "FORMAT", "lammps-data, lammps-dump, h5md or xdmf; else by the output's name", NULL},
     {"frame", "N", "one frame only, from 0, negative from the end", NULL},
     {"index", "A,B,...", "the indexes to compare; default: all", NULL},

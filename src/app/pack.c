@@ -5,13 +5,14 @@
 #include "files/file.h"
 #include "formats/h5md.h"
 #include "formats/lammps_data.h"
+#include "observe/progress.h"
 #include "pack/pack.h"
 #include <inttypes.h>
 #include <string.h>
 #include <unistd.h>
 
 /* Seconds between lines of progress where no terminal shows it. */
-static const double line_seconds = 10;
+static const double line_seconds = 5;
 
 /* What the command line asks for. */
 struct request {
@@ -31,13 +32,18 @@ struct progress_line {
 
 static void show_sweep(void *context, const char *what, const struct relax_state *state) {
     struct progress_line *line = context;
+    char text[PROGRESS_COLUMNS_MAX + 1];
     double now = timer_now();
     if (now - line->shown < (line->terminal ? 0.2 : line_seconds))
         return;
     line->shown = now;
     line->drawn = true;
-    fprintf(stderr, "%s%s: sweep %d, largest overlap %.3g of the smaller radius%s",
-            line->terminal ? "\r\033[K" : "", what, state->sweep, state->overlap, line->terminal ? "" : "\n");
+    snprintf(text, sizeof text, "%s: sweep %d, largest overlap %.3g of the smaller radius", what,
+             state->sweep, state->overlap);
+    if (line->terminal)
+        fprintf(stderr, "\r\033[K%.*s", progress_columns(stderr), text);
+    else
+        fprintf(stderr, "%s\n", text);
     fflush(stderr);
 }
 

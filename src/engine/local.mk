@@ -8,6 +8,8 @@ libengine_la_SOURCES = \
 	src/engine/limit.h \
 	src/engine/load.c \
 	src/engine/load.h \
+	src/engine/notes.c \
+	src/engine/notes.h \
 	src/engine/outputs.c \
 	src/engine/outputs.h \
 	src/engine/rebuild.c \

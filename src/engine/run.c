@@ -2,6 +2,7 @@
 #include "engine/folder.h"
 #include "engine/guards.h"
 #include "engine/load.h"
+#include "engine/notes.h"
 #include "engine/outputs.h"
 #include "engine/run_report.h"
 #include "core/memory.h"
@@ -234,9 +235,9 @@ static void run_loop(struct run *run, struct error *error) {
     memset(&s->timers, 0, sizeof s->timers);
     timer_start(&s->timers, TIMER_OTHER);
     run->record.began = run->checkpoint_last = timer_now();
-    if (run->options->quiet || s->comm->rank != 0)
+    if ((run->options->quiet && run->options->series == NULL) || s->comm->rank != 0)
         progress.mode = PROGRESS_OFF;
-    progress_start(&run->progress, &progress, stderr, run->record.first, run->last);
+    progress_start(&run->progress, &progress, run->options->series, stderr, run->record.first, run->last);
     steps(run, error);
     progress_finish(&run->progress);
     timer_stop(&s->timers, TIMER_OTHER);
@@ -244,6 +245,15 @@ static void run_loop(struct run *run, struct error *error) {
         *error = s->error; /* also of the last step, which nobody has asked for yet */
     if (!comm_agree(s->comm, error))
         stopped_checkpoint(run, error);
+}
+
+/* What `scree check` would say of it. */
+static void notes_tell(const struct simulation *s) {
+    struct notes *notes = memory_allocate_zero(1, sizeof *notes, "notes");
+    notes_take(s, notes);
+    if (s->comm->rank == 0)
+        notes_print(notes, "scree: ", stderr);
+    memory_free(notes);
 }
 
 /* A resume of what is over: says so, and there is nothing to write. */
@@ -272,6 +282,8 @@ int run_scene(const struct comm *comm, const struct scene *scene, const struct r
     run.output = outputs_run(run.s, options->directory, echo);
     signals_catch();
     if (run_open(&run, error) && watch_begin(&run, error)) {
+        if (!options->quiet)
+            notes_tell(run.s);
         run.record.setup = timer_now() - start;
         run_loop(&run, error);
         report_create(&own, comm->size);

@@ -3,6 +3,7 @@
 #define SCREE_ENGINE_RUN_H
 
 #include "engine/simulation.h"
+#include "observe/progress.h"
 #include "observe/report.h"
 
 /* Somebody who looks on while a scene runs (NULL where not needed). All calls are collective. */
@@ -17,11 +18,12 @@ struct run_watch {
 };
 
 struct run_options {
-    const char *directory;         /* NULL: no files at all (ablate) */
-    const struct run_watch *watch; /* borrowed; NULL: nobody looks on */
-    const char *resume;            /* a checkpoint, or NULL */
-    bool overwrite;                /* a directory that exists is used, its files replaced */
-    bool quiet;                    /* neither progress nor report on the terminal */
+    const char *directory;                /* NULL: no files at all (ablate) */
+    const struct run_watch *watch;        /* borrowed; NULL: nobody looks on */
+    const char *resume;                   /* a checkpoint, or NULL */
+    bool overwrite;                       /* a directory that exists is used, its files replaced */
+    bool quiet;                           /* neither notes, progress nor report on the terminal */
+    const struct progress_series *series; /* borrowed; with it, progress is shown although quiet; or NULL */
 };
 
 /* Runs a scene to its end. Fills `report` where it is not NULL (report_destroy is the caller's). Returns the

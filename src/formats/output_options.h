@@ -85,7 +85,7 @@ struct observables_options {
 
 enum progress_mode { PROGRESS_AUTO, PROGRESS_BAR, PROGRESS_LINES, PROGRESS_OFF };
 
-/* The terminal. AUTO: a bar on a terminal, nothing elsewhere. */
+/* The terminal. AUTO: a bar on a terminal, elsewhere a line every few seconds. */
 struct progress_options {
     enum progress_mode mode;
 };

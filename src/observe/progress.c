@@ -5,12 +5,16 @@
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
-enum { BAR_WIDTH = 30 };
+enum { BAR_WIDTH = 30, BAR_LEAST = 8, LEFT_WIDTH = 20, PARTS = 5, PART_MAX = 64 };
 
-/* Seconds between two drawings. */
-static const double draw_pause = 0.2;
+/* Seconds between two drawings, and between two lines. */
+static const double draw_pause = 0.2, line_pause = 5, line_pause_most = 60;
+
+/* Lines grow rarer with the time that has passed. */
+static const double line_pause_part = 0.05;
 
 void progress_duration(double seconds, char *text, size_t size) {
     if (!(seconds >= 0 && seconds < 1e9)) {
@@ -24,29 +28,30 @@ void progress_duration(double seconds, char *text, size_t size) {
         snprintf(text, size, "%ld:%02ld", minutes, whole % 60);
 }
 
-void progress_start(struct progress *progress, const struct progress_options *options, FILE *file,
-                    uint64_t first, uint64_t last) {
+int progress_columns(FILE *file) {
+    struct winsize window;
+    int width = 80;
+    if (ioctl(fileno(file), TIOCGWINSZ, &window) == 0 && window.ws_col > 0)
+        width = window.ws_col;
+    return width - 1 < PROGRESS_COLUMNS_MAX ? width - 1 : PROGRESS_COLUMNS_MAX;
+}
+
+void progress_start(struct progress *progress, const struct progress_options *options,
+                    const struct progress_series *series, FILE *file, uint64_t first, uint64_t last) {
     const char *terminal = getenv("TERM");
     bool can_draw = file && isatty(fileno(file)) && !(terminal && strcmp(terminal, "dumb") == 0);
     enum progress_mode mode = options->mode;
     if (mode == PROGRESS_AUTO)
-        mode = can_draw ? PROGRESS_BAR : PROGRESS_OFF;
+        mode = can_draw ? PROGRESS_BAR : PROGRESS_LINES;
     *progress = (struct progress){.file = file,
                                   .mode = file ? mode : PROGRESS_OFF,
+                                  .series = series,
+                                  .rare = options->mode == PROGRESS_AUTO,
                                   .first = first,
                                   .last = last,
                                   .step = first,
                                   .began = timer_now()};
-}
-
-/* "1.23e+07 particle-steps/s", the time left and the simulated time. */
-static void describe(const struct progress *progress, double now, double time, char *text, size_t size) {
-    double seconds = now - progress->began, done = (double)(progress->step - progress->first);
-    double left = done > 0 ? seconds / done * (double)(progress->last - progress->step) : -1;
-    char remaining[32];
-    progress_duration(left, remaining, sizeof remaining);
-    snprintf(text, size, "step %" PRIu64 " of %" PRIu64 ", t = %.4g, %.3g particle-steps/s, %s left",
-             progress->step, progress->last, time, seconds > 0 ? progress->work / seconds : 0, remaining);
+    progress->shown = mode == PROGRESS_LINES ? progress->began : 0;
 }
 
 static double fraction_done(const struct progress *progress) {
@@ -55,28 +60,66 @@ static double fraction_done(const struct progress *progress) {
     return (double)(progress->step - progress->first) / (double)(progress->last - progress->first);
 }
 
+/* What a line says, the most important part first: percentage and time left, the run of a series, the step,
+ * the simulated time, particle-steps per second. */
+static void describe(const struct progress *progress, double now, double time, char part[PARTS][PART_MAX]) {
+    double seconds = now - progress->began, done = fraction_done(progress), left = -1;
+    const struct progress_series *series = progress->series;
+    char remaining[32];
+    if (done > 0)
+        left = seconds / done * (1 - done + (series ? series->runs - series->number : 0));
+    progress_duration(left, remaining, sizeof remaining);
+    snprintf(part[0], PART_MAX, "%3d %% %s left", (int)(100 * done), remaining);
+    part[1][0] = '\0';
+    if (series)
+        snprintf(part[1], PART_MAX, ", run %d of %d: %.30s", series->number, series->runs, series->name);
+    snprintf(part[2], PART_MAX, ", step %" PRIu64 " of %" PRIu64, progress->step, progress->last);
+    snprintf(part[3], PART_MAX, ", t = %.4g", time);
+    snprintf(part[4], PART_MAX, ", %.3g particle-steps/s", seconds > 0 ? progress->work / seconds : 0);
+}
+
+/* Joins the parts as far as they fit into `room` columns; the first always stands. Returns the length. */
+static int join(char part[PARTS][PART_MAX], int room, char *text, size_t size) {
+    int length = snprintf(text, size, "%.*s", room, part[0]);
+    for (int k = 1; k < PARTS && length + (int)strlen(part[k]) <= room; k++)
+        length += snprintf(text + length, size - (size_t)length, "%s", part[k]);
+    return length;
+}
+
 static void draw_bar(struct progress *progress, double now, double time) {
-    char text[160], bar[BAR_WIDTH + 1];
-    describe(progress, now, time, text, sizeof text);
-    double fraction = fraction_done(progress);
-    int filled = (int)(fraction * BAR_WIDTH);
-    memset(bar, '.', BAR_WIDTH);
-    memset(bar, '#', (size_t)filled);
-    bar[BAR_WIDTH] = '\0';
-    fprintf(progress->file, "\r\033[K[%s] %3d %% %s", bar, (int)(100 * fraction), text);
+    char part[PARTS][PART_MAX], text[PARTS * PART_MAX], bar[BAR_WIDTH + 1];
+    int columns = progress_columns(progress->file);
+    describe(progress, now, time, part);
+    int room = columns - BAR_LEAST - 3; /* a very narrow terminal has no bar */
+    int length = join(part, room < LEFT_WIDTH ? columns : room, text, sizeof text),
+        width = columns - length - 3;
+    width = width > BAR_WIDTH ? BAR_WIDTH : width;
+    fputs("\r\033[K", progress->file);
+    if (width >= BAR_LEAST) {
+        memset(bar, '.', (size_t)width);
+        memset(bar, '#', (size_t)(fraction_done(progress) * width));
+        fprintf(progress->file, "[%.*s] ", width, bar);
+    }
+    fprintf(progress->file, "%s", text);
     fflush(progress->file);
     progress->shown = now;
 }
 
+/* Plain lines are no part of a terminal: they say all. */
 static void print_line(struct progress *progress, double now, double time) {
+    char part[PARTS][PART_MAX], text[PARTS * PART_MAX];
     int tenths = (int)(10 * fraction_done(progress));
-    if (tenths <= progress->tenths)
+    double pause = line_pause_part * (now - progress->began);
+    pause = pause < line_pause ? line_pause : pause > line_pause_most ? line_pause_most : pause;
+    bool tenth = !progress->rare && tenths > progress->tenths;
+    if (!tenth && now - progress->shown < pause)
         return;
-    char text[160];
-    describe(progress, now, time, text, sizeof text);
-    fprintf(progress->file, "%3d %% %s\n", 10 * tenths, text);
+    describe(progress, now, time, part);
+    join(part, (int)sizeof text - 1, text, sizeof text);
+    fprintf(progress->file, "%s\n", text);
     fflush(progress->file);
     progress->tenths = tenths;
+    progress->shown = now;
 }
 
 void progress_update(struct progress *progress, uint64_t step, uint64_t particles, double time) {

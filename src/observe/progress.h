@@ -1,25 +1,37 @@
-/* The progress of a run on a terminal: a bar with the time left and particle-steps per second, or plain
- * lines. Rank 0 alone. */
+/* The progress of a run on a terminal: a bar with the time left and particle-steps per second in a line that
+ * fits the width of the terminal, or plain lines. Rank 0 alone. */
 #ifndef SCREE_OBSERVE_PROGRESS_H
 #define SCREE_OBSERVE_PROGRESS_H
 
 #include "formats/output_options.h"
 #include <stdio.h>
 
-/* Plain data, filled by progress_start. */
-struct progress {
-    FILE *file;              /* borrowed */
-    enum progress_mode mode; /* never AUTO */
-    uint64_t first, last;    /* steps of this run */
-    double began, shown;     /* seconds (timer_now) */
-    double work;             /* particle-steps so far */
-    uint64_t step;           /* last one told */
-    int tenths;              /* lines: tenths already printed */
+enum { PROGRESS_COLUMNS_MAX = 160 };
+
+/* The place of a run among others of like length. */
+struct progress_series {
+    const char *name; /* of this run; borrowed while it lasts */
+    int number, runs; /* this one, from 1, of so many */
 };
 
-/* Starts at step `first` of `last`. AUTO becomes BAR if `file` is a terminal, else OFF. */
-void progress_start(struct progress *progress, const struct progress_options *options, FILE *file,
-                    uint64_t first, uint64_t last);
+/* Plain data, filled by progress_start. */
+struct progress {
+    FILE *file;                           /* borrowed */
+    enum progress_mode mode;              /* never AUTO */
+    const struct progress_series *series; /* borrowed; NULL: a run by itself */
+    bool rare;                            /* lines: by time alone, not at each tenth */
+    uint64_t first, last;                 /* steps of this run */
+    double began, shown;                  /* seconds (timer_now) */
+    double work;                          /* particle-steps so far */
+    uint64_t step;                        /* last one told */
+    int tenths;                           /* lines: tenths already printed */
+};
+
+/* Starts at step `first` of `last`, of a run by itself (series NULL) or of one of several. AUTO becomes BAR
+ * if `file` is a terminal, else LINES by time alone: one after five seconds, later more rarely, up to one a
+ * minute. */
+void progress_start(struct progress *progress, const struct progress_options *options,
+                    const struct progress_series *series, FILE *file, uint64_t first, uint64_t last);
 
 /* Tells that `step` is done, with `particles` particles (all ranks); draws at most a few times a second.
  * `time` is the simulated time. */
@@ -30,5 +42,9 @@ void progress_finish(struct progress *progress);
 
 /* Formats a duration as "1:02:03" or "2:03" into text. */
 void progress_duration(double seconds, char *text, size_t size);
+
+/* Columns that a line on a terminal may fill without a break: one less than its width, at most
+ * PROGRESS_COLUMNS_MAX; 79 where the width is not known. */
+int progress_columns(FILE *file);
 
 #endif

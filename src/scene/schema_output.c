@@ -57,9 +57,11 @@ static const struct schema_row checkpoint_rows[] = {
 static const struct schema_table checkpoint_table = TABLE(checkpoint_rows);
 
 static const struct schema_name progress_names[] = {
-    {"auto", PROGRESS_AUTO, "a bar on a terminal, nothing elsewhere"},
+    {"auto", PROGRESS_AUTO,
+     "a bar on a terminal, elsewhere a line every five seconds, after two minutes more rarely, up to one a "
+     "minute"},
     {"bar", PROGRESS_BAR, NULL},
-    {"lines", PROGRESS_LINES, "a line now and then"},
+    {"lines", PROGRESS_LINES, "these lines, and one at each tenth"},
     {"off", PROGRESS_OFF, NULL},
     {0}};
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The words of the program to people: help, notes.
+# What the program says to people: help, progress on terminals of any width, notes.
 
 . "$(dirname "$0")/common.sh"
 cd "$out" || exit 1
@@ -17,5 +17,79 @@ check 'run deletes the files of an earlier run' overwrites run 'files of an earl
 check 'ablate replaces tables' overwrites ablate 'tables of an earlier ablate in it are replaced'
 resumes() { section "$1" output >said && holds said 'exists: refused' && lacks said --resume; }
 check 'ablate has no --resume to point to' resumes ablate
+
+cat >scene.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [10, 10, 10]}
+gravity: [0, 0, -10]
+threads: 1
+step: {dt: 0.001, count: 1000000000}
+contact: {law: hooke, tangential: none}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.6, k_n: 10000}]
+walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}]
+particles: {from: random, count: 200, sizes: 0.3}
+observables: {every: 1000000}
+EOS
+
+echo '== progress'
+# typed COLUMNS SECONDS DIR [FLAG...]: what a terminal of that width is sent, ended by SIGINT
+typed() {
+    local columns=$1 seconds=$2 dir=$3
+    shift 3
+    TERM=xterm script -qc "stty cols $columns; exec timeout -s INT $seconds $scree run scene.yaml -o $dir $*" /dev/null </dev/null | tr '\r' '\n' >said
+    grep -a ' left' said | sed 's/^.\[K//' >drawn
+}
+fits() { # COLUMNS WORDS: each drawing is shorter than the terminal is wide, and says so much
+    local columns=$1 words=$2
+    typed "$columns" 2 "wide-$columns"
+    [ "$(wc -l <drawn)" -ge 3 ] || { echo "  only $(wc -l <drawn) drawings"; cat said; return 1; }
+    awk -v columns="$columns" 'length($0) >= columns { print "  " length($0) " columns: " $0; bad = 1 } END { exit bad }' drawn &&
+        tail -n 1 drawn && [ "$(tail -n 1 drawn | grep -cE "$words")" = 1 ]
+}
+if script -qc true /dev/null </dev/null >/dev/null 2>&1; then
+    check '40 columns: how much is done, and the time left' fits 40 '^\[[#.]{8,}\]  *[0-9]+ % [-0-9:]+ left$'
+    check '80 columns: the step, too' fits 80 '% [-0-9:]+ left, step [0-9]+ of 1000000000'
+    check '108 columns: the time, too' fits 108 ' left, step [0-9]+ of 1000000000, t = '
+    check '200 columns: all' fits 200 ' left, step [0-9]+ of 1000000000, t = .*, [0-9.e+]+ particle-steps/s$'
+    check '20 columns: no bar' fits 20 '^ *[0-9]+ % [-0-9:]+ left$'
+else
+    skip 'terminals: no script (bsdutils) here'
+fi
+piped() { # a line after five seconds
+    timeout -s INT 8 "$scree" run scene.yaml -o piped >said 2>told
+    grep -c '^ *0 % .* left, step [0-9]* of 1000000000, t = .* particle-steps/s$' told | grep -qx 1 && lacks told '[K' || { cat told; return 1; }
+}
+check 'a line after some seconds where there is no terminal' piped
+tenths() { "$scree" run scene.yaml -o tenths --set step.count=100 --set output.progress=lines >said 2>told; [ "$(grep -c ' % .* left, step ' told)" = 10 ] || { cat told; return 1; }; }
+check 'at each tenth where lines are asked for' tenths
+silent() { timeout -s INT 7 "$scree" run scene.yaml -o silent --quiet >said 2>told; lacks told left; }
+check 'none where it is to be quiet' silent
+
+echo '== notes'
+printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 0\nendloop\nendfacet\nendsolid\n' >far.stl
+# repeats STATUS COUNT [FLAG...]: check and run have the same so many notes; check ends with this status
+repeats() {
+    local status=$1 count=$2 given
+    shift 2
+    "$scree" check scene.yaml --set step.count=1 "$@" >said 2>&1
+    given=$?
+    [ "$given" = "$status" ] || { echo "  status $given"; tail -n 3 said; return 1; }
+    rm -rf noted
+    "$scree" run scene.yaml -o noted --set step.count=1 "$@" >said_run 2>told
+    grep -E '^(NOTE|warning): ' said >of_check
+    sed -n 's/^scree: \(NOTE: \|warning: \)/\1/p' told | grep -v ' (said once)$' >of_run
+    cat of_check
+    [ "$(wc -l <of_check)" = "$count" ] && cmp of_check of_run || { cat told; return 1; }
+}
+check 'nothing to note' repeats 0 0
+check 'particles outside of the box' repeats 0 1 --set 'particles={from: single, position: [12, 5, 5], radius: 1}'
+check 'a mesh outside of the box' repeats 0 1 --set 'walls[1]={name: far, shape: mesh, file: far.stl, offset: [20, 0, 0]}'
+check 'a guard that would warn' repeats 0 1 --set guards.speed=warn --set guards.overlap=off --set step.speed_max=2000
+check 'one that would stop the run: status 3' repeats 3 1 --set guards.overlap=off --set step.speed_max=2000
+check 'a step above the stable one' repeats 0 1 --set step.force=true --set step.dt=0.01 --set guards.overlap=off
+check 'no output but the end' repeats 0 1 --set 'observables=~'
+still() { "$scree" run scene.yaml -o still --quiet --set step.count=1 --set 'observables=~' >said 2>told && [ ! -s told ]; }
+check 'no notes where it is to be quiet' still
 
 finish

@@ -287,7 +287,7 @@ static void progress_text(enum progress_mode mode, char *text, size_t size) {
     struct progress progress;
     struct progress_options options = {.mode = mode};
     FILE *file = tmpfile();
-    progress_start(&progress, &options, file, 100, 300);
+    progress_start(&progress, &options, NULL, file, 100, 300);
     for (uint64_t step = 101; step <= 300; step++)
         progress_update(&progress, step, 1000, 0.5 * (double)step);
     progress_finish(&progress);
@@ -301,15 +301,20 @@ static void progress_is_quiet_unless_asked(void **state) {
     struct team *team = *state;
     char text[1 << 14];
     progress_text(PROGRESS_AUTO, text, sizeof text);
-    team_expect(team, text[0] == '\0', "AUTO prints into a file: %s", text);
+    team_expect(team, text[0] == '\0', "AUTO prints into a file at once: %s", text);
     progress_text(PROGRESS_LINES, text, sizeof text);
     int lines = 0;
     for (const char *c = text; *c; c++)
         lines += *c == '\n';
     team_expect(team, lines == 10, "%d lines:\n%s", lines, text);
-    team_expect(team, strstr(text, " 50 % step 200 of 300, t = 100, ") != NULL, "%s", text);
+    team_expect(team, strstr(text, " 50 % 0:00 left, step 200 of 300, t = 100, ") != NULL, "%s", text);
     progress_text(PROGRESS_BAR, text, sizeof text);
-    team_expect(team, strstr(text, "[##############################] 100 %") != NULL, "%s", text);
+    const char *bar = strstr(text, "########] 100 % 0:00 left, step 300 of 300");
+    team_expect(team, bar != NULL, "%s", text);
+    for (const char *drawn = text; (drawn = strstr(drawn, "\033[K")) != NULL;) { /* the width is not known */
+        drawn += strlen("\033[K");
+        team_expect(team, strcspn(drawn, "\r") < 80, "a line of %zu columns", strcspn(drawn, "\r"));
+    }
     team_expect(team, strcmp(text + strlen(text) - 4, "\r\033[K") == 0, "the bar is left: %s", text);
     team_finish(team);
 }

@@ -1,0 +1,151 @@
+#include "engine/notes.h"
+#include "core/memory.h"
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
+static const struct extent nothing = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+
+static void extent_add(struct extent *extent, const double x[3], double reach) {
+    for (int d = 0; d < 3; d++) {
+        extent->lower[d] = fmin(extent->lower[d], x[d] - reach);
+        extent->upper[d] = fmax(extent->upper[d], x[d] + reach);
+    }
+}
+
+/* Of the particles on all ranks, and how many centres lie beyond an open side of the box. Collective. */
+static struct extent particles_extent(const struct simulation *s, int64_t *outside) {
+    const struct box *box = &s->scene->box;
+    struct extent extent = nothing;
+    *outside = 0;
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        const struct particle_state *p = &s->particles->state[k];
+        double x[3];
+        bool out = false;
+        for (int d = 0; d < 3; d++) {
+            x[d] = p->x[d] + box->origin[d];
+            out = out || (d < box->dimension && !box->periodic[d] && (p->x[d] < 0 || p->x[d] > box->edge[d]));
+        }
+        extent_add(&extent, x, p->radius);
+        *outside += out;
+    }
+    comm_min(s->comm, extent.lower, 3);
+    comm_max(s->comm, extent.upper, 3);
+    comm_sum_int(s->comm, outside, 1);
+    return extent;
+}
+
+struct extent extent_of_wall(const struct simulation *s, int w) {
+    const struct wall_options *wall = &s->scene->wall[w];
+    struct extent extent = nothing;
+    double(*triangle)[9] = NULL;
+    size_t count = walls_triangles(s->walls, w, &triangle);
+    for (size_t k = 0; k < count; k++)
+        for (int corner = 0; corner < 3; corner++)
+            extent_add(&extent, triangle[k] + 3 * corner, 0);
+    memory_free(triangle);
+    for (int d = 0; wall->shape != WALL_MESH && d < 3; d++) {
+        double along = fabs(wall->axis[d]), half = wall->length > 0 ? wall->length / 2 : INFINITY;
+        double reach = (along > 0 ? along * half : 0) + wall->radius * sqrt(fmax(0, 1 - along * along));
+        if (wall->shape == WALL_PLANE)
+            reach = fabs(wall->normal[d]) == 1 ? 0 : INFINITY;
+        extent.lower[d] = wall->point[d] - reach;
+        extent.upper[d] = wall->point[d] + reach;
+    }
+    return extent;
+}
+
+double notes_moved(const struct simulation *s) {
+    return s->classes.count && s->classes.radius_min[0] > 0
+               ? s->speed_expected * s->dt / s->classes.radius_min[0]
+               : 0;
+}
+
+static void add(struct notes *notes, bool warning, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+static void add(struct notes *notes, bool warning, const char *format, ...) {
+    va_list list;
+    if (notes->count == NOTES_MAX)
+        return;
+    struct note *note = &notes->note[notes->count++];
+    note->warning = warning;
+    va_start(list, format);
+    vsnprintf(note->text, sizeof note->text, format, list);
+    va_end(list);
+}
+
+/* What lies apart was seldom meant to: a unit was forgotten, or a scale. */
+static void look_at_places(const struct simulation *s, struct notes *notes) {
+    const struct scene *scene = s->scene;
+    if (notes->outside > 0)
+        add(notes, false,
+            "%lld of %llu particles have their centres outside of the box (units of lengths, and the table "
+            "'where it is' of scree check, tell why)",
+            (long long)notes->outside, (unsigned long long)s->total);
+    for (int w = 0; w < scene->walls; w++) {
+        if (scene->wall[w].shape != WALL_MESH)
+            continue;
+        struct extent extent = extent_of_wall(s, w);
+        for (int d = 0; d < scene->box.dimension; d++)
+            notes->apart[w] = notes->apart[w] || extent.upper[d] < scene->box_lower[d] ||
+                              extent.lower[d] > scene->box_upper[d];
+        if (notes->apart[w])
+            add(notes, false, "mesh '%s' lies wholly outside of the box (its scale, or its offset?)",
+                scene->wall[w].name);
+    }
+}
+
+static void look_at_guard(const struct simulation *s, struct notes *notes, enum scene_guard guard,
+                          const char *name, const char *what) {
+    if (guard == SCENE_GUARD_OFF)
+        return;
+    bool stops = guard == SCENE_GUARD_STOP;
+    size_t used = strlen(notes->stops);
+    add(notes, true, "%s: at the expected speed of %.4g %s: the guard would %s", name, s->speed_expected,
+        what, stops ? "stop this run" : "warn");
+    if (stops)
+        snprintf(notes->stops + used, sizeof notes->stops - used, "%s%s", used ? ", " : "", name);
+}
+
+static void look_at_guards(const struct simulation *s, struct notes *notes) {
+    const struct scene_guards *guards = &s->scene->guards;
+    char what[128];
+    if (notes_moved(s) > 1) {
+        snprintf(what, sizeof what, "a particle moves by %.3g of the smallest radius in a step (bound 1)",
+                 notes_moved(s));
+        look_at_guard(s, notes, guards->speed, "guards.speed", what);
+    }
+    if (s->overlap_expected > guards->overlap_bound) {
+        snprintf(what, sizeof what, "particles overlap by %.3g of their radius (bound %g)",
+                 s->overlap_expected, guards->overlap_bound);
+        look_at_guard(s, notes, guards->overlap, "guards.overlap", what);
+    }
+    if (s->dt > s->limits.stable)
+        add(notes, true, "the time step is %.3g of the stable one: energy will grow",
+            s->dt / s->limits.stable);
+}
+
+/* A run of hours that leaves its last state alone. */
+static void look_at_output(const struct simulation *s, struct notes *notes) {
+    const struct output_options *output = &s->scene->output;
+    if (!output_interval_set(&output->trajectory.every) &&
+        !output_interval_set(&output->trajectory.contacts) && !output_interval_set(&output->dump.every) &&
+        !output_interval_set(&output->observables.every))
+        add(notes, false,
+            "neither a trajectory nor a dump nor observables will be written, only report.json and "
+            "checkpoints (sections 'output' and 'observables')");
+}
+
+void notes_take(const struct simulation *s, struct notes *notes) {
+    *notes = (struct notes){0};
+    notes->particles = particles_extent(s, &notes->outside);
+    look_at_places(s, notes);
+    look_at_output(s, notes);
+    look_at_guards(s, notes);
+}
+
+void notes_print(const struct notes *notes, const char *before, FILE *file) {
+    for (int k = 0; k < notes->count; k++)
+        fprintf(file, "%s%s: %s\n", before, notes->note[k].warning ? "warning" : "NOTE", notes->note[k].text);
+}
