@@ -13,6 +13,8 @@ libapp_la_SOURCES = \
 	src/app/sample.h \
 	src/app/speed_error.c \
 	src/app/speed_error.h \
+	src/app/speed_plot.c \
+	src/app/speed_plot.h \
 	src/app/speed_write.c \
 	src/app/variant.c \
 	src/app/variant.h \

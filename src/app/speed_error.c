@@ -287,6 +287,13 @@ void speed_front(struct speed_row *row, int rows, const struct speed_reference *
     }
 }
 
+bool speed_row_opens_group(const struct speed_row *row, int k) {
+    for (int other = 0; other < k; other++)
+        if (strcmp(row[other].variant.group, row[k].variant.group) == 0)
+            return false;
+    return true;
+}
+
 static bool in_group(const struct speed_row *row, const char *group) {
     return row->stopped[0] == '\0' && (group == NULL || strcmp(row->variant.group, group) == 0);
 }

@@ -69,6 +69,9 @@ void speed_row_measure(struct speed_row *row, const struct sample_record *record
 /* Marks the rows that no other row beats in both time and error, errors below the floor being equal. */
 void speed_front(struct speed_row *row, int rows, const struct speed_reference *reference);
 
+/* True if row `k` is the first of its group. */
+bool speed_row_opens_group(const struct speed_row *row, int k);
+
 /* What is told at the end. */
 struct speed_report {
     const struct speed_row *row; /* the first is the scene as it is */
@@ -90,8 +93,8 @@ int speed_most_exact(const struct speed_report *report, const char *group);
 void speed_print(const struct speed_report *report, FILE *file);
 
 /* Writes DIR/speed_error.csv, a row a variant; DIR/speed_error_reference.csv, a row an observable: scale,
- * error and order of the reference, spread; DIR/speed_error.txt, what speed_print prints; DIR/speed_error.gp,
- * and DIR/speed_error.svg by gnuplot, if it is found. */
+ * error and order of the reference, spread; DIR/speed_error.txt, what speed_print prints; and the plot
+ * (speed_plot.h). */
 bool speed_write(const struct speed_report *report, const char *directory, struct error *error);
 
 #endif

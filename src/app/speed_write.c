@@ -1,15 +1,9 @@
-/* Tables, plot and words of speed against error. */
+/* Tables and words of speed against error. */
 #include "app/speed_error.h"
+#include "app/speed_plot.h"
 #include "core/version.h"
-#include <errno.h>
 #include <math.h>
-#include <spawn.h>
 #include <string.h>
-#include <sys/wait.h>
-
-extern char **environ;
-
-#define PLOT_LEAST 1e-16 /* errors of 0 on a logarithmic axis */
 
 static const struct sample_record *finest(const struct speed_reference *reference) {
     return &reference->fine[SPEED_FINE - 1];
@@ -71,79 +65,6 @@ static bool reference_write(const struct speed_reference *reference, const char 
                 sample_value(record, record->samples - 1, c), reference->scale[c], reference->uncertain[c],
                 reference->order[c], reference->spread[c]);
     return file_close(file, path, error);
-}
-
-/* The points of a group as a block of data; returns whether there are any. */
-static bool points_write(FILE *file, const struct speed_row *row, int rows, const char *group, bool front) {
-    bool any = false;
-    for (int k = 0; k < rows; k++) {
-        const struct speed_row *r = &row[k];
-        if (r->stopped[0] || (front ? !r->on_front : strcmp(r->variant.group, group) != 0))
-            continue;
-        if (!any)
-            fprintf(file, "$%s << END\n", front ? "front" : group);
-        any = true;
-        fprintf(file, "%.6g %.6g \"%s\"\n", r->seconds, fmax(r->judged, PLOT_LEAST), r->variant.settings);
-    }
-    if (any)
-        fprintf(file, "END\n");
-    return any;
-}
-
-static bool is_first(const struct speed_row *row, int k) {
-    for (int other = 0; other < k; other++)
-        if (strcmp(row[other].variant.group, row[k].variant.group) == 0)
-            return false;
-    return true;
-}
-
-static void quote(FILE *file, const char *text) {
-    fputc('\'', file);
-    for (; *text; text++)
-        fputs(*text == '\'' ? "''" : (char[]){*text, 0}, file);
-    fputc('\'', file);
-}
-
-static void plot_say(FILE *file, const struct speed_row *row, int rows,
-                     const struct speed_reference *reference, const char *directory) {
-    char path[FILE_PATH_MAX + 32], data[4096] = "";
-    bool front = points_write(file, row, rows, NULL, true);
-    for (int k = 0; k < rows; k++) {
-        size_t used = strlen(data);
-        if (is_first(row, k) && points_write(file, row, rows, row[k].variant.group, false))
-            snprintf(data + used, sizeof data - used, ", \\\n  $%s using 1:2 with points ps 0.9 title '%s'",
-                     row[k].variant.group, row[k].variant.group);
-    }
-    snprintf(path, sizeof path, "%s/speed_error.svg", directory);
-    fprintf(file, "set terminal svg size 860,560 font 'sans,12' background 'white'\nset output ");
-    quote(file, path);
-    fprintf(file,
-            "\nset logscale xy\nset format y '10^{%%T}'\nset xlabel 'time of a run, s'\n"
-            "set ylabel 'error of what is judged, relative'\nset key outside right samplen 1 width -2\nset "
-            "offsets graph 0.05, graph 0.1, graph 0.05, graph 0.05\nset grid\n"
-            "floor = %.6g\n"
-            "plot floor with lines dt 2 lc 'grey' title 'floor'",
-            fmax(reference->floor, PLOT_LEAST));
-    if (front)
-        fprintf(file, ", \\\n  $front using 1:2 smooth unique with linespoints pt 6 ps 2 lw 2 lc 'black' "
-                      "title 'front', "
-                      "\\\n  $front using 1:2:3 with labels left offset 0.8,0.6 font ',9' notitle");
-    fprintf(file, "%s\n", data);
-}
-
-/* Runs gnuplot on the script; its absence is told, no failure. */
-static void plot_run(const char *script) {
-    char *argument[] = {"gnuplot", (char *)script, NULL};
-    pid_t child;
-    int status = 0;
-    if (posix_spawnp(&child, "gnuplot", NULL, NULL, argument, environ) != 0) {
-        fprintf(stderr, "scree: warning: gnuplot was not found; it makes the plot from %s\n", script);
-        return;
-    }
-    while (waitpid(child, &status, 0) < 0 && errno == EINTR)
-        ;
-    if (status != 0)
-        fprintf(stderr, "scree: warning: gnuplot made no plot from %s\n", script);
 }
 
 /* Who ran what, for how seconds are to be read. */
@@ -220,7 +141,7 @@ static void offers_say(const struct speed_report *report, double allowed, FILE *
         bool model = strcmp(group, "law") == 0 || strcmp(group, "stiffness") == 0;
         if (model && r->stopped[0] == '\0')
             offer_say(report, r, allowed, file);
-        if (model || !is_first(report->row, k))
+        if (model || !speed_row_opens_group(report->row, k))
             continue;
         int best = speed_best(report, group, allowed);
         best = best >= 0 ? best : speed_most_exact(report, group);
@@ -262,16 +183,8 @@ static bool text_write(const struct speed_report *report, const char *directory,
 }
 
 bool speed_write(const struct speed_report *report, const char *directory, struct error *error) {
-    char path[FILE_PATH_MAX];
     if (!rows_write(report->row, report->rows, report->reference, directory, error) ||
         !reference_write(report->reference, directory, error) || !text_write(report, directory, error))
         return false;
-    FILE *file = file_open(directory, "speed_error.gp", path, error);
-    if (file == NULL)
-        return false;
-    plot_say(file, report->row, report->rows, report->reference, directory);
-    if (!file_close(file, path, error))
-        return false;
-    plot_run(path);
-    return true;
+    return speed_plot(report, directory, error);
 }

@@ -57,7 +57,34 @@ order() { # of the reference's trajectory: at least the first
 check 'the reference has converged' order
 check 'advice is given' grep -q '^advice: .* times as fast' said
 plotted() { grep -q '<svg' one/speed_error.svg && ! grep -q warning told; }
-if command -v gnuplot >/dev/null; then check 'a plot is made' plotted; else skip 'plots: no gnuplot here'; fi
+labelled() { # labels neither overlap nor leave the picture; each of the front has one; nothing stands below the floor
+    awk -v width=900 -v height=560 '
+        /^set label / {
+            split($0, quoted, "\047")
+            match($0, /screen [0-9.]+,[0-9.]+/)
+            split(substr($0, RSTART + 7, RLENGTH - 7), at, ",")
+            n++
+            half = length(quoted[2]) * 6.2 / 2
+            left[n] = at[1] * width - half; right[n] = at[1] * width + half; y[n] = at[2] * height; text[n] = quoted[2]
+            if (left[n] < 0 || right[n] > width || y[n] < 0 || y[n] > height) { print "  outside: " text[n]; bad = 1 }
+        }
+        /^plot / { floor = $2 }
+        /^\$/ { front = $1 == "$front" }
+        /^[0-9.e+-]+ [0-9.e+-]+$/ { shown[++points] = $2; fronts += front }
+        END {
+            for (a = 1; a <= n; a++)
+                for (b = 1; b < a; b++)
+                    if (left[a] < right[b] && left[b] < right[a] && (y[a] - y[b])^2 < 12^2) { print "  one over the other: " text[a] ", " text[b]; bad = 1 }
+            for (k = 1; k <= points; k++)
+                if (shown[k] < floor * 0.99999) { print "  below the floor: " shown[k]; bad = 1 }
+            print "  " n " labels, " fronts " points on the front, floor " floor
+            exit bad || n < fronts + 1 || fronts < 1 || floor <= 0
+        }' one/speed_error.gp || return 1
+    while IFS= read -r settings; do
+        grep -qF "set label '$settings' at " one/speed_error.gp || { echo "  no label: $settings"; return 1; }
+    done < <(awk -F, '$(NF - 1) == 1 { print $2 }' one/speed_error.csv)
+}
+if command -v gnuplot >/dev/null; then check 'a plot is made' plotted; check 'whose labels can be read' labelled; else skip 'plots: no gnuplot here'; fi
 kept() { # the processor's seconds are those that count for one thread alone; what was said is kept
     less 0 "$(field one/speed_error.csv 'dt x 2' cpu_seconds)" &&
         within "$(field one/speed_error.csv 'dt x 2' cpu_seconds)" "$(field one/speed_error.csv 'dt x 2' seconds)" 1e-9 &&
