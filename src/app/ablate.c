@@ -1,11 +1,13 @@
 /* `scree ablate`: one scene over indexes, threads and newton settings; a table of stage times, pairs and
  * memory. */
 #include "app/ablate.h"
+#include "app/trial.h"
 #include "comm/cores.h"
 #include "core/memory.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { WORDS_MAX = 32, WORD_MAX = 64 };
 
@@ -32,7 +34,34 @@ static bool words_cut(struct words *words, const char *text, const char *flag, s
 struct variants {
     struct words index, threads, newton;
     char steps[WORD_MAX];
+    uint64_t count;           /* steps of each run */
+    int runs, done;           /* of all variants */
+    bool brute_asked;         /* brute force stands on the command line, so it runs whatever it costs */
+    double slowest, rebuilds; /* of the runs so far: seconds, and rebuilds of the last */
 };
+
+/* Brute force is left out where it would take this much longer than the slowest other run, and so long. */
+static const double brute_times = 5, brute_seconds = 60;
+
+/* Of brute force: for the distance of a pair, seen twice, on one thread; a core of about 2020. */
+static const double brute_seconds_pair = 2e-9;
+
+static bool is_brute(const char *index) {
+    return strcmp(index, "brute") == 0;
+}
+
+/* What it costs is foreseen from the other runs. */
+static void brute_last(struct words *index) {
+    int kept = 0, brutes = 0;
+    for (int k = 0; k < index->count; k++) {
+        if (is_brute(index->word[k]))
+            brutes++;
+        else if (kept++ < k)
+            memcpy(index->word[kept - 1], index->word[k], WORD_MAX);
+    }
+    for (int k = 0; k < brutes; k++)
+        strcpy(index->word[kept + k], "brute");
+}
 
 /* Machines of different size would list different threads: those of rank 0 hold for all. Collective. */
 static bool variants_read(const struct comm *comm, struct variants *v, const struct command_line *line,
@@ -51,6 +80,9 @@ static bool variants_read(const struct comm *comm, struct variants *v, const str
          !words_cut(&v->threads, line->list[ABLATE_THREADS], "threads", error)) ||
         (line->list[ABLATE_NEWTON] && !words_cut(&v->newton, line->list[ABLATE_NEWTON], "newton", error)))
         return false;
+    brute_last(&v->index);
+    v->brute_asked = line->list[ABLATE_INDEX] != NULL;
+    v->runs = v->index.count * v->newton.count * v->threads.count;
     for (int k = 0; k < v->index.count; k++)
         if (index_registry_find(v->index.word[k]) == NULL)
             return error_set(
@@ -92,9 +124,9 @@ static void print_row(const struct report *r) {
     fflush(stdout);
 }
 
-bool ablate_run(const struct comm *comm, const struct scene *scene, const struct run_watch *watch,
+bool ablate_run(const struct comm *comm, const struct scene *scene, const struct ablate_options *looks,
                 struct report *report, struct error *error) {
-    struct run_options options = {.quiet = true, .watch = watch};
+    struct run_options options = {.quiet = true, .watch = looks->watch, .series = looks->series};
     memory_peak_reset();
     int status = run_scene(comm, scene, &options, report, error);
     if (status > ERROR_SIGNAL) {
@@ -107,63 +139,156 @@ bool ablate_run(const struct comm *comm, const struct scene *scene, const struct
 
 /* One run of the scene with these settings. */
 static bool variant_run(const struct comm *comm, const struct command_line *line, const char *const *setting,
-                        int settings, struct report *report, struct error *error) {
+                        int settings, const struct progress_series *series, struct report *report,
+                        struct error *error) {
     struct scene_setting extra[8];
+    struct ablate_options options = {.series = series};
     for (int k = 0; k < settings; k++)
         extra[k].text = setting[k];
     struct scene *scene = command_scene(comm, line, extra, settings, error);
     if (scene == NULL)
         return false;
-    bool good = ablate_run(comm, scene, NULL, report, error);
+    bool good = ablate_run(comm, scene, &options, report, error);
     scene_free(&scene);
     return good;
 }
 
-static bool variants_run(const struct comm *comm, const struct command_line *line, const struct variants *v,
-                         FILE *table, struct error *error) {
-    char index[WORD_MAX + 32], threads[WORD_MAX + 32], newton[WORD_MAX + 32], steps[WORD_MAX + 32];
-    const char *setting[] = {index, threads, newton, "duration=0", steps};
-    snprintf(steps, sizeof steps, "step.count=%s", v->steps);
-    int total = v->index.count * v->newton.count * v->threads.count;
-    for (int k = 0; k < total; k++) {
-        int i = k / (v->newton.count * v->threads.count), n = k / v->threads.count % v->newton.count,
-            t = k % v->threads.count;
-        struct report report;
-        struct error why = {0};
-        snprintf(index, sizeof index, "index.name=%s", v->index.word[i]);
-        snprintf(threads, sizeof threads, "threads=%s", v->threads.word[t]);
-        snprintf(newton, sizeof newton, "newton=%s", v->newton.word[n]);
-        if (!variant_run(comm, line, setting, v->steps[0] ? 5 : 3, &report, &why)) {
-            bool unsuitable = why.kind == ERROR_USER && strstr(why.text, "cannot serve") != NULL;
-            if (!unsuitable) {
-                *error = why;
-                return false;
-            }
-            if (comm->rank == 0)
-                printf("  %-10s %-6s %7s left out: %s\n", v->index.word[i], v->newton.word[n],
-                       v->threads.word[t], why.text);
+/* Seconds of a run by brute force, from what another index took; 0: nothing to judge by. */
+static double brute_foreseen(const struct variants *v, uint64_t particles, int threads) {
+    double n = (double)particles;
+    return v->rebuilds > 0 ? v->slowest + v->rebuilds * n * n / 2 * brute_seconds_pair / threads : 0;
+}
+
+/* True, and told, where brute force would take too long. The same on all ranks. */
+static bool brute_skipped(const struct comm *comm, const struct variants *v, uint64_t particles,
+                          const char *newton, const char *threads) {
+    char duration[32];
+    double seconds = brute_foreseen(v, particles, atoi(threads) * comm->size);
+    comm_broadcast(comm, &seconds, sizeof seconds);
+    if (v->brute_asked || seconds < brute_seconds || seconds < brute_times * v->slowest)
+        return false;
+    progress_duration(seconds, duration, sizeof duration);
+    if (comm->rank == 0)
+        printf("  %-10s %-6s %7s left out: it would take about %s; --index brute runs it all the same\n",
+               "brute", newton, threads, duration);
+    return true;
+}
+
+static void row_take(const struct comm *comm, struct variants *v, struct report *report, FILE *table) {
+    if (comm->rank == 0) {
+        table_row(table, report);
+        print_row(report);
+    }
+    v->slowest = report->seconds > v->slowest ? report->seconds : v->slowest;
+    v->rebuilds = (double)report->rebuilds;
+    report_destroy(report);
+}
+
+/* A run of index i, newton setting n and thread count t. An index that cannot serve the scene is left out. */
+static bool variant_take(const struct comm *comm, const struct command_line *line, struct variants *v,
+                         const int at[3], FILE *table, struct error *error) {
+    const char *index = v->index.word[at[0]], *newton = v->newton.word[at[1]],
+               *threads = v->threads.word[at[2]];
+    char text[4][WORD_MAX + 32], name[3 * WORD_MAX];
+    const char *setting[] = {text[0], text[1], text[2], "duration=0", text[3]};
+    struct progress_series series = {
+        .name = name, .number = v->done, .runs = v->runs, .after = v->runs - v->done};
+    struct report report;
+    struct error why = {0};
+    snprintf(text[0], sizeof text[0], "index.name=%s", index);
+    snprintf(text[1], sizeof text[1], "threads=%s", threads);
+    snprintf(text[2], sizeof text[2], "newton=%s", newton);
+    snprintf(text[3], sizeof text[3], "step.count=%s", v->steps);
+    snprintf(name, sizeof name, "%s, newton %s, threads %s", index, newton, threads);
+    if (variant_run(comm, line, setting, v->steps[0] ? 5 : 3, &series, &report, &why)) {
+        row_take(comm, v, &report, table);
+        return true;
+    }
+    if (why.kind != ERROR_USER || strstr(why.text, "cannot serve") == NULL) {
+        *error = why;
+        return false;
+    }
+    if (comm->rank == 0)
+        printf("  %-10s %-6s %7s left out: %s\n", index, newton, threads, why.text);
+    return true;
+}
+
+static bool variants_run(const struct comm *comm, const struct command_line *line, struct variants *v,
+                         uint64_t particles, FILE *table, struct error *error) {
+    for (int k = 0; k < v->runs; k++) {
+        int at[3] = {k / (v->newton.count * v->threads.count), k / v->threads.count % v->newton.count,
+                     k % v->threads.count};
+        v->done = k + 1;
+        if (is_brute(v->index.word[at[0]]) &&
+            brute_skipped(comm, v, particles, v->newton.word[at[1]], v->threads.word[at[2]]))
             continue;
-        }
-        if (comm->rank == 0) {
-            table_row(table, &report);
-            print_row(&report);
-        }
-        report_destroy(&report);
+        if (!variant_take(comm, line, v, at, table, error))
+            return false;
     }
     return true;
 }
 
-static bool table_make(const struct comm *comm, const struct command_line *line, const struct variants *v,
+static void words_print(const char *what, const struct words *words) {
+    printf("; %s", what);
+    for (int k = 0; k < words->count; k++)
+        printf("%s %s", k ? "," : "", words->word[k]);
+}
+
+/* Before anything runs: how many runs of what. */
+static void plan_print(const struct variants *v) {
+    printf("%d runs", v->runs);
+    words_print("index", &v->index);
+    words_print("newton", &v->newton);
+    words_print("threads", &v->threads);
+    printf("\n");
+    fflush(stdout);
+}
+
+/* What a trial says of the time that it all takes, and whether it is worth it. */
+static bool plan_try(const struct comm *comm, const struct command_line *line, struct variants *v,
+                     struct trial *trial, struct error *error) {
+    char flag[WORD_MAX + 16] = "the scene's own length", each[32], all[32];
+    struct scene *scene = command_scene(comm, line, NULL, 0, error);
+    bool good = scene && trial_run(comm, scene, trial, error);
+    scene_free(&scene);
+    if (!good)
+        return false;
+    char *end = v->steps;
+    v->count = v->steps[0] ? strtoull(v->steps, &end, 10) : trial->last;
+    if (*end != '\0')
+        return true; /* the scene's reader says what is wrong with it */
+    if (v->steps[0])
+        snprintf(flag, sizeof flag, "--steps %s", v->steps);
+    if (!trial_suffices(trial, v->count, flag, error))
+        return false;
+    double seconds = trial->seconds / (double)trial->steps * (double)v->count;
+    progress_duration(seconds, each, sizeof each);
+    progress_duration(seconds * v->runs, all, sizeof all);
+    if (comm->rank == 0)
+        printf("  %llu particles, %llu steps each: about %s a run, %s in all (as the first %llu steps of the "
+               "scene as it is took %.2g s)\n",
+               (unsigned long long)trial->particles, (unsigned long long)v->count, each, all,
+               (unsigned long long)trial->steps, trial->seconds);
+    fflush(stdout);
+    return true;
+}
+
+static bool table_make(const struct comm *comm, const struct command_line *line, struct variants *v,
                        struct error *error) {
     char path[FILE_PATH_MAX];
     FILE *table = NULL;
+    struct trial trial;
+    if (comm->rank == 0)
+        plan_print(v);
+    if (!plan_try(comm, line, v, &trial, error))
+        return false;
     snprintf(path, sizeof path, "%s/ablate.csv", line->directory);
     if (comm->rank == 0 && (table = fopen(path, "w")) == NULL)
         error_set_errno(error, "%s", path);
     if (comm_agree(comm, error)) {
         if (table)
             table_head(table);
-        variants_run(comm, line, v, table, error);
+        variants_run(comm, line, v, trial.particles, table, error);
     }
     if (table && fclose(table) != 0)
         error_set_errno(error, "%s", path);
@@ -182,6 +307,7 @@ static bool flags_fit(const struct command_line *line, struct error *error) {
 
 int command_ablate(const struct comm *comm, const struct command_line *line, struct error *error) {
     struct run_options options = {.directory = line->directory, .overwrite = line->overwrite};
+    bool there = line->directory && access(line->directory, F_OK) == 0;
     struct variants *v = memory_allocate(1, sizeof *v, "variants");
     if (line->directory == NULL)
         error_set(error, ERROR_USER, "command line: scree ablate needs -o DIR for its table");
@@ -191,6 +317,8 @@ int command_ablate(const struct comm *comm, const struct command_line *line, str
             ablate_error(comm, line, error);
         else
             table_make(comm, line, v, error);
+        if (error->kind != ERROR_NONE && comm->rank == 0 && !there)
+            rmdir(line->directory); /* where it stayed empty */
     }
     memory_free(v);
     return error->kind;

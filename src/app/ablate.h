@@ -5,9 +5,15 @@
 #include "app/command.h"
 #include "engine/run.h"
 
-/* Runs a scene without files; `watch` and `report` may be NULL. A signal that ends the run is an error of
- * kind ERROR_SIGNAL + number. Collective. */
-bool ablate_run(const struct comm *comm, const struct scene *scene, const struct run_watch *watch,
+/* How a run of a comparison is looked at. */
+struct ablate_options {
+    const struct run_watch *watch;
+    const struct progress_series *series;
+};
+
+/* Runs a scene without files; members of `options` and `report` may be NULL. With a series progress is shown.
+ * A signal that ends the run is an error of kind ERROR_SIGNAL + number. Collective. */
+bool ablate_run(const struct comm *comm, const struct scene *scene, const struct ablate_options *options,
                 struct report *report, struct error *error);
 
 /* `scree ablate --error`. The directory of the line is there. Collective. */

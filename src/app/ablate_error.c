@@ -10,11 +10,11 @@
  * All runs share their sample times: steps are shortened so that a whole number of them lies between. */
 #include "app/ablate.h"
 #include "app/speed_error.h"
+#include "app/trial.h"
 #include "core/memory.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 enum { SAMPLES_DEFAULT = 40, REPEAT_DEFAULT = 2, MEMBERS_DEFAULT = 3 };
 
@@ -31,6 +31,8 @@ struct study {
     struct speed_reference reference;
     struct speed_row *row;
     int rows;
+    int run, runs; /* of this number of runs, the one under way */
+    double steps, steps_all;
 };
 
 /* The scene with a variant's settings and a step, cut to the study's span. */
@@ -47,6 +49,16 @@ static struct scene *study_scene(const struct study *study, const struct variant
     return scene;
 }
 
+/* The next run's place among all that are planned. */
+static struct progress_series study_next(struct study *study, const char *name, int64_t steps) {
+    double after = study->steps_all - study->steps - (double)steps;
+    study->steps += (double)steps;
+    study->run++;
+    study->runs = study->run > study->runs ? study->run : study->runs;
+    return (struct progress_series){
+        .name = name, .number = study->run, .runs = study->runs, .after = fmax(0, after / (double)steps)};
+}
+
 /* A run that is looked at: its record, its step and its report's seconds. */
 struct look {
     const struct variant *variant;
@@ -55,8 +67,8 @@ struct look {
     uint64_t seed;
 };
 
-static bool study_look(const struct study *study, const struct look *look, struct sample_record *record,
-                       double *dt, uint64_t *steps, struct error *error) {
+static bool study_look(struct study *study, const struct look *look, struct sample_record *record, double *dt,
+                       uint64_t *steps, struct error *error) {
     uint64_t steps_each;
     struct scene *scene = study_scene(study, look->variant, look->dt, &steps_each, error);
     if (scene == NULL)
@@ -67,7 +79,9 @@ static bool study_look(const struct study *study, const struct look *look, struc
     sampler.seed = look->seed;
     *dt = scene->step.dt;
     *steps = (uint64_t)scene->step.count;
-    bool good = ablate_run(study->comm, scene, &sampler.watch, NULL, error);
+    struct progress_series series = study_next(study, look->variant->settings, scene->step.count);
+    struct ablate_options looks = {&sampler.watch, &series};
+    bool good = ablate_run(study->comm, scene, &looks, NULL, error);
     sample_destroy(&sampler);
     scene_free(&scene);
     return good;
@@ -156,31 +170,6 @@ static bool row_errors(struct study *study, struct speed_row *row, struct error 
     return good || stopped_note(row, &why, error);
 }
 
-/* Looks on for the processor's time alone. */
-struct stopwatch {
-    struct run_watch watch;
-    struct timespec began;
-};
-
-static bool stopwatch_begin(void *context, struct simulation *s, struct error *error) {
-    struct stopwatch *stopwatch = context;
-    (void)s, (void)error;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &stopwatch->began);
-    return true;
-}
-
-static bool stopwatch_due(const void *context, uint64_t step) {
-    (void)context, (void)step;
-    return false;
-}
-
-static double stopwatch_read(const struct stopwatch *stopwatch) {
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)(now.tv_sec - stopwatch->began.tv_sec) +
-           1e-9 * (double)(now.tv_nsec - stopwatch->began.tv_nsec);
-}
-
 /* Seconds of a run: where one thread runs alone, those that the processor spent on it, which other programs
  * disturb least; else wall clock. */
 static bool row_time(struct study *study, struct speed_row *row, struct error *error) {
@@ -193,13 +182,16 @@ static bool row_time(struct study *study, struct speed_row *row, struct error *e
         return false;
     scene->step.dt = row->dt;
     scene->step.count = (int64_t)row->steps;
-    struct stopwatch stopwatch = {.watch = {&stopwatch, stopwatch_begin, stopwatch_due, NULL}};
-    bool good = ablate_run(study->comm, scene, &stopwatch.watch, &report, error);
+    struct stopwatch stopwatch;
+    sample_clock_create(&stopwatch);
+    struct progress_series series = study_next(study, row->variant.settings, scene->step.count);
+    struct ablate_options looks = {&stopwatch.watch, &series};
+    bool good = ablate_run(study->comm, scene, &looks, &report, error);
     scene_free(&scene);
     if (!good)
         return false;
     bool lone = report.ranks == 1 && report.threads == 1;
-    double spent = stopwatch_read(&stopwatch);
+    double spent = sample_clock_read(&stopwatch);
     comm_sum(study->comm, &spent, 1);
     row->cpu_seconds = fmin(row->cpu_seconds, spent);
     row->seconds = fmin(row->seconds, lone ? spent : report.seconds);
@@ -274,12 +266,52 @@ static bool step_again(const struct study *study, const struct speed_row *row) {
     return false;
 }
 
+/* How many runs there will be, of how many steps: three for the reference, the members of the spread, each
+ * variant looked at and timed, and likewise all that is exact and fast together with each step. */
+static void study_count(struct study *study, const struct variant *variant, int variants) {
+    double steps = ceil(study->duration / study->facts.dt), each = 1 + study->repeat;
+    study->runs = SPEED_FINE + study->members;
+    study->steps_all = ((2 << SPEED_FINE) - 2 + study->members) * steps;
+    for (int k = 0; k < variants; k++) {
+        bool step = strcmp(variant[k].group, "step") == 0;
+        double factor = step ? variant[k].change[0].value : 1, combined = k == 0 || step ? 2 : 1;
+        study->runs += (int)(each * combined);
+        study->steps_all += each * combined * steps / factor;
+    }
+}
+
+/* Tells what will be done and how long it takes, by a trial; refuses where nothing would be compared. */
+static bool study_plan(struct study *study, const struct variant *variant, int variants,
+                       struct error *error) {
+    uint64_t steps_each;
+    char flag[64], all[32];
+    struct trial trial = {0};
+    struct scene *scene = study_scene(study, &as_it_is, study->facts.dt, &steps_each, error);
+    bool good = scene && trial_run(study->comm, scene, &trial, error);
+    scene_free(&scene);
+    snprintf(flag, sizeof flag, "%s%.4g",
+             study->line->list[ABLATE_DURATION] ? "--duration " : "a duration of ", study->duration);
+    if (!good || !trial_suffices(&trial, trial.last, flag, error))
+        return false;
+    study_count(study, variant, variants);
+    progress_duration(trial.seconds / (double)trial.steps * study->steps_all, all, sizeof all);
+    if (study->comm->rank == 0)
+        fprintf(
+            stderr,
+            "scree: %d runs of %d settings, %.3g steps of %llu particles in all: about %s (as the first %llu "
+            "steps took %.2g s)\n",
+            study->runs, variants, study->steps_all, (unsigned long long)trial.particles, all,
+            (unsigned long long)trial.steps, trial.seconds);
+    return true;
+}
+
 static bool study_run(struct study *study, struct error *error) {
     struct variant *variant = memory_allocate_zero(VARIANTS_MAX, sizeof *variant, "variants");
     struct scene *scene = command_scene(study->comm, study->line, NULL, 0, error);
-    bool good = scene && variant_probe(study->comm, scene, &study->facts, error) &&
-                study_reference(study, error) && study_spread(study, error);
+    bool good = scene && variant_probe(study->comm, scene, &study->facts, error);
     int variants = good ? variant_list(variant, scene, &study->facts) : 0;
+    good = good && study_plan(study, variant, variants, error) && study_reference(study, error) &&
+           study_spread(study, error);
     for (int k = 0; k < variants && good; k++) {
         struct speed_row *row = &study->row[study->rows];
         *row = (struct speed_row){.variant = variant[k]};

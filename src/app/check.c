@@ -277,7 +277,7 @@ static void print_extents(const struct simulation *s, const struct notes *notes)
         print_extent("particles", "", &notes->particles, note);
     for (int w = 0; w < s->scene->walls; w++) {
         const struct wall_options *wall = &s->scene->wall[w];
-        struct extent extent = extent_of_wall(s, w);
+        struct extent extent = notes_wall_extent(s, w);
         print_extent(shapes[wall->shape], wall->name, &extent,
                      notes->apart[w] ? "  NOTE: wholly outside of the box" : "");
     }

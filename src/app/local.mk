@@ -16,6 +16,8 @@ libapp_la_SOURCES = \
 	src/app/speed_plot.c \
 	src/app/speed_plot.h \
 	src/app/speed_write.c \
+	src/app/trial.c \
+	src/app/trial.h \
 	src/app/variant.c \
 	src/app/variant.h \
 	src/scree.h

@@ -181,3 +181,26 @@ int sample_column_like(const struct sample_record *other, const struct sample_re
     int like = sample_column(other, record->name[column], column < record->own ? 0 : other->own);
     return column < record->own && like >= other->own ? -1 : like;
 }
+
+static bool stopwatch_begin(void *context, struct simulation *s, struct error *error) {
+    struct stopwatch *stopwatch = context;
+    (void)s, (void)error;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &stopwatch->began);
+    return true;
+}
+
+static bool stopwatch_due(const void *context, uint64_t step) {
+    (void)context, (void)step;
+    return false;
+}
+
+void sample_clock_create(struct stopwatch *stopwatch) {
+    *stopwatch = (struct stopwatch){.watch = {stopwatch, stopwatch_begin, stopwatch_due, NULL}};
+}
+
+double sample_clock_read(const struct stopwatch *stopwatch) {
+    struct timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return (double)(now.tv_sec - stopwatch->began.tv_sec) +
+           1e-9 * (double)(now.tv_nsec - stopwatch->began.tv_nsec);
+}

@@ -5,6 +5,7 @@
 
 #include "engine/run.h"
 #include "observe/observables.h"
+#include <time.h>
 
 enum { SAMPLE_COLUMNS_MAX = 256, SAMPLE_TRACKED_MAX = 20000 };
 
@@ -48,6 +49,17 @@ void sample_destroy(struct sampler *sampler);
 
 /* Frees what a record holds; it may have been zero. */
 void sample_free(struct sample_record *record);
+
+/* Looks on for the processor's time alone: give `watch` to run_scene. */
+struct stopwatch {
+    struct run_watch watch;
+    struct timespec began;
+};
+
+void sample_clock_create(struct stopwatch *stopwatch);
+
+/* Seconds that the processor has spent on this process since its run began, all threads. */
+double sample_clock_read(const struct stopwatch *stopwatch);
 
 /* Number of a column of the record by name among the columns from `first` on, or -1. */
 int sample_column(const struct sample_record *record, const char *name, int first);

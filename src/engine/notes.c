@@ -35,7 +35,7 @@ static struct extent particles_extent(const struct simulation *s, int64_t *outsi
     return extent;
 }
 
-struct extent extent_of_wall(const struct simulation *s, int w) {
+struct extent notes_wall_extent(const struct simulation *s, int w) {
     const struct wall_options *wall = &s->scene->wall[w];
     struct extent extent = nothing;
     double(*triangle)[9] = NULL;
@@ -86,7 +86,7 @@ static void look_at_places(const struct simulation *s, struct notes *notes) {
     for (int w = 0; w < scene->walls; w++) {
         if (scene->wall[w].shape != WALL_MESH)
             continue;
-        struct extent extent = extent_of_wall(s, w);
+        struct extent extent = notes_wall_extent(s, w);
         for (int d = 0; d < scene->box.dimension; d++)
             notes->apart[w] = notes->apart[w] || extent.upper[d] < scene->box_lower[d] ||
                               extent.lower[d] > scene->box_upper[d];

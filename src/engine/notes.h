@@ -15,7 +15,7 @@ struct extent {
 
 /* A wall: a mesh at its place at the start; a cylinder and a plane as the scene gives them, a plane that is
  * not square to an axis without bounds. */
-struct extent extent_of_wall(const struct simulation *simulation, int wall);
+struct extent notes_wall_extent(const struct simulation *simulation, int wall);
 
 struct note {
     bool warning; /* the run will fail, or its results will be wrong; else: seldom meant */

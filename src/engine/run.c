@@ -25,12 +25,16 @@ static void on_signal(int number) {
 }
 
 /* One that came since an earlier run stays: it ends this one. */
-static void signals_catch(void) {
+void run_signals_catch(void) {
     struct sigaction action = {.sa_handler = on_signal};
     sigemptyset(&action.sa_mask);
     action.sa_flags = SA_RESTART;
     sigaction(SIGTERM, &action, NULL);
     sigaction(SIGINT, &action, NULL);
+}
+
+int run_signalled(void) {
+    return run_signal;
 }
 
 /* A run in progress. */
@@ -68,7 +72,7 @@ bool run_directory(const struct comm *comm, const struct run_options *options, s
     return comm_agree(comm, error);
 }
 
-static uint64_t last_step(const struct simulation *s) {
+uint64_t run_last_step(const struct simulation *s) {
     const struct scene *scene = s->scene;
     if (scene->duration > 0) {
         double left = (scene->duration - s->time) / s->dt;
@@ -229,7 +233,7 @@ static void run_loop(struct run *run, struct error *error) {
     struct simulation *s = run->s;
     struct progress_options progress = s->scene->output.progress;
     run->record.first = s->step;
-    run->last = last_step(s);
+    run->last = run_last_step(s);
     ghosts_count(s->ghosts, &run->record.before);
     s->load.seconds = 0;
     memset(&s->timers, 0, sizeof s->timers);
@@ -258,7 +262,7 @@ static void notes_tell(const struct simulation *s) {
 
 /* A resume of what is over: says so, and there is nothing to write. */
 static bool over_already(const struct simulation *s, const char *resume) {
-    if (resume == NULL || last_step(s) > s->step)
+    if (resume == NULL || run_last_step(s) > s->step)
         return false;
     if (s->comm->rank == 0)
         fprintf(stderr,
@@ -280,7 +284,7 @@ int run_scene(const struct comm *comm, const struct scene *scene, const struct r
     }
     char *echo = scene_echo(scene);
     run.output = outputs_run(run.s, options->directory, echo);
-    signals_catch();
+    run_signals_catch();
     if (run_open(&run, error) && watch_begin(&run, error)) {
         if (!options->quiet)
             notes_tell(run.s);

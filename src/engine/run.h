@@ -32,6 +32,12 @@ struct run_options {
 int run_scene(const struct comm *comm, const struct scene *scene, const struct run_options *options,
               struct report *report, struct error *error);
 
+/* The number of the last step of a run, and what takes signals for one. run_signalled: the signal that came
+ * to this rank, or 0. */
+uint64_t run_last_step(const struct simulation *simulation);
+void run_signals_catch(void);
+int run_signalled(void);
+
 /* Prepares the directory: made if missing; exit 2 if it exists and is neither overwritten nor resumed in.
  * Collective. */
 bool run_directory(const struct comm *comm, const struct run_options *options, struct error *error);

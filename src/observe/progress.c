@@ -67,12 +67,14 @@ static void describe(const struct progress *progress, double now, double time, c
     const struct progress_series *series = progress->series;
     char remaining[32];
     if (done > 0)
-        left = seconds / done * (1 - done + (series ? series->runs - series->number : 0));
+        left = seconds / done * (1 - done + (series ? series->after : 0));
     progress_duration(left, remaining, sizeof remaining);
     snprintf(part[0], PART_MAX, "%3d %% %s left", (int)(100 * done), remaining);
     part[1][0] = '\0';
-    if (series)
+    if (series && series->runs > 1)
         snprintf(part[1], PART_MAX, ", run %d of %d: %.30s", series->number, series->runs, series->name);
+    else if (series)
+        snprintf(part[1], PART_MAX, ", %.30s", series->name);
     snprintf(part[2], PART_MAX, ", step %" PRIu64 " of %" PRIu64, progress->step, progress->last);
     snprintf(part[3], PART_MAX, ", t = %.4g", time);
     snprintf(part[4], PART_MAX, ", %.3g particle-steps/s", seconds > 0 ? progress->work / seconds : 0);

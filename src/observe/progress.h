@@ -8,10 +8,11 @@
 
 enum { PROGRESS_COLUMNS_MAX = 160 };
 
-/* The place of a run among others of like length. */
+/* The place of a run among others. */
 struct progress_series {
     const char *name; /* of this run; borrowed while it lasts */
     int number, runs; /* this one, from 1, of so many */
+    double after;     /* what the others after it take, in units of what it takes */
 };
 
 /* Plain data, filled by progress_start. */

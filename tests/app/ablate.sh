@@ -95,7 +95,7 @@ each_kind() { local kind; for kind in step integrator law skin index classes ord
 check 'there is advice on each kind of setting' each_kind
 
 same_on_ranks() {
-    study 2 two --duration 0.02 --judge heap_z && study 1 three --duration 0.02 --judge heap_z &&
+    study 2 two --duration 0.05 --judge heap_z && study 1 three --duration 0.05 --judge heap_z &&
         within "$(field two/speed_error.csv 'dt x 2' trajectory_error)" "$(field three/speed_error.csv 'dt x 2' trajectory_error)" 1e-8
 }
 check 'two ranks find the same error' same_on_ranks
@@ -112,18 +112,40 @@ refuses() { # WORDS FLAG...
     local words=$1
     shift
     on 1 "$scree" ablate scene.yaml "$@" >said 2>&1
-    [ $? = 2 ] && holds said "$words"
+    [ $? = 2 ] && holds said "$words" && [ ! -e "$out/refused" ]
 }
-check 'unknown columns are refused' refuses 'allowed: trajectory, energy_kinetic' --error -o five --duration 0.01 --judge weather
+check 'unknown columns are refused' refuses 'allowed: trajectory, energy_kinetic' --error -o five --duration 0.05 --judge weather
 check 'flags of the other table are refused' refuses 'does not take' --error -o six --threads 1
 check 'a span of nothing is refused' refuses 'allowed: numbers' --error -o seven --duration 0
 check 'a mean beyond the end is refused' refuses 'allowed: numbers' --error -o eight --duration 0.01 --mean-from 1
 many=$(for k in $(seq 43); do printf '{name: stress, label: s%d}, ' "$k"; done)
-check 'more columns than can be compared are refused' refuses 'makes 258 columns; scree ablate --error compares up to 256' --error -o nine --duration 0.01 --set "observables.list=[${many%, }]"
+check 'more columns than can be compared are refused' refuses 'makes 258 columns; scree ablate --error compares up to 256' --error -o nine --duration 0.05 --set "observables.list=[${many%, }]"
+
+check 'a study without contacts is refused' refuses 'nothing touches (never in the whole run)' --error -o refused --duration 0.05 --set 'gravity=[0, 0, 0]' \
+    --set 'particles={from: single, position: [4, 4, 4], radius: 0.4, velocity: [20, 0, 0]}'
+check 'a table of too few steps to rebuild, too' refuses 'no list of pairs is made again (the first time is at step ' -o refused --steps 2
+check 'which says how many are needed' holds said 'needed: '
+
+table() { # brute force comes last; what will be done stands first
+    on 1 "$scree" ablate scene.yaml -o table --newton on --threads 1 --steps 200 >said 2>told || { cat said told; return 1; }
+    head -n 1 said | grep -qx '6 runs; index linkcell, multi, bytype, hgrid, auto, brute; newton on; threads 1' &&
+        sed -n 2p said | grep -q '^  60 particles, 200 steps each: about 0:0.* a run, 0:0.* in all' || { cat said; return 1; }
+    [ "$(wc -l <table/ablate.csv)" = 7 ] && tail -n 1 table/ablate.csv | grep -q ^brute && tail -n 1 said | grep -q '^  brute ' &&
+        awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next } $at["rebuilds"] < 1 || $at["pairs"] != pairs && NR > 2 { exit 1 } { pairs = $at["pairs"] }' table/ablate.csv || { cat table/ablate.csv; return 1; }
+}
+check 'a table says first what it will do, and runs brute force last' table
+dear() { # 60,000 spheres that touch, searched at each step
+    on 1 "$scree" ablate scene.yaml -o dear --newton on --threads 1 --steps 20 --set step.rebuild_every=1 --set step.dt=1e-5 --set 'box.upper=[80, 80, 80]' \
+        --set 'classes=~' --set 'particles={from: lattice, lattice: sc, spacing: 2, sizes: 1, velocity_sigma: 1, region: {shape: box, lower: [0, 0, 0], upper: [80, 80, 76]}}' \
+        --set 'walls=~' --set 'gravity=[0, 0, 0]' >said 2>told || { cat said told; return 1; }
+    grep -q '^  brute .* left out: it would take about .*; --index brute runs it all the same' said && [ "$(grep -c '^  [a-z]* .*rebuild [0-9]' said)" = 5 ] &&
+        lacks dear/ablate.csv brute || { cat said; return 1; }
+}
+check 'brute force is left out where it would take too long' dear
 
 unlike() { # ranks that could have different numbers of threads make the same runs: those of rank 0
     on 2 bash -c 'OMP_NUM_THREADS=$((1 + ${OMPI_COMM_WORLD_RANK:-${PMI_RANK:-0}})) exec "$@"' _ \
-        "$scree" ablate scene.yaml -o unlike --index brute --newton on --steps 3 >said 2>&1 || { cat said; return 1; }
+        "$scree" ablate scene.yaml -o unlike --index brute --newton on --steps 200 >said 2>&1 || { cat said; return 1; }
     [ "$(cut -d, -f1-4 unlike/ablate.csv | tail -n +2)" = brute,on,2,1 ] || { cat unlike/ablate.csv; return 1; }
 }
 check 'ranks with unlike numbers of threads make the same runs' unlike
@@ -149,7 +171,7 @@ ended() {
     status=$?
     [ $status = 143 ] && holds told 'scree: ended by signal 15' && lacks said advice || { echo "  status $status"; cat told; return 1; }
 }
-check 'a signal ends a table of times, with status 143' ended ten --threads 1 --index brute,linkcell --steps 100000000
-check 'what was written is kept' grep -q '^index,newton,ranks' ten/ablate.csv
-check 'a signal ends a study, with status 143' ended eleven --error --duration 100000 --samples 2
+check 'a signal ends a table of times, with status 143' ended ended-table --threads 1 --index brute,linkcell --steps 100000000
+check 'what was written is kept' grep -q '^index,newton,ranks' ended-table/ablate.csv
+check 'a signal ends a study, with status 143' ended ended-study --error --duration 100000 --samples 2
 finish
