@@ -127,7 +127,7 @@ static void look_at_step(struct run *run) {
         return;
     timing_look(s);
     if (s->dt != dt)
-        run->last = last_step(s);
+        run->last = run_last_step(s);
 }
 
 static bool step_once(struct run *run, struct error *error) {

@@ -21,6 +21,6 @@ EXTRA_DIST += docs/output.md
 # What writes the tables of docs/output.md, after a change of fields or observables
 EXTRA_PROGRAMS += src/observe/document
 CLEANFILES += src/observe/document
-src_output_document_SOURCES = src/observe/document.c
-src_output_document_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
-src_output_document_LDADD = $(OBSERVE_LIBS)
+src_observe_document_SOURCES = src/observe/document.c
+src_observe_document_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+src_observe_document_LDADD = $(OBSERVE_LIBS)
