@@ -7,6 +7,9 @@ EXTRA_DIST += tests/launch tests/lsan.supp tests/without_cmocka/cmocka.h
 
 dist_check_SCRIPTS += tests/lint
 
+# By hand: do the tests notice wrong code?
+EXTRA_DIST += tests/mutate tests/mutants.txt
+
 check_PROGRAMS += \
 	tests/test_checksum \
 	tests/test_error \

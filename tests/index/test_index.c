@@ -172,6 +172,38 @@ static void indexes_can_be_rebuilt(void **state) {
     }
 }
 
+/* An order that nobody follows, as where others sort the particles, leaves no trace. */
+static void an_order_need_not_be_followed(void **state) {
+    (void)state;
+    struct index_params params = {0};
+    struct error error = {0};
+    struct cloud cloud;
+    struct pair_set expected, found;
+    struct cloud_spec spec = {.count = 700,
+                              .sizes = CLOUD_MONO,
+                              .fraction = 0.4,
+                              .dimension = 3,
+                              .periodic = {true, false, true},
+                              .seed = 4};
+    cloud_make(&cloud, &spec);
+    uint32_t *order = malloc(cloud.view.owned * sizeof *order);
+    struct index *brute = cloud_index(&cloud, "brute", &params);
+    pair_set_collect(&expected, brute, &cloud.view, 1);
+    for (int k = 0; k < index_registry_count(); k++) {
+        struct index *index = index_create(index_registry_get(k)->name, &params, &error);
+        index_order(index, &cloud.view, order);
+        index_build(index, &cloud.view);
+        pair_set_collect(&found, index, &cloud.view, 2);
+        pair_set_compare(&expected, &found, index_registry_get(k)->name);
+        pair_set_free(&found);
+        index_destroy(&index);
+    }
+    pair_set_free(&expected);
+    index_destroy(&brute);
+    free(order);
+    cloud_free(&cloud);
+}
+
 static void memory_grows_with_particles_alone(void **state) {
     (void)state;
     struct index_params params = {0};
@@ -256,10 +288,15 @@ static void checks_notice_moved_particles(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(unknown_names_list_the_known), cmocka_unit_test(orders_are_stable_permutations),
-        cmocka_unit_test(brute_orders_nothing),         cmocka_unit_test(threads_find_the_same_pairs),
-        cmocka_unit_test(indexes_can_be_rebuilt),       cmocka_unit_test(memory_grows_with_particles_alone),
-        cmocka_unit_test(descriptions_account_for_all), cmocka_unit_test(checks_notice_moved_particles),
+        cmocka_unit_test(unknown_names_list_the_known),
+        cmocka_unit_test(orders_are_stable_permutations),
+        cmocka_unit_test(brute_orders_nothing),
+        cmocka_unit_test(threads_find_the_same_pairs),
+        cmocka_unit_test(indexes_can_be_rebuilt),
+        cmocka_unit_test(an_order_need_not_be_followed),
+        cmocka_unit_test(memory_grows_with_particles_alone),
+        cmocka_unit_test(descriptions_account_for_all),
+        cmocka_unit_test(checks_notice_moved_particles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
