@@ -9,6 +9,7 @@
 #include "core/random.h"
 #include "core/timer.h"
 #include "integrate/integrator.h"
+#include "tests/fields_by_hand.h"
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -47,7 +48,7 @@ static struct law bench_law(const char *name) {
 
 static struct particles *bench_cloud(const struct law *law, int edge) {
     size_t n = (size_t)edge * (size_t)edge * (size_t)edge;
-    struct particles *p = particles_create(law->spin ? PARTICLE_SPIN : 0, n);
+    struct particles *p = particles_with(law->spin ? WITH_SPIN : 0, n);
     for (size_t k = 0; k < n; k++) {
         struct random_sequence r = random_sequence(1, RANDOM_TEST, k);
         const size_t cell[3] = {k % (size_t)edge, k / (size_t)edge % (size_t)edge,

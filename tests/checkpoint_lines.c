@@ -6,6 +6,7 @@
 #include "comm/comm.h"
 #include "formats/checkpoint.h"
 #include "particles/fields.h"
+#include "tests/fields_by_hand.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -20,12 +21,13 @@ static void put_bytes(const char *name, const void *data, size_t bytes) {
 static void put_particles(const struct particles *particles) {
     for (size_t k = 0; k < particles->owned; k++) {
         printf("particle %lld", (long long)particles->id[k]);
-        for (int f = 0; f < fields_count(); f++) {
+        for (int f = 0; f < fields_count(particles); f++) {
+            const struct field *field = fields_get(particles, f);
             size_t stride;
-            if (!fields_present(particles, f) || !(fields_get(f)->use & FIELD_RESTART))
+            if (!(field->use & FIELD_RESTART))
                 continue;
             const char *base = fields_base(particles, f, &stride);
-            put_bytes(fields_get(f)->name, base + k * stride, fields_bytes(f));
+            put_bytes(field->name, base + k * stride, fields_bytes(field));
         }
         printf("\n");
     }
@@ -69,7 +71,7 @@ int main(int argc, char **argv) {
     struct error error = {0};
     struct checkpoint_loaded loaded = {0};
     comm_start(&comm, &argc, &argv);
-    struct particles *particles = particles_create(PARTICLE_FEATURES_ALL, 0);
+    struct particles *particles = particles_with(WITH_ALL, 0);
     bool good = argc == 2 && checkpoint_read(&comm, argv[1], particles, &loaded, &error);
     if (good) {
         put_particles(particles);

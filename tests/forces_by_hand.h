@@ -7,6 +7,7 @@
 #include "core/random.h"
 #include "pairs_by_hand.h"
 #include "near.h"
+#include "tests/fields_by_hand.h"
 #include <omp.h>
 
 enum { COUNT = 200, MATERIALS = 3, LAWS = 24 };
@@ -47,8 +48,8 @@ static inline struct law law_number(int k, int materials) {
 
 /* A dense random cloud in a periodic cube: small spheres and a few of three times the size. */
 static inline struct particles *cloud(const struct law *law, size_t count, double box) {
-    unsigned features = (law->spin ? PARTICLE_SPIN : 0u) | (law->materials > 1 ? PARTICLE_MATERIAL : 0u);
-    struct particles *p = particles_create(features, count);
+    unsigned features = (law->spin ? WITH_SPIN : 0u) | (law->materials > 1 ? WITH_MATERIAL : 0u);
+    struct particles *p = particles_with(features, count);
     for (size_t k = 0; k < count; k++) {
         struct random_sequence r = random_sequence(7, RANDOM_TEST, k);
         particles_append(p);
@@ -60,10 +61,10 @@ static inline struct particles *cloud(const struct law *law, size_t count, doubl
             s->v[c] = random_normal(&r);
             double omega = 2.0 * random_normal(&r); /* drawn in any case: the same cloud for all laws */
             if (law->spin)
-                p->omega[k][c] = omega;
+                spin_of(p)[k][c] = omega;
         }
         if (law->materials > 1)
-            p->material[k] = (uint8_t)(k % (size_t)law->materials);
+            material_numbers(p)[k] = (uint8_t)(k % (size_t)law->materials);
         p->id[k] = (int64_t)((k * 7919) % count + 1);
     }
     return p;

@@ -45,11 +45,11 @@ check_PROGRAMS += \
 	tests/test_law_impact \
 	tests/test_stability \
 	tests/test_timestep
-EXTRA_DIST += tests/forces_by_hand.h tests/laws_by_hand.h tests/near.h tests/pairs_by_hand.h
+EXTRA_DIST += tests/fields_by_hand.h tests/forces_by_hand.h tests/laws_by_hand.h tests/near.h tests/pairs_by_hand.h
 tests_test_force_SOURCES = tests/test_force.c
-tests_test_force_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
+tests_test_force_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_force_loop_SOURCES = tests/test_force_loop.c
-tests_test_force_loop_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
+tests_test_force_loop_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_force_loop_CPPFLAGS = $(AM_CPPFLAGS)
 if X86_KERNELS
 tests_test_force_loop_CPPFLAGS += -DSCREE_X86_KERNELS
@@ -71,7 +71,7 @@ tests_test_sweep_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
 tests_test_pairlist_SOURCES = tests/test_pairlist.c
 tests_test_pairlist_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
 tests_test_particles_SOURCES = tests/test_particles.c
-tests_test_particles_LDADD = $(PARTICLES_LIBS) $(TEST_LIBS)
+tests_test_particles_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 
 # The scene: what its headers include needs MPI's
 check_PROGRAMS += \

@@ -4,6 +4,7 @@
 
 #include "core/memory.h"
 #include "scene/scene.h"
+#include "tests/fields_by_hand.h"
 
 #include <stdarg.h>
 #include <stddef.h>
@@ -46,7 +47,7 @@ static inline struct scene *good_scene(const char *text, const char *const *sett
 
 /* All particles of a scene, on one rank. */
 static inline struct particles *scene_all(const struct scene *scene, struct scene_census *census) {
-    struct particles *particles = particles_create(PARTICLE_FEATURES_ALL, 0);
+    struct particles *particles = particles_with(WITH_ALL, 0);
     struct scene_share share = {.size = 1};
     struct error error = {0};
     if (!scene_particles(scene, &share, particles, census, &error))

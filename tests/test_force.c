@@ -26,20 +26,21 @@ static struct law_contact plain_contact(const struct particles *p, const struct 
                                         const double shift[3], double dt) {
     const struct particle_state *a = &p->state[i], *b = &p->state[j];
     struct law_vector d = law_add(law_add(vector_of(b->x), -1.0, vector_of(a->x)), 1.0, vector_of(shift));
-    struct law_contact in = {.overlap = a->radius + b->radius - sqrt(law_dot(d, d)),
-                             .mass = 1.0 / (a->inverse_mass + b->inverse_mass),
-                             .radius = 1.0 / (1.0 / a->radius + 1.0 / b->radius),
-                             .velocity = law_add(vector_of(b->v), -1.0, vector_of(a->v)),
-                             .coefficients = law->pair[particles_material(p, i)][particles_material(p, j)]};
+    struct law_contact in = {
+        .overlap = a->radius + b->radius - sqrt(law_dot(d, d)),
+        .mass = 1.0 / (a->inverse_mass + b->inverse_mass),
+        .radius = 1.0 / (1.0 / a->radius + 1.0 / b->radius),
+        .velocity = law_add(vector_of(b->v), -1.0, vector_of(a->v)),
+        .coefficients = law->pair[material_of(material_numbers(p), i)][material_of(material_numbers(p), j)]};
     struct law_vector half = law_add(d, -0.5 * dt, in.velocity);
     in.normal = law_scale(1.0 / sqrt(law_dot(d, d)), d);
     in.half_normal = law_scale(1.0 / sqrt(law_dot(half, half)), half);
     if (law->spin) {
         double distance = sqrt(law->options.synchronised ? law_dot(half, half) : law_dot(d, d));
         double cut = law->options.lammps_hooke ? 0.0 : 0.5 * (a->radius + b->radius - distance);
-        in.surface = law_add(law_scale(a->radius - cut, vector_of(p->omega[i])), b->radius - cut,
-                             vector_of(p->omega[j]));
-        in.spin = law_add(vector_of(p->omega[j]), -1.0, vector_of(p->omega[i]));
+        in.surface = law_add(law_scale(a->radius - cut, vector_of(spin_of(p)[i])), b->radius - cut,
+                             vector_of(spin_of(p)[j]));
+        in.spin = law_add(vector_of(spin_of(p)[j]), -1.0, vector_of(spin_of(p)[i]));
     }
     return in;
 }

@@ -205,7 +205,7 @@ static void test_fixed(void **state) {
         struct law law = law_number(k, 1);
         struct rig rig;
         rig_make(&rig, &law, (struct layout){1, 0.0, NULL});
-        rig.particles->group = memory_allocate_zero(COUNT, 1, "groups");
+        rig.context.prescribed = true;
         uint32_t i[1 + INDEX_SINK_PAD] = {0}, j[1 + INDEX_SINK_PAD] = {1};
         struct pair_block block;
         rig.list = list_of(&block, i, j, 1);
@@ -214,12 +214,12 @@ static void test_fixed(void **state) {
         s[1] = s[0];
         s[1].x[0] += 0.5;
         if (law.spin)
-            memcpy(rig.particles->omega[1], rig.particles->omega[0], sizeof rig.particles->omega[1]);
+            memcpy(spin_of(rig.particles)[1], spin_of(rig.particles)[0], sizeof spin_of(rig.particles)[1]);
         assert_int_equal(contacts_of(&rig), 0);
         if (law.spin) {
-            rig.particles->omega[1][2] += 1.0;
+            spin_of(rig.particles)[1][2] += 1.0;
             assert_int_equal(contacts_of(&rig), 1);
-            rig.particles->omega[1][2] = rig.particles->omega[0][2];
+            spin_of(rig.particles)[1][2] = spin_of(rig.particles)[0][2];
         }
         s[1].v[1] += 1.0;
         assert_int_equal(contacts_of(&rig), 1);

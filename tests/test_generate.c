@@ -164,7 +164,7 @@ static void velocities(void **state) {
     double sum[3] = {0}, squares[3] = {0}, n = 0;
     for (size_t i = 0; i < p->owned; i++) {
         const double *v = p->state[i].v;
-        if (p->group[i] > 0) /* frozen */
+        if (groups_of(p)[i] > 0) /* frozen */
             continue;
         n++;
         for (int d = 0; d < 3; d++) {
@@ -233,7 +233,7 @@ static void says_what_it_reached(void **state) {
     (void)state;
     struct scene *scene = scene_with(
         "", "particles: {from: random, sizes: 0.4, volume_fraction: 0.37, material: a, attempts: 300}\n");
-    struct particles *p = particles_create(PARTICLE_FEATURES_ALL, 0);
+    struct particles *p = particles_with(WITH_ALL, 0);
     struct scene_share share = {.size = 1};
     struct error error = {0};
     assert_false(scene_particles(scene, &share, p, NULL, &error));
@@ -258,7 +258,7 @@ static void ranks_agree(void **state) {
     struct particles *all = scene_all(scene, &census);
     size_t seen = 0;
     for (int rank = 0; rank < 3; rank++) {
-        struct particles *part = particles_create(PARTICLE_FEATURES_ALL, 0);
+        struct particles *part = particles_with(WITH_ALL, 0);
         struct scene_share share = {.rank = rank, .size = 3};
         struct error error = {0};
         assert_true(scene_particles(scene, &share, part, &again, &error));
@@ -266,14 +266,14 @@ static void ranks_agree(void **state) {
         for (size_t i = 0; i < part->owned; i++) {
             size_t j = (size_t)part->id[i] - 1;
             assert_memory_equal(&part->state[i], &all->state[j], sizeof(part->state[i]));
-            assert_memory_equal(part->omega[i], all->omega[j], sizeof(part->omega[i]));
+            assert_memory_equal(spin_of(part)[i], spin_of(all)[j], sizeof(spin_of(part)[i]));
         }
         seen += part->owned;
         particles_destroy(&part);
     }
     assert_int_equal(seen, all->owned);
     double border = 3;
-    struct particles *left = particles_create(PARTICLE_FEATURES_ALL, 0);
+    struct particles *left = particles_with(WITH_ALL, 0);
     struct scene_share share = {.rank = 0, .size = 2, .mine = is_left, .context = &border};
     struct error error = {0};
     assert_true(scene_particles(scene, &share, left, &again, &error));
@@ -297,10 +297,10 @@ static void groups_select(void **state) {
     for (size_t i = 0; i < p->owned; i++) {
         double dx = p->state[i].x[0] - 4, dy = p->state[i].x[1] - 5, dz = p->state[i].x[2] - 6;
         bool in = sqrt(dx * dx + dy * dy + dz * dz) <= 3;
-        assert_int_equal(p->group[i], in);
+        assert_int_equal(groups_of(p)[i], in);
         assert_int_equal(p->state[i].inverse_mass == 0, in);
-        assert_true(fabs(particles_mass(p, i) -
-                         particles_sphere_mass(p->state[i].radius, p->material[i] ? 2 : 1)) < 1e-12);
+        assert_true(fabs(groups_mass(p, i) -
+                         particles_sphere_mass(p->state[i].radius, material_numbers(p)[i] ? 2 : 1)) < 1e-12);
         inside += in;
     }
     assert_int_equal(census.group[1], inside);

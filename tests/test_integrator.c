@@ -2,6 +2,7 @@
 #include "contact/force.h"
 #include "integrate/integrator.h"
 #include "pairs_by_hand.h"
+#include "tests/fields_by_hand.h"
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,7 +17,7 @@ static struct integrator_context context_for(double dt, int dimension) {
 
 /* `count` unit spheres of mass 2 far from each other, at rest. */
 static struct particles *spheres(size_t count, unsigned features) {
-    struct particles *p = particles_create(features, count);
+    struct particles *p = particles_with(features, count);
     for (size_t k = 0; k < count; k++) {
         particles_append(p);
         p->state[k].x[0] = 10.0 * (double)k;
@@ -44,12 +45,12 @@ static void test_names(void **state) {
  * out zero. */
 static void test_constant_force(void **state) {
     (void)state;
-    struct particles *p = spheres(3, PARTICLE_SPIN);
+    struct particles *p = spheres(3, WITH_SPIN);
     struct integrator_context context = context_for(0.01, 3);
     context.gravity[2] = -9.81;
     p->state[1].v[0] = 2.0;
     p->state[1].v[2] = 1.0;
-    p->omega[1][1] = 3.0;
+    spin_of(p)[1][1] = 3.0;
     for (int n = 0; n <= 100; n++) {
         if (n > 0) {
             double v2 = integrator_advance(p, &context, 0, 3);
@@ -97,20 +98,21 @@ static void test_ranges(void **state) {
 /* Frozen and moving groups keep their motion under any force; free ones do not. */
 static void test_prescribed(void **state) {
     (void)state;
-    struct particles *p = spheres(3, PARTICLE_SPIN | PARTICLE_GROUP);
+    struct particles *p = spheres(3, WITH_SPIN | WITH_GROUP);
     struct integrator_context context = context_for(0.01, 3);
     context.groups = 3;
     context.gravity[2] = -10.0;
     context.motion[1].prescribed = true;
     context.motion[2] = (struct integrator_motion){true, {1.0, 0.0, -2.0}, {0.0, 5.0, 0.0}};
     for (size_t k = 0; k < 3; k++) {
-        p->group[k] = (uint8_t)k;
+        groups_of(p)[k] = (uint8_t)k;
         p->state[k].inverse_mass = k ? 0.0 : 0.5;
     }
-    p->state[0].v[1] = p->state[1].v[1] = p->omega[1][2] = 3.0; /* of no consequence where it is prescribed */
+    p->state[0].v[1] = p->state[1].v[1] = spin_of(p)[1][2] =
+        3.0; /* of no consequence where it is prescribed */
     integrator_prescribe(p, &context);
-    assert_true(p->state[0].v[1] == 3.0 && p->state[1].v[1] == 0.0 && p->omega[1][2] == 0.0);
-    assert_true(p->state[2].v[0] == 1.0 && p->state[2].v[2] == -2.0 && p->omega[2][1] == 5.0);
+    assert_true(p->state[0].v[1] == 3.0 && p->state[1].v[1] == 0.0 && spin_of(p)[1][2] == 0.0);
+    assert_true(p->state[2].v[0] == 1.0 && p->state[2].v[2] == -2.0 && spin_of(p)[2][1] == 5.0);
     integrator_stagger(p, &context, 0, 3);
     for (int n = 0; n < 10; n++) {
         for (size_t k = 0; k < 3; k++)
@@ -118,8 +120,8 @@ static void test_prescribed(void **state) {
         integrator_advance(p, &context, 0, 3);
     }
     double v[3], w[3];
-    assert_true(p->state[0].x[2] < -1e-3 && p->omega[0][0] > 0.1);
-    assert_true(p->state[1].x[0] == 10.0 && p->state[1].x[2] == 0.0 && p->omega[1][0] == 0.0);
+    assert_true(p->state[0].x[2] < -1e-3 && spin_of(p)[0][0] > 0.1);
+    assert_true(p->state[1].x[0] == 10.0 && p->state[1].x[2] == 0.0 && spin_of(p)[1][0] == 0.0);
     assert_near(p->state[2].x[0], 20.0 + 0.1, 1e-13);
     assert_near(p->state[2].x[2], -0.2, 1e-13);
     integrator_full_step(p, &context, 2, v, w);
@@ -155,11 +157,11 @@ static void run_contact(const char *name, double dt, double result[5]) {
     options.synchronised = integrator_find(name)->synchronised;
     pair[0][0] = (struct law_pair){.restitution = 1.0, .friction = 1e6, .k_n = 20.0, .k_t = 10.0};
     assert_true(law_prepare(&law, &options, 1, &material, pair, &error));
-    struct particles *p = spheres(2, PARTICLE_SPIN);
+    struct particles *p = spheres(2, WITH_SPIN);
     p->state[1].x[0] = 1.8;
     p->state[0].v[1] = -0.5;
     p->state[1].v[1] = 0.7;
-    p->omega[1][2] = 0.9;
+    spin_of(p)[1][2] = 0.9;
     struct pairlist list;
     const struct hand_options hand = {.threads = 1, .margin = 1.0};
     hand_make(&list, p, &hand);

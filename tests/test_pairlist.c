@@ -25,7 +25,7 @@ struct cloud {
 
 static void cloud_fill(struct cloud *c, size_t n, size_t ghosts) {
     c->box = (struct box){.dimension = 3, .edge = {10, 10, 10}, .periodic = {true, true, true}};
-    c->particles = particles_create(0, n);
+    c->particles = particles_create(n);
     for (size_t k = 0; k < n; k++) {
         struct random_sequence random = random_sequence(9, RANDOM_TEST, k);
         size_t i = particles_append(c->particles);

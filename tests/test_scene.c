@@ -253,7 +253,11 @@ static void rich_values(void **state) {
     assert_int_equal(scene->output.observables.request[0].components, 4);
     assert_true(isinf(scene->output.observables.region[0].lower[1]));
     struct law law = {.spin = true};
-    assert_int_equal(scene_features(scene, &law), PARTICLE_FEATURES_ALL);
+    struct particles *all = particles_with(WITH_ALL, 0), *particles = particles_create(0);
+    scene_register(scene, &law, particles);
+    assert_int_equal(fields_count(particles), fields_count(all));
+    particles_destroy(&all);
+    particles_destroy(&particles);
     struct integrator_context context;
     scene_integrator(scene, &context);
     assert_int_equal(context.groups, 3);
@@ -264,12 +268,15 @@ static void rich_values(void **state) {
 }
 
 /* A frictionless scene of one material in an open box needs no field beyond the least. */
-static void features_are_what_is_needed(void **state) {
+static void fields_are_what_is_needed(void **state) {
     (void)state;
     static const char *const set[] = {"contact.tangential=none", "material_pairs=[{restitution: 0.5}]", NULL};
     struct scene *scene = good_scene(GOOD_SCENE, set);
     struct law law = {.spin = false};
-    assert_int_equal(scene_features(scene, &law), 0);
+    struct particles *particles = particles_create(0);
+    scene_register(scene, &law, particles);
+    assert_int_equal(fields_count(particles), FIELD_FIRST_COUNT);
+    particles_destroy(&particles);
     scene_free(&scene);
 }
 
@@ -333,7 +340,7 @@ static void box_from_data_file(void **state) {
     assert_int_equal(particles->owned, 2);
     assert_true(particles->state[0].x[0] == 1.5 && particles->state[0].radius == 1);
     assert_true(fabs(1 / particles->state[0].inverse_mass - 4 * M_PI / 3 * 1.5) < 1e-12);
-    assert_true(particles->state[0].v[2] == 3 && particles->omega[0][0] == 4);
+    assert_true(particles->state[0].v[2] == 3 && spin_of(particles)[0][0] == 4);
     particles_destroy(&particles);
     scene_free(&scene);
     static const struct scene_setting one_corner[] = {{"box.lower=[-9, -9, -9]"}, {"box.upper=[9, 9, 9]"}};
@@ -374,7 +381,7 @@ int main(void) {
                                        cmocka_unit_test(trajectories_read_back),
                                        cmocka_unit_test(echo_reads_back),
                                        cmocka_unit_test(rich_values),
-                                       cmocka_unit_test(features_are_what_is_needed),
+                                       cmocka_unit_test(fields_are_what_is_needed),
                                        cmocka_unit_test(pairs_of_walls),
                                        cmocka_unit_test(two_dimensions),
                                        cmocka_unit_test(box_from_data_file),

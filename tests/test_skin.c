@@ -59,7 +59,7 @@ static void test_the_next_step_is_foreseen(void **state) {
     (void)state;
     struct size_classes classes = one_class();
     struct skin *skin = skin_create();
-    struct particles *none = particles_create(0, 1);
+    struct particles *none = particles_create(1);
     double speed = 2;
     skin_moved(skin, &speed, 1, 0.2, 0); /* 0.4 each, and 0.8 each after one step more */
     skin_settle(skin, 1);
@@ -81,7 +81,7 @@ static void test_a_fast_particle_needs_no_measuring(void **state) {
     (void)state;
     struct size_classes classes = one_class();
     struct skin *skin = skin_create();
-    struct particles *none = particles_create(0, 1);
+    struct particles *none = particles_create(1);
     double speed = 2;
     skin_reset(skin, none);
     skin_moved(skin, &speed, 1, 0.4, 0); /* 0.8 each: two of them are too much, one alone is not */

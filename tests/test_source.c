@@ -26,7 +26,7 @@ static struct particles *read_source(struct error *error, const char *data, cons
     struct scene *scene = scene_parse("test_source.yaml", SOURCE_SCENE, set, sets, error);
     if (!scene)
         return NULL;
-    struct particles *particles = particles_create(PARTICLE_FEATURES_ALL, 0);
+    struct particles *particles = particles_with(WITH_ALL, 0);
     struct scene_share share = {.size = 1};
     if (!scene_particles(scene, &share, particles, census, error))
         particles_destroy(&particles);
@@ -75,8 +75,8 @@ static void reads_columns(void **state) {
         "7 2 .1 .2 .3 .01 1 2 3 4 5 6 1000 99\n5 glass .4 .5 .6 .02 0 0 0 0 0 0 2000 x\n", set, NULL);
     assert_int_equal(p->owned, 2);
     assert_true(p->id[0] == 7 && p->id[1] == 5);
-    assert_true(p->material[0] == 1 && p->material[1] == 0);
-    assert_true(p->state[0].v[0] == 1 && p->state[0].v[2] == 2 && p->omega[0][2] == 6);
+    assert_true(material_numbers(p)[0] == 1 && material_numbers(p)[1] == 0);
+    assert_true(p->state[0].v[0] == 1 && p->state[0].v[2] == 2 && spin_of(p)[0][2] == 6);
     assert_true(fabs(p->state[0].inverse_mass * particles_sphere_mass(0.01, 1000) - 1) < 1e-12);
     particles_destroy(&p);
 }
@@ -97,13 +97,13 @@ static void selects_and_maps(void **state) {
     /* rows 2 to 4 have radii .01, .005, .02 after scaling */
     assert_int_equal(p->owned, 2);
     assert_true(p->state[0].radius == 0.01 && p->state[0].x[0] == 0.25 && p->state[0].x[1] == 0.15);
-    assert_true(p->material[0] == 0 && p->material[1] == 1);
+    assert_true(material_numbers(p)[0] == 0 && material_numbers(p)[1] == 1);
     particles_destroy(&p);
     static const char *const override[] = {"particles.rows=4", "particles.material=steel",
                                            "particles.density=1", NULL};
     p = good_source(data, override, NULL);
     assert_int_equal(p->owned, 4);
-    assert_int_equal(p->material[0], 1);
+    assert_int_equal(material_numbers(p)[0], 1);
     assert_true(fabs(p->state[3].inverse_mass * particles_sphere_mass(0.04, 1) - 1) < 1e-12);
     particles_destroy(&p);
 }
@@ -114,7 +114,7 @@ static void tells_headers_from_rows(void **state) {
     static const char *const material[] = {"particles.columns=[material, radius, x, y, z]", NULL};
     struct particles *p = good_source("steel .01 .1 .2 .3\nglass .02 .4 .5 .6\n", material, NULL);
     assert_int_equal(p->owned, 2);
-    assert_true(p->material[0] == 1 && p->state[0].radius == 0.01 && p->material[1] == 0);
+    assert_true(material_numbers(p)[0] == 1 && p->state[0].radius == 0.01 && material_numbers(p)[1] == 0);
     particles_destroy(&p);
     static const char *const skipped[] = {"particles.columns=[skip, radius, x, y, z]",
                                           "particles.material=glass", NULL};
@@ -152,8 +152,8 @@ static void wraps_and_numbers(void **state) {
     struct scene_census census;
     struct particles *p = good_source("id radius x y z\n3 .01 2.25 .1 .1\n9 .01 -.25 .3 .1\n", set, &census);
     assert_int_equal(p->owned, 6);
-    assert_true(fabs(p->state[0].x[0] - 0.25) < 1e-15 && p->image[0][0] == 2);
-    assert_true(fabs(p->state[1].x[0] - 0.75) < 1e-15 && p->image[1][0] == -1);
+    assert_true(fabs(p->state[0].x[0] - 0.25) < 1e-15 && particles_images(p)[0][0] == 2);
+    assert_true(fabs(p->state[1].x[0] - 0.75) < 1e-15 && particles_images(p)[1][0] == -1);
     assert_true(p->id[0] == 3 && p->id[1] == 9 && p->id[2] == 12 && p->id[3] == 18 && p->id[4] == 77 &&
                 p->id[5] == 78);
     assert_int_equal(census.id_max, 78);
@@ -171,7 +171,7 @@ static void selects_where_it_wraps(void **state) {
     struct particles *p = good_source(
         "radius x y z\n.01 1.25 .1 .1\n.01 -.25 .2 .1\n.01 -1.25 .3 .1\n.01 0 .4 .1\n", set, NULL);
     assert_int_equal(p->owned, 4);
-    assert_true(p->group[0] == 1 && p->group[1] == 1 && p->group[2] == 0 && p->group[3] == 0);
+    assert_true(groups_of(p)[0] == 1 && groups_of(p)[1] == 1 && groups_of(p)[2] == 0 && groups_of(p)[3] == 0);
     particles_destroy(&p);
 }
 
@@ -364,8 +364,8 @@ static void lammps_data(void **state) {
     assert_int_equal(p->owned, 2);
     size_t four = p->id[0] == 4 ? 0 : 1;
     assert_true(p->id[four] == 4 && p->id[1 - four] == 2);
-    assert_true(p->material[four] == 1 && p->state[four].radius == 0.01);
-    assert_true(p->state[1 - four].v[2] == 3 && p->omega[1 - four][2] == 1);
+    assert_true(material_numbers(p)[four] == 1 && p->state[four].radius == 0.01);
+    assert_true(p->state[1 - four].v[2] == 3 && spin_of(p)[1 - four][2] == 1);
     assert_true(fabs(p->state[1 - four].inverse_mass * particles_sphere_mass(0.02, 600) - 1) < 1e-12);
     particles_destroy(&p);
     static const char *const cases[][2] = {

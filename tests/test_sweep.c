@@ -28,7 +28,7 @@ static void cloud_fill(struct cloud *c, size_t ghosts) {
         .method = CLASSES_CUTS, .cut_count = 1, .cut = {1}, .skin_given = true, .skin = 0.1};
     struct error error = {0};
     c->box = (struct box){.dimension = 3, .edge = {12, 12, 12}, .periodic = {true, true, true}};
-    c->particles = particles_create(0, CLOUD);
+    c->particles = particles_create(CLOUD);
     for (size_t k = 0; k < CLOUD; k++) {
         struct random_sequence random = random_sequence(3, RANDOM_TEST, k);
         size_t i = particles_append(c->particles);

@@ -74,7 +74,8 @@ static void test_oblique(void **state) {
     s = &w.particles->state[0];
     assert_near(s->v[2], 0.04, 2e-5);
     assert_near(s->v[0], 0.1 - 0.1 * 1.8 * 0.05, 1e-4);
-    assert_near(w.particles->omega[0][1], 2.5 * 0.1 * 1.8 * 0.05 / 0.01, 0.015); /* lever: r - overlap / 2 */
+    assert_near(spin_of(w.particles)[0][1], 2.5 * 0.1 * 1.8 * 0.05 / 0.01,
+                0.015); /* lever: r - overlap / 2 */
     world_close(&w);
 }
 
@@ -87,7 +88,7 @@ static void run_down(const struct wall_options *wall, const double x[3], const d
     world_open(&w, hand_box(40.0), hand_law(normal, 0.6, 0.4), wall, 1, 1);
     struct particle_state *s = world_add(&w, x[0], x[1], x[2], 0.5, 1.0);
     memcpy(s->v, v, sizeof s->v);
-    w.particles->omega[0][0] = 3.0;
+    spin_of(w.particles)[0][0] = 3.0;
     w.motion.gravity[2] = -9.81;
     w.motion.dt = normal == LAW_HOOKE ? 5e-4 : 2e-5;
     world_build(&w);
@@ -95,7 +96,7 @@ static void run_down(const struct wall_options *wall, const double x[3], const d
         for (int inner = 0; inner < (normal == LAW_HOOKE ? 1 : 25); inner++)
             world_step(&w, n % 10 == 0 && inner == 0, NULL);
         memcpy(track[n], w.particles->state[0].x, 3 * sizeof(double));
-        memcpy(track[n] + 3, w.particles->omega[0], 3 * sizeof(double));
+        memcpy(track[n] + 3, spin_of(w.particles)[0], 3 * sizeof(double));
     }
     world_close(&w);
 }
@@ -189,7 +190,7 @@ static void test_box(void **state) {
         for (size_t i = 0; n % 1000 == 0 && i < SPHERES; i++)
             for (int c = 0; c < 3; c++) {
                 assert_near(w[0].particles->state[i].x[c], w[1].particles->state[i].x[c], 1e-10);
-                assert_near(w[0].particles->omega[i][c], w[1].particles->omega[i][c], 1e-8);
+                assert_near(spin_of(w[0].particles)[i][c], spin_of(w[1].particles)[i][c], 1e-8);
             }
     }
 

@@ -120,7 +120,7 @@ static void assert_same(const struct world *a, const struct world *b, const uint
         size_t j = at ? at[i] : i;
         assert_int_equal(a->particles->id[j], b->particles->id[i]);
         assert_memory_equal(a->particles->state[j].x, b->particles->state[i].x, 3 * sizeof(double));
-        assert_memory_equal(a->particles->omega[j], b->particles->omega[i], 3 * sizeof(double));
+        assert_memory_equal(spin_of(a->particles)[j], spin_of(b->particles)[i], 3 * sizeof(double));
     }
 }
 

@@ -44,10 +44,10 @@ static void test_springs_of_two_images(void **state) {
     struct particle_state *s = world_add(&w, 1.999, 2.0, 2.0, radius, 1.0);
     world_rebuild(&w, NULL);
     s->v[1] = 1.0;
-    w.particles->omega[0][2] = 0.5 / radius;
+    spin_of(w.particles)[0][2] = 0.5 / radius;
     double lower = 1.0 - 0.5 * lever(0.499) / radius, upper = 1.0 + 0.5 * lever(0.501) / radius;
     assert_springs(&w, 1.999, lower, upper);
-    s->v[1] = w.particles->omega[0][2] = 0.0;
+    s->v[1] = spin_of(w.particles)[0][2] = 0.0;
     assert_springs(&w, 2.001, lower, upper);
     assert_springs(&w, 1.999, lower, upper);
     world_rebuild(&w, NULL);

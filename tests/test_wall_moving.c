@@ -179,7 +179,7 @@ static void test_turns_on_the_spot(void **state) {
     world_rebuild(&w, NULL);
     world_forces(&w, 1e-3);
     assert_int_equal(w.sums.contacts, 0);
-    w.particles->omega[0][1] = 2.0;
+    spin_of(w.particles)[0][1] = 2.0;
     world_rebuild(&w, NULL);
     world_forces(&w, 1e-3);
     assert_int_equal(w.sums.contacts, 1);
@@ -228,7 +228,7 @@ static void test_torques_balance(void **state) {
     law.pair[0][0].rolling_friction = 0.3;
     world_open(&w, hand_box(4.0), law, &plane, 1, 1);
     struct particle_state *s = world_add(&w, 2.3, 2.2, 0.635, 0.5, 1.0);
-    double *omega = w.particles->omega[0];
+    double *omega = spin_of(w.particles)[0];
     for (int d = 0; d < 3; d++) {
         s->v[d] = 0.3 - 0.2 * d;
         omega[d] = 2.0 - 3.0 * d;

@@ -6,6 +6,7 @@
 #include "walls/wall.h"
 #include "core/memory.h"
 #include "integrate/integrator.h"
+#include "tests/fields_by_hand.h"
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -84,7 +85,7 @@ static inline void world_open(struct world *w, struct box box, struct law law,
     struct error error = {0};
     omp_set_num_threads(threads);
     *w = (struct world){.box = box, .law = law, .threads = threads};
-    w->particles = particles_create(law.spin ? PARTICLE_SPIN : 0, 0);
+    w->particles = particles_with(law.spin ? WITH_SPIN : 0, 0);
     w->motion = (struct integrator_context){.dt = 1e-4, .dimension = box.dimension, .groups = 1};
     must(walls_create(&w->walls, options, walls, &w->law, &box, threads, &error, NULL), &error);
 }

@@ -4,6 +4,7 @@
 #include "engine/outputs.h"
 #include "engine/simulation.h"
 #include "core/memory.h"
+#include "formats/frame.h"
 #include "particles/fields.h"
 #include <math.h>
 #include <stddef.h>
@@ -110,44 +111,41 @@ static void print_terms(const struct simulation *s) {
                "at rows of observables alone; each step if dissipated energy is among them");
 }
 
-/* What in the scene brings a field. */
-static void reason_of(const struct scene *scene, unsigned needs, char *why, size_t room) {
+/* What in the scene brings a field, and which parts of the scene do. */
+static void reason_of(const struct scene *scene, const struct field *field, char *why, size_t room) {
     static const struct {
-        unsigned feature;
-        const char *what;
+        const char *field;
         void (*list)(const struct scene *scene, char *why, size_t room);
-    } reasons[] = {{PARTICLE_SPIN, "friction or rolling resistance", NULL},
-                   {PARTICLE_MATERIAL, "more than one material", materials_list},
-                   {PARTICLE_GROUP, "groups", groups_list},
-                   {PARTICLE_IMAGE, "a periodic direction", periodic_list}};
-    snprintf(why, room, "always");
-    for (size_t k = 0; k < sizeof reasons / sizeof reasons[0]; k++) {
-        char names[WHY_MAX] = "";
-        if (!(needs & reasons[k].feature))
-            continue;
-        if (reasons[k].list)
-            reasons[k].list(scene, names, sizeof names);
-        bool met = names[0] && (reasons[k].feature != PARTICLE_MATERIAL || scene->materials > 1);
-        snprintf(why, room, "%s%s%s", reasons[k].what, met ? ": " : "", met ? names : "");
-        return;
-    }
+    } lists[] = {{"material", materials_list},
+                 {"group", groups_list},
+                 {"density", groups_list},
+                 {"image", periodic_list}};
+    char names[WHY_MAX] = "";
+    for (size_t k = 0; k < sizeof lists / sizeof lists[0]; k++)
+        if (strcmp(field->name, lists[k].field) == 0)
+            lists[k].list(scene, names, sizeof names);
+    bool met = names[0] && (strcmp(field->name, "material") != 0 || scene->materials > 1);
+    snprintf(why, room, "%s%s%s", field->needed_for ? field->needed_for : "always", met ? ": " : "",
+             met ? names : "");
 }
 
 static void print_fields(const struct simulation *s) {
     char why[2 * WHY_MAX];
     printf("\nfields of a particle\n  %-18s %6s  %s\n", "field", "bytes", "needed for");
-    for (int f = 0; f < fields_count(); f++) {
-        const struct field *field = fields_get(f);
-        reason_of(s->scene, field->needs, why, sizeof why);
-        if (fields_present(s->particles, f))
-            printf("  %-18s %6zu  %s\n", field->name, fields_bytes(f), why);
+    for (int f = 0; f < fields_count(s->particles); f++) {
+        const struct field *field = fields_get(s->particles, f);
+        reason_of(s->scene, field, why, sizeof why);
+        printf("  %-18s %6zu  %s\n", field->name, fields_bytes(field), why);
     }
-    for (int f = 0; f < fields_count(); f++) {
-        const struct field *field = fields_get(f);
-        reason_of(s->scene, field->needs, why, sizeof why);
-        if (!fields_present(s->particles, f))
+    struct particles *known = particles_create(0);
+    frame_register_all(known);
+    for (int f = 0; f < fields_count(known); f++) {
+        const struct field *field = fields_get(known, f);
+        reason_of(s->scene, field, why, sizeof why);
+        if (fields_find(s->particles, field->name) < 0)
             printf("  %-18s %6s  not needed; it is for %s\n", field->name, "-", why);
     }
+    particles_destroy(&known);
     printf("  stored: %zu bytes a particle (all fields, forces and spins padded)\n",
            particles_bytes_each(s->particles));
     if (s->law.history_components)
@@ -157,14 +155,19 @@ static void print_fields(const struct simulation *s) {
         printf("  history: none (no friction)\n");
 }
 
+/* Bytes of a particle's fields with a use. */
+static size_t bytes_of(const struct simulation *s, unsigned use) {
+    const struct field_list fields = fields_with(s->particles, use);
+    return fields_packed_bytes(s->particles, &fields);
+}
+
 static void print_wire(const struct simulation *s) {
     if (s->alone)
         return;
     printf("\nbytes on the wire: %zu a copy when made, %zu a copy and step, %zu sent back, %zu a migrating "
            "particle\n",
-           fields_packed_bytes(s->particles, FIELD_GHOST), fields_packed_bytes(s->particles, FIELD_FORWARD),
-           s->view.newton ? fields_packed_bytes(s->particles, FIELD_REVERSE) : (size_t)0,
-           fields_packed_bytes(s->particles, FIELD_MIGRATE));
+           bytes_of(s, FIELD_GHOST), bytes_of(s, FIELD_FORWARD),
+           s->view.newton ? bytes_of(s, FIELD_REVERSE) : (size_t)0, bytes_of(s, FIELD_MIGRATE));
 }
 
 static void print_classes(const struct simulation *s) {

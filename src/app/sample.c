@@ -92,6 +92,7 @@ static void perturb(const struct sampler *sampler, struct simulation *s) {
 
 static void places_take(struct sample_record *record, const struct simulation *s) {
     const struct particles *p = s->particles;
+    int32_t(*const image)[3] = particles_images(p);
     double(*place)[4] = memory_allocate_zero(record->tracked, sizeof *place, "samples");
     for (size_t k = 0; k < p->owned; k++) {
         int64_t slot = (p->id[k] - 1) / record->stride;
@@ -99,7 +100,7 @@ static void places_take(struct sample_record *record, const struct simulation *s
             continue;
         for (int d = 0; d < 3; d++)
             place[slot][d] = p->state[k].x[d] + s->scene->box.origin[d] +
-                             (p->image ? p->image[k][d] * s->scene->box.edge[d] : 0);
+                             (image ? image[k][d] * s->scene->box.edge[d] : 0);
         place[slot][3] = 1;
     }
     comm_sum(s->comm, place[0], (int)(4 * record->tracked));

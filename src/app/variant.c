@@ -1,4 +1,5 @@
 #include "app/variant.h"
+#include "contact/material.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,12 +11,13 @@ enum { BRUTE_PARTICLES_MAX = 20000 };
 #define VARIANT_STEP_MOST 0.95
 
 static void means_take(const struct simulation *s, struct variant_facts *facts) {
+    const uint8_t *material = material_numbers(s->particles);
     double sum[LAW_MATERIALS_MAX][3] = {{0}};
     for (size_t k = 0; k < s->particles->owned; k++) {
         const struct particle_state *p = &s->particles->state[k];
         if (p->inverse_mass == 0)
             continue;
-        double *of = sum[particles_material(s->particles, k)];
+        double *of = sum[material_of(material, k)];
         of[0] += 1;
         of[1] += p->radius;
         of[2] += 1 / p->inverse_mass;

@@ -194,13 +194,13 @@ void copies_free(struct copies *copies) {
     *copies = (struct copies){0};
 }
 
-void copies_pack(const struct particles *particles, unsigned use, const uint32_t *list, size_t n,
-                 char *buffer) {
-    size_t each = fields_packed_bytes(particles, use);
+void copies_pack(const struct particles *particles, const struct field_list *fields, const uint32_t *list,
+                 size_t n, char *buffer) {
+    size_t each = fields_packed_bytes(particles, fields);
     enum { PART = 4096 };
 #pragma omp parallel for schedule(static) if (n > PART)
     for (size_t first = 0; first < n; first += PART) {
         size_t part = n - first < PART ? n - first : PART;
-        fields_pack(particles, use, list + first, part, buffer + first * each);
+        fields_pack(particles, fields, list + first, part, buffer + first * each);
     }
 }

@@ -18,7 +18,7 @@
 
 #include "comm/domain.h"
 #include "comm/groups.h"
-#include "particles/particles.h"
+#include "particles/fields.h"
 
 /* How far beyond its own surface a particle of each class must be known. */
 void copies_reach(const struct size_classes *classes, bool reduced, double reach[CLASS_MAX]);
@@ -55,7 +55,7 @@ void copies_select(struct copies *copies, const struct comm *comm, const struct 
 void copies_free(struct copies *copies);
 
 /* fields_pack by several threads where the list is long enough. */
-void copies_pack(const struct particles *particles, unsigned use, const uint32_t *list, size_t n,
-                 char *buffer);
+void copies_pack(const struct particles *particles, const struct field_list *fields, const uint32_t *list,
+                 size_t n, char *buffer);
 
 #endif

@@ -90,14 +90,15 @@ void ghosts_migrate(struct ghosts *ghosts, struct particles *particles, struct h
 enum { PART = 4096 };
 
 /* Fills the ghosts [first, first + n), counted from the first ghost, and shifts them to where they stand. */
-static void unpack(const struct ghosts *ghosts, struct particles *particles, unsigned use, size_t first,
-                   size_t n, const char *buffer) {
-    size_t each = fields_packed_bytes(particles, use);
+static void unpack(const struct ghosts *ghosts, struct particles *particles, const struct field_list *fields,
+                   size_t first, size_t n, const char *buffer) {
+    size_t each = fields_packed_bytes(particles, fields);
+    const bool shifted = !ghosts->options.in_place && fields_listed(fields, FIELD_POSITION);
 #pragma omp parallel for schedule(static) if (n > PART)
     for (size_t k = first; k < first + n; k += PART) {
         size_t part = first + n - k < PART ? first + n - k : PART;
-        fields_unpack(particles, use, particles->owned + k, part, buffer + (k - first) * each);
-        for (size_t g = k; g < k + part && !ghosts->options.in_place; g++) {
+        fields_unpack(particles, fields, particles->owned + k, part, buffer + (k - first) * each);
+        for (size_t g = k; g < k + part && shifted; g++) {
             const double *shift = ghosts->shift[ghosts->image[g]];
             double *x = particles->state[particles->owned + g].x;
             for (int d = 0; d < 3; d++)
@@ -150,20 +151,20 @@ static void plan_receives(struct ghosts *ghosts, const struct shadows *shadows,
 
 static void append_copies(struct ghosts *ghosts, const struct shadows *shadows, struct particles *particles) {
     size_t owned = particles->owned;
+    const struct field_list fields = fields_with(particles, FIELD_GHOST);
     particles_reserve(particles, owned + ghosts->held);
     if (ghosts->options.in_place)
         ghosts->place = memory_allocate(ghosts->held, sizeof *ghosts->place, "places of originals");
 #pragma omp parallel for schedule(static) if (ghosts->held > PART)
     for (size_t k = 0; k < ghosts->held; k++) {
         const double *shift = ghosts->shift[ghosts->image[k]];
-        fields_unpack(particles, FIELD_GHOST, owned + k, 1, shadows->shadow[shadows->held.item[k]].fields);
+        fields_unpack(particles, &fields, owned + k, 1, shadows->shadow[shadows->held.item[k]].fields);
         if (ghosts->place)
             memcpy(ghosts->place[k], particles->state[owned + k].x, sizeof *ghosts->place);
         for (int d = 0; d < 3; d++)
             particles->state[owned + k].x[d] += shift[d];
     }
-    size_t stride = (size_t)particles->force_stride;
-    memset(particles->force + owned * stride, 0, ghosts->held * stride * sizeof(double));
+    fields_clear_reverse(particles, owned, ghosts->held);
     for (size_t k = 0; k < ghosts->held; k++)
         ghosts->class_count[particles->size_class[owned + k]]++;
     particles->ghosts = ghosts->held;
@@ -179,13 +180,8 @@ static char *buffer_room(char *buffer, size_t *room, size_t bytes) {
     return memory_allocate(*room, 1, "values of copies");
 }
 
-/* Buffers for either direction, and the messages that point into them (lengths set at each exchange). */
-static void plan_buffers(struct ghosts *ghosts, const struct particles *particles) {
-    size_t forward = fields_packed_bytes(particles, FIELD_FORWARD);
-    size_t reverse = fields_packed_bytes(particles, FIELD_REVERSE);
-    size_t each = forward > reverse ? forward : reverse;
-    ghosts->to_buffer = buffer_room(ghosts->to_buffer, &ghosts->to_room, ghosts->sent * each);
-    ghosts->from_buffer = buffer_room(ghosts->from_buffer, &ghosts->from_room, ghosts->held * each);
+/* The messages that point into the buffers (these, and lengths, are set at each exchange). */
+static void plan_buffers(struct ghosts *ghosts) {
     ghosts->to_message = memory_allocate(ghosts->to_count, sizeof *ghosts->to_message, "messages");
     ghosts->from_message = memory_allocate(ghosts->from_count, sizeof *ghosts->from_message, "messages");
 }
@@ -233,7 +229,7 @@ void ghosts_make(struct ghosts *ghosts, struct particles *particles, const struc
     plan_sends(ghosts, &shadows, particles->owned);
     plan_receives(ghosts, &shadows, particles);
     append_copies(ghosts, &shadows, particles);
-    plan_buffers(ghosts, particles);
+    plan_buffers(ghosts);
     if (shadows.rounds > ghosts->rounds)
         ghosts->rounds = shadows.rounds;
     shadows_free(&shadows);
@@ -269,35 +265,43 @@ static void plan_ready(const struct ghosts *ghosts, const struct particles *part
     assert(particles->ghosts == ghosts->held && particles->revision == ghosts->revision);
 }
 
-void ghosts_forward_begin(struct ghosts *ghosts, struct particles *particles) {
-    plan_ready(ghosts, particles);
-    size_t each = fields_packed_bytes(particles, FIELD_FORWARD);
+/* Room in both buffers, and the messages of an exchange in which a copy has `each` bytes. */
+static void plan_exchange(struct ghosts *ghosts, size_t each) {
+    ghosts->to_buffer = buffer_room(ghosts->to_buffer, &ghosts->to_room, ghosts->sent * each);
+    ghosts->from_buffer = buffer_room(ghosts->from_buffer, &ghosts->from_room, ghosts->held * each);
     plan_messages(ghosts->to, ghosts->to_count, each, ghosts->to_buffer, ghosts->to_message);
     plan_messages(ghosts->from, ghosts->from_count, each, ghosts->from_buffer, ghosts->from_message);
-    copies_pack(particles, FIELD_FORWARD, ghosts->original, ghosts->sent, ghosts->to_buffer);
+}
+
+void ghosts_forward_begin(struct ghosts *ghosts, struct particles *particles,
+                          const struct field_list *fields) {
+    plan_ready(ghosts, particles);
+    assert(fields->count > 0);
+    ghosts->flying = *fields;
+    plan_exchange(ghosts, fields_packed_bytes(particles, fields));
+    copies_pack(particles, fields, ghosts->original, ghosts->sent, ghosts->to_buffer);
     exchange_start(&ghosts->exchange, COMM_TAG_FORWARD, ghosts->to_message, ghosts->to_count,
                    ghosts->from_message, ghosts->from_count, &ghosts->flight);
 }
 
 void ghosts_forward_end(struct ghosts *ghosts, struct particles *particles) {
     exchange_finish(&ghosts->flight);
-    unpack(ghosts, particles, FIELD_FORWARD, 0, ghosts->held, ghosts->from_buffer);
-    count_bytes(ghosts, fields_packed_bytes(particles, FIELD_FORWARD));
+    unpack(ghosts, particles, &ghosts->flying, 0, ghosts->held, ghosts->from_buffer);
+    count_bytes(ghosts, fields_packed_bytes(particles, &ghosts->flying));
 }
 
-void ghosts_reverse(struct ghosts *ghosts, struct particles *particles) {
+void ghosts_reverse(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields) {
     if (!ghosts->options.newton)
         return;
     plan_ready(ghosts, particles);
-    size_t each = fields_packed_bytes(particles, FIELD_REVERSE);
-    plan_messages(ghosts->to, ghosts->to_count, each, ghosts->to_buffer, ghosts->to_message);
-    plan_messages(ghosts->from, ghosts->from_count, each, ghosts->from_buffer, ghosts->from_message);
-    copies_pack(particles, FIELD_REVERSE, ghosts->number, ghosts->held, ghosts->from_buffer);
+    size_t each = fields_packed_bytes(particles, fields);
+    plan_exchange(ghosts, each);
+    copies_pack(particles, fields, ghosts->number, ghosts->held, ghosts->from_buffer);
     exchange_start(&ghosts->exchange, COMM_TAG_REVERSE, ghosts->from_message, ghosts->from_count,
                    ghosts->to_message, ghosts->to_count, &ghosts->flight);
     exchange_finish(&ghosts->flight);
     count_bytes(ghosts, each);
-    fields_unpack_add(particles, ghosts->original, ghosts->sent, ghosts->to_buffer);
+    fields_unpack_add(particles, fields, ghosts->original, ghosts->sent, ghosts->to_buffer);
 }
 
 const uint32_t *ghosts_originals(const struct ghosts *ghosts, size_t *count) {

@@ -12,7 +12,7 @@
 #include "comm/domain.h"
 #include "comm/migrate.h"
 #include "pairs/history.h"
-#include "particles/particles.h"
+#include "particles/fields.h"
 
 /* How copies get to ranks (shadows.h). In steps both are the same: one message a peer, from the owner to all
  * holders, and one back with newton on. AUTO spreads where needed, which costs nothing where it is not. */
@@ -43,9 +43,9 @@ void ghosts_migrate_rows(struct ghosts *ghosts, struct particles *particles, str
                          int n);
 
 /* Makes the copies: rank q gets p iff dist(x_p + image, subdomain of q) <= r_p + max over the classes c whose
- * pair with p q computes of (radius_max(c) + margin); see copies.h. Sets the GHOST fields, and forces to 0.
- * Copies lie behind the owned particles, by source rank, then in the order there. Needs classified particles
- * where they belong (after ghosts_migrate). Collective. */
+ * pair with p q computes of (radius_max(c) + margin); see copies.h. Sets the GHOST fields, and the REVERSE
+ * ones to 0. Copies lie behind the owned particles, by source rank, then in the order there. Needs classified
+ * particles where they belong (after ghosts_migrate). Collective. */
 void ghosts_make(struct ghosts *ghosts, struct particles *particles, const struct size_classes *classes);
 
 /* False, with a user's error, if the sync is next-neighbour and a particle of this rank reached beyond the
@@ -55,15 +55,17 @@ bool ghosts_fit(const struct ghosts *ghosts, struct error *error);
 /* Drops all copies. Not collective. */
 void ghosts_drop(struct ghosts *ghosts, struct particles *particles);
 
-/* Sends the FORWARD fields of the originals to their copies. begin packs and posts, end waits and unpacks;
- * between them the copies keep their old values and originals may change. Collective (neighbours). */
-void ghosts_forward_begin(struct ghosts *ghosts, struct particles *particles);
+/* Sends fields of the originals to their copies, each step those of fields_with(particles, FIELD_FORWARD).
+ * begin packs and posts, end waits and unpacks; between them the copies keep their old values and originals
+ * may change. The list is the same on all ranks and not empty. Collective (neighbours). */
+void ghosts_forward_begin(struct ghosts *ghosts, struct particles *particles,
+                          const struct field_list *fields);
 void ghosts_forward_end(struct ghosts *ghosts, struct particles *particles);
 
-/* Newton on: sends the REVERSE fields (forces) of the copies back and adds them to the originals, in a fixed
- * order: by the rank that held the copy, then in the order in which it has them. Newton off: nothing. The
- * copies keep theirs. Collective (neighbours). */
-void ghosts_reverse(struct ghosts *ghosts, struct particles *particles);
+/* Newton on: sends fields of doubles of the copies back and adds them to the originals, each step those of
+ * fields_with(particles, FIELD_REVERSE), in a fixed order: by the rank that held the copy, then in the order
+ * in which it has them. Newton off: nothing. The copies keep theirs. Collective (neighbours). */
+void ghosts_reverse(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields);
 
 /* The owned particles that have copies elsewhere (or here), increasing, each once: what an integrator moves
  * first. Borrowed until the next ghosts_make or ghosts_drop. */

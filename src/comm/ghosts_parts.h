@@ -18,6 +18,7 @@ struct ghosts {
     struct ghosts_options options;
     struct exchange exchange;
     struct exchange_flight flight;
+    struct field_list flying; /* the fields of a forward exchange between begin and end */
     struct peer *to, *from;
     size_t to_count, from_count;
     uint32_t *original; /* owned particle of each copy sent */

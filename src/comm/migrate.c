@@ -72,7 +72,8 @@ static char *pack_rows(const struct migrate_rows *rows, const uint32_t *list, si
 /* Makes the message with the particles list[0 ... n-1]. */
 static void pack_message(struct exchange_message *message, const struct particles *particles,
                          const struct migrate_rows *rows, int sets, const uint32_t *list, size_t n) {
-    size_t bytes = sizeof(uint64_t) + n * fields_packed_bytes(particles, FIELD_MIGRATE);
+    const struct field_list fields = fields_with(particles, FIELD_MIGRATE);
+    size_t bytes = sizeof(uint64_t) + n * fields_packed_bytes(particles, &fields);
     for (int s = 0; s < sets; s++)
         for (size_t k = 0; k < n; k++)
             bytes += sizeof(uint64_t) + rows_of(&rows[s], list[k]) * rows[s].row_bytes;
@@ -80,7 +81,7 @@ static void pack_message(struct exchange_message *message, const struct particle
     message->data = memory_allocate(bytes, 1, "particles that leave");
     uint64_t count = n;
     char *to = put(message->data, &count, sizeof count);
-    to = fields_pack(particles, FIELD_MIGRATE, list, n, to);
+    to = fields_pack(particles, &fields, list, n, to);
     for (int s = 0; s < sets; s++)
         to = pack_rows(&rows[s], list, n, to);
     assert(to == message->data + bytes);
@@ -116,8 +117,9 @@ static struct arrivals take_apart(const struct exchange_message *message, const 
                                   const struct migrate_rows *rows, int sets) {
     struct arrivals arrivals;
     size_t left = message->bytes;
+    const struct field_list fields = fields_with(particles, FIELD_MIGRATE);
     arrivals.count = read_count(take(message, &left, 1, sizeof(uint64_t)), 0);
-    arrivals.fields = take(message, &left, arrivals.count, fields_packed_bytes(particles, FIELD_MIGRATE));
+    arrivals.fields = take(message, &left, arrivals.count, fields_packed_bytes(particles, &fields));
     for (int s = 0; s < sets; s++) {
         arrivals.set[s].counts = take(message, &left, arrivals.count, sizeof(uint64_t));
         arrivals.set[s].total = 0;
@@ -170,12 +172,13 @@ static void append_arrivals(struct particles *particles, const struct arrivals *
     if (total > (size_t)1 << PARTICLE_INDEX_BITS)
         error_fatal("%zu particles on one rank, at most %zu are possible: use more ranks", total,
                     (size_t)1 << PARTICLE_INDEX_BITS);
+    const struct field_list fields = fields_with(particles, FIELD_MIGRATE);
     particles_reserve(particles, total);
     for (size_t m = 0; m < messages; m++) {
         size_t first = particles->owned;
         for (size_t k = 0; k < arrivals[m].count; k++)
             particles_append(particles);
-        fields_unpack(particles, FIELD_MIGRATE, first, arrivals[m].count, arrivals[m].fields);
+        fields_unpack(particles, &fields, first, arrivals[m].count, arrivals[m].fields);
     }
 }
 

@@ -33,7 +33,8 @@ struct arrival {
 struct spread {
     const struct shadows_place *place;
     struct shadows *result;
-    size_t each; /* bytes of the GHOST fields */
+    struct field_list fields; /* the GHOST ones */
+    size_t each;              /* and their bytes */
     int own;
     struct order *order; /* of this round */
     int *to;
@@ -184,7 +185,7 @@ static bool round_of_owners(struct spread *spread, const struct copies *copies) 
                                 .how = copies->how[k]};
             memcpy(heads + (k - first) * sizeof head, &head, sizeof head);
         }
-        copies_pack(spread->place->particles, FIELD_GHOST, copies->particle + first, n,
+        copies_pack(spread->place->particles, &spread->fields, copies->particle + first, n,
                     heads + n * sizeof(struct head));
     }
     return deliver(spread, out, groups->count, copies->far);
@@ -235,7 +236,7 @@ static void spread_arrival(struct spread *spread, const struct arrival *arrival)
     struct particles *particles = spread->place->particles;
     size_t count, slot = particles->owned;
     const struct domain_place *places = domain_neighbours(spread->place->domain, &count);
-    fields_unpack(particles, FIELD_GHOST, slot, 1, arrival->order.fields);
+    fields_unpack(particles, &spread->fields, slot, 1, arrival->order.fields);
     struct copy_ball ball;
     copies_ball(&ball, &particles->state[slot], spread->place->reach[particles->size_class[slot]],
                 spread->place->box);
@@ -336,7 +337,8 @@ void shadows_spread(struct shadows *shadows, const struct shadows_place *place, 
     *shadows = (struct shadows){0};
     struct spread spread = {.place = place, .result = shadows, .own = place->exchange->comm->rank};
     struct exchange_inbox numbers = {0};
-    spread.each = fields_packed_bytes(place->particles, FIELD_GHOST);
+    spread.fields = fields_with(place->particles, FIELD_GHOST);
+    spread.each = fields_packed_bytes(place->particles, &spread.fields);
     bool more = round_of_owners(&spread, copies);
     size_t first = shadows->count;
     if (more) {

@@ -1,6 +1,7 @@
 /* The force loop: the contact laws as a client of the walk over pairs. Read pairs/walk.h first. */
 #include "contact/force.h"
 #include "contact/force_kernel.h"
+#include "contact/spin.h"
 #include "core/memory.h"
 #include <assert.h>
 
@@ -85,11 +86,11 @@ static struct walk_work force_work(const struct force_context *context) {
                              .stride = (size_t)particles->force_stride,
                              .radii = true,
                              .range = context->law->range,
-                             .selective = particles->group != NULL,
+                             .selective = context->prescribed,
                              .ordered = context->ordered};
     if (context->law->spin) {
         work.gathers = 1;
-        work.gather[0] = (struct walk_field){&particles->omega[0][0], 4};
+        work.gather[0] = (struct walk_field){&spin_values(particles)[0][0], 4};
     }
     return work;
 }

@@ -41,6 +41,7 @@ struct force_context {
     double dt;        /* by which histories advance; 0 in the first evaluation of a run (they stay) */
     bool want_sums;   /* fill the energies of the sums; contacts and overlap_max always are */
     bool want_virial; /* and the virial; only with want_sums */
+    bool prescribed;  /* there may be particles whose motion is prescribed */
     bool ordered;     /* forces are summed in an order that no layout changes (force_ordered.h) */
 };
 

@@ -3,14 +3,13 @@
 #include "contact/force_account.h"
 #include "contact/force_kernel.h"
 #include "contact/force_physics.h"
+#include "contact/material.h"
 
 /* Coefficients of each contact, where they differ between materials. */
-static inline void force_mix(const struct law *law, const struct particles *particles,
-                             struct force_batch *restrict b) {
+static inline void force_mix(const struct law *law, const uint8_t *material, struct force_batch *restrict b) {
     for (int k = 0; k < b->walk.padded; k++)
-        force_set_coefficients(b, k,
-                               &law->pair[particles_material(particles, b->walk.i[k])]
-                                         [particles_material(particles, b->walk.j[k])]);
+        force_set_coefficients(
+            b, k, &law->pair[material_of(material, b->walk.i[k])][material_of(material, b->walk.j[k])]);
 }
 
 /* The same coefficients for all. */
@@ -23,6 +22,7 @@ static void force_begin(struct force_thread *thread, const struct force_context 
     const struct law_options *options = &context->law->options;
     thread->step = law_step_of(options, context->dt);
     thread->energies = context->want_sums;
+    thread->material = material_numbers(context->particles);
     thread->measure = force_measure_find(options);
     thread->respond = force_respond_find(options, context->want_sums);
     if (context->law->uniform)
@@ -33,7 +33,7 @@ static void force_compute(const struct walk_task *task, struct walk_batch *batch
     const struct force_context *context = task->work->context;
     struct force_thread *thread = (struct force_thread *)batch;
     if (!context->law->uniform)
-        force_mix(context->law, context->particles, &thread->batch);
+        force_mix(context->law, thread->material, &thread->batch);
     thread->measure(&thread->batch, thread->step);
     thread->respond(&thread->batch, thread->step);
 }

@@ -1,6 +1,8 @@
 /* The list of present contacts, for output: a plain loop over the pairs with the law of the force loop. */
 #include "contact/force.h"
 #include "contact/law_kernel.h"
+#include "contact/material.h"
+#include "contact/spin.h"
 #include "core/memory.h"
 
 /* A walk over the records of one thread, in the order of its pairs. */
@@ -30,10 +32,10 @@ static bool force_same(const double a[3], const double b[3]) {
 }
 
 /* True of two particles that are fixed to each other, as the force loop has it. */
-static bool force_pair_fixed(const struct particles *p, bool spin, size_t i, size_t j) {
+static bool force_pair_fixed(const struct particles *p, const double (*omega)[4], size_t i, size_t j) {
     const struct particle_state *si = &p->state[i], *sj = &p->state[j];
     return si->inverse_mass + sj->inverse_mass == 0.0 && force_same(si->v, sj->v) &&
-           (!spin || force_same(p->omega[i], p->omega[j]));
+           (omega == NULL || force_same(omega[i], omega[j]));
 }
 
 /* What two spheres bring to the law; false if they do not touch. `separation` is x_j - x_i. */
@@ -49,7 +51,9 @@ static bool force_pair_contact(const struct force_context *context, size_t k, co
     double reach = si->radius + sj->radius, square = law_dot(d, d);
     if (!(square < reach * reach))
         return false;
-    if (force_pair_fixed(p, context->law->spin, i, j))
+    const double(*omega)[4] = context->law->spin ? spin_values(p) : NULL;
+    const uint8_t *material = material_numbers(p);
+    if (force_pair_fixed(p, omega, i, j))
         return false;
     double distance = sqrt(square), inertia = si->inverse_mass + sj->inverse_mass;
     struct law_case law = law_case_of(&context->law->options, false);
@@ -59,12 +63,12 @@ static bool force_pair_contact(const struct force_context *context, size_t k, co
                                .normal = law_scale(distance > 0.0 ? 1.0 / distance : 0.0, d),
                                .velocity = force_difference(sj->v, si->v),
                                .coefficients =
-                                   context->law->pair[particles_material(p, i)][particles_material(p, j)]};
+                                   context->law->pair[material_of(material, i)][material_of(material, j)]};
     in->half_normal = in->normal;
-    if (!law.friction)
+    if (!law.friction || omega == NULL)
         return true;
-    struct law_vector wi = {p->omega[i][0], p->omega[i][1], p->omega[i][2]};
-    struct law_vector wj = {p->omega[j][0], p->omega[j][1], p->omega[j][2]};
+    struct law_vector wi = {omega[i][0], omega[i][1], omega[i][2]};
+    struct law_vector wj = {omega[j][0], omega[j][1], omega[j][2]};
     in->surface = law_add(law_scale(law_lever(law, si->radius, in->overlap), wi),
                           law_lever(law, sj->radius, in->overlap), wj);
     in->spin = law_add(wj, -1.0, wi);

@@ -71,6 +71,7 @@ struct force_thread {
     struct force_sums sums;
     struct law_step step;
     bool energies;
+    const uint8_t *material;          /* NULL where all are of one */
     force_physics *measure, *respond; /* the loops of this law */
 };
 

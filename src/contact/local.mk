@@ -8,7 +8,11 @@ libcontact_la_SOURCES = \
 	src/contact/force_physics.h \
 	src/contact/law.c \
 	src/contact/law.h \
-	src/contact/law_kernel.h
+	src/contact/law_kernel.h \
+	src/contact/material.c \
+	src/contact/material.h \
+	src/contact/spin.c \
+	src/contact/spin.h
 libcontact_la_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS)
 libcontact_la_LIBADD = libforce_baseline.la
 

@@ -225,7 +225,8 @@ static void copies_follow(struct simulation *s) {
     if (s->alone || s->history == NULL || one_image(s))
         return;
     timer_start(&s->timers, TIMER_COMM);
-    ghosts_forward_begin(s->ghosts, s->particles);
+    struct field_list fields = fields_with(s->particles, FIELD_FORWARD);
+    ghosts_forward_begin(s->ghosts, s->particles, &fields);
     ghosts_forward_end(s->ghosts, s->particles);
     timer_stop(&s->timers, TIMER_COMM);
 }

@@ -4,6 +4,7 @@
 #include "engine/load.h"
 #include "engine/simulation.h"
 #include "core/memory.h"
+#include "integrate/groups.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -162,20 +163,22 @@ static void wall_rows_rename(const struct simulation *s, const struct checkpoint
  * that goes with it. */
 static void masses_follow(struct simulation *s, const char *path, struct error *error) {
     struct particles *p = s->particles;
-    for (size_t k = 0; p->group && k < p->owned; k++) {
-        if (p->group[k] >= s->motion.groups) {
+    const uint8_t *group = groups_of(p);
+    const double *density = groups_densities(p);
+    for (size_t k = 0; group && k < p->owned; k++) {
+        if (group[k] >= s->motion.groups) {
             error_set(error, ERROR_USER,
                       "%s: particle %lld is in group %d; the scene has %d: a resume may change the "
                       "motion of groups, not drop one",
-                      path, (long long)p->id[k], p->group[k], s->motion.groups - 1);
+                      path, (long long)p->id[k], group[k], s->motion.groups - 1);
             return;
         }
-        bool held = s->motion.motion[p->group[k]].prescribed;
+        bool held = s->motion.motion[group[k]].prescribed;
         struct particle_state *state = &p->state[k];
         if (held)
             state->inverse_mass = 0;
         else if (state->inverse_mass == 0)
-            state->inverse_mass = 1 / particles_sphere_mass(state->radius, p->density[k]);
+            state->inverse_mass = 1 / particles_sphere_mass(state->radius, density[k]);
     }
 }
 

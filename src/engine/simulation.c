@@ -226,6 +226,7 @@ static void parts_create(struct simulation *s) {
                                         .list = s->list,
                                         .history = s->history,
                                         .law = &s->law,
+                                        .prescribed = s->scene->groups > 1,
                                         .ordered = s->scene->reproducible};
 }
 
@@ -341,8 +342,8 @@ static bool particles_suit(struct simulation *s, struct error *error) {
 }
 
 static bool simulation_fill(struct simulation *s, const char *resume, struct error *error) {
-    unsigned features = scene_features(s->scene, &s->law);
-    s->particles = particles_create(features, 0);
+    s->particles = particles_create(0);
+    scene_register(s->scene, &s->law, s->particles);
     parts_create(s);
     simd_choose(s, error);
     if (!comm_agree(s->comm, error)) /* ranks may have different CPUs */

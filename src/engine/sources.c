@@ -2,7 +2,10 @@
  * happens at a rebuild, while there are no copies. Insertion regions are looked at every SOURCES_EVERY steps,
  * so that the steps at which particles appear do not depend on ranks, threads or index. */
 #include "engine/simulation.h"
+#include "contact/material.h"
+#include "contact/spin.h"
 #include "core/memory.h"
+#include "integrate/groups.h"
 #include "scene/placegrid.h"
 #include <assert.h>
 #include <math.h>
@@ -193,14 +196,16 @@ static void candidate_append(struct simulation *s, const struct insertion_candid
     p->radius = candidate->radius;
     p->inverse_mass = prescribed ? 0 : 1 / particles_sphere_mass(candidate->radius, candidate->density);
     particles->id[k] = id;
-    if (particles->omega)
-        memcpy(particles->omega[k], candidate->omega, sizeof candidate->omega);
-    if (particles->material)
-        particles->material[k] = (uint8_t)candidate->material;
-    if (particles->group) {
-        particles->group[k] = (uint8_t)candidate->group;
-        particles->density[k] = candidate->density;
-    }
+    double(*omega)[4] = spin_of(particles), *density = groups_densities(particles);
+    uint8_t *material = material_numbers(particles), *group = groups_of(particles);
+    if (omega)
+        memcpy(omega[k], candidate->omega, sizeof candidate->omega);
+    if (material)
+        material[k] = (uint8_t)candidate->material;
+    if (group)
+        group[k] = (uint8_t)candidate->group;
+    if (density)
+        density[k] = candidate->density;
 }
 
 /* New rows of history are empty: starts are extended for the particles appended. */

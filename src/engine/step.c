@@ -145,9 +145,7 @@ static void decide_run(struct simulation *s) {
 
 /* Copies carry no force yet. */
 static void copies_clear(struct simulation *s) {
-    size_t stride = (size_t)s->particles->force_stride;
-    memset(s->particles->force + s->particles->owned * stride, 0,
-           s->particles->ghosts * stride * sizeof(double));
+    fields_clear_reverse(s->particles, s->particles->owned, s->particles->ghosts);
 }
 
 static void exchange_run(struct simulation *s) {
@@ -157,7 +155,8 @@ static void exchange_run(struct simulation *s) {
     }
     if (s->alone)
         return;
-    ghosts_forward_begin(s->ghosts, s->particles);
+    struct field_list fields = fields_with(s->particles, FIELD_FORWARD);
+    ghosts_forward_begin(s->ghosts, s->particles, &fields);
     ghosts_forward_end(s->ghosts, s->particles);
     copies_clear(s);
 }
@@ -182,7 +181,8 @@ static void early_run(struct simulation *s) {
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < s->threads; t++)
         early_move(s, t);
-    ghosts_forward_begin(s->ghosts, s->particles);
+    struct field_list fields = fields_with(s->particles, FIELD_FORWARD);
+    ghosts_forward_begin(s->ghosts, s->particles, &fields);
 }
 
 /* The blocks of a thread: late particles move, then forces. */
@@ -265,7 +265,8 @@ static void finish_run(struct simulation *s) {
 }
 
 static void reverse_run(struct simulation *s) {
-    ghosts_reverse(s->ghosts, s->particles);
+    struct field_list fields = fields_with(s->particles, FIELD_REVERSE);
+    ghosts_reverse(s->ghosts, s->particles, &fields);
 }
 
 static bool needs_servo(const struct simulation *s) {

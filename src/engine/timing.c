@@ -1,6 +1,7 @@
 /* The time step of a run: given, or a fraction of the stable one; refused where it lies above. The stable one
  * depends on the speeds of the particles at the start, so a resume by the same rule keeps the step that it
  * finds. */
+#include "contact/material.h"
 #include "engine/guards.h"
 #include "engine/limit.h"
 #include <math.h>
@@ -54,9 +55,10 @@ static void kinds_collect(const struct simulation *s, struct kinds *kinds) {
     *kinds = (struct kinds){0};
     for (int k = 0; k < KINDS; k++)
         kinds->radius_min[k] = kinds->lightest[k] = INFINITY;
+    const uint8_t *number = material_numbers(s->particles);
     for (size_t k = 0; k < s->particles->owned; k++) {
         const struct particle_state *p = &s->particles->state[k];
-        int material = particles_material(s->particles, k);
+        int material = material_of(number, k);
         double density = s->scene->material[material].density;
         if (p->inverse_mass > 0)
             kinds_put(kinds, kind_of(material, density, p->radius, 1 / p->inverse_mass), p->radius,

@@ -23,8 +23,8 @@ struct writing {
     uint64_t first, total; /* particles before this rank's, and of all */
 };
 
-void checkpoint_field_name(int field, char name[OUTPUT_NAME_MAX]) {
-    snprintf(name, OUTPUT_NAME_MAX, "/particles/%s", fields_get(field)->name);
+void checkpoint_field_name(const struct field *field, char name[OUTPUT_NAME_MAX]) {
+    snprintf(name, OUTPUT_NAME_MAX, "/particles/%s", field->name);
 }
 
 /* Enters a dataset, just written, into the table. */
@@ -83,7 +83,7 @@ static bool put_numbers(struct writing *w, struct error *error) {
         [CHECKPOINT_SEED] = (int64_t)n->seed,
         [CHECKPOINT_NEXT_ID] = n->next_id,
         [CHECKPOINT_RANKS] = w->comm->size,
-        [CHECKPOINT_FEATURES] = c->particles->features,
+        [CHECKPOINT_FIELDS] = fields_with(c->particles, FIELD_RESTART).count,
         [CHECKPOINT_HISTORY_COMPONENTS] = c->history_components,
         [CHECKPOINT_WALLS] = c->walls ? walls_count(c->walls) : 0,
         [CHECKPOINT_TOTAL] = (int64_t)w->total,
@@ -158,8 +158,8 @@ static bool put_walls(struct writing *w, struct error *error) {
 
 static bool put_field(struct writing *w, int f, struct error *error) {
     const struct particles *p = w->checkpoint->particles;
-    const struct field *field = fields_get(f);
-    size_t stride, bytes = fields_bytes(f);
+    const struct field *field = fields_get(p, f);
+    size_t stride, bytes = fields_bytes(field);
     const char *base = fields_base(p, f, &stride);
     char *data = memory_allocate(p->owned, bytes, "field of a checkpoint");
 #pragma omp parallel for
@@ -171,7 +171,7 @@ static bool put_field(struct writing *w, int f, struct error *error) {
                              .first = w->first,
                              .count = p->owned};
     char name[OUTPUT_NAME_MAX];
-    checkpoint_field_name(f, name);
+    checkpoint_field_name(field, name);
     bool good = put(w, name, &table, data, error);
     memory_free(data);
     return good;
@@ -246,9 +246,9 @@ static bool put_all(struct writing *w, struct error *error) {
     const struct checkpoint *c = w->checkpoint;
     bool good =
         put_numbers(w, error) && put_tree(w, error) && put_surroundings(w, error) && put_walls(w, error);
-    for (int f = 0; good && f < fields_count(); f++)
-        if ((fields_get(f)->use & FIELD_RESTART) && fields_present(c->particles, f))
-            good = put_field(w, f, error);
+    const struct field_list fields = fields_with(c->particles, FIELD_RESTART);
+    for (int k = 0; good && k < fields.count; k++)
+        good = put_field(w, fields.field[k], error);
     /* every rank has rows, or none: the law decides */
     if (good && c->history)
         good = put_history(w, error);
@@ -261,7 +261,8 @@ static bool put_all(struct writing *w, struct error *error) {
 static uint64_t estimate_bytes(const struct writing *w) {
     const struct checkpoint *c = w->checkpoint;
     uint64_t rows = (c->history ? c->history->count : 0) + (c->wall_history ? c->wall_history->count : 0);
-    int64_t bytes = (int64_t)(c->particles->owned * (fields_packed_bytes(c->particles, FIELD_RESTART) + 8) +
+    const struct field_list fields = fields_with(c->particles, FIELD_RESTART);
+    int64_t bytes = (int64_t)(c->particles->owned * (fields_packed_bytes(c->particles, &fields) + 8) +
                               rows * 8 * (CHECKPOINT_HISTORY + 1));
     comm_sum_int(w->comm, &bytes, 1);
     uint64_t ranks = (uint64_t)w->comm->size, walls = c->walls ? (uint64_t)walls_count(c->walls) : 0;

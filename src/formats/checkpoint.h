@@ -13,6 +13,7 @@
 
 #include "comm/domain_tree.h"
 #include "formats/output.h"
+#include "particles/fields.h"
 
 enum { CHECKPOINT_COUNTERS = 128 };
 
@@ -66,7 +67,7 @@ struct checkpoint_loaded {
     int walls;
     struct checkpoint_wall *wall;
     char *scene;
-    unsigned features; /* of the particles that were written */
+    bool field_read[FIELDS_MAX]; /* by handle: the file has this field of the set */
 };
 
 /* Writes DIR/checkpoint-STEP.h5, then deletes all but the newest `keep` up to this step (keep = 0: deletes
@@ -78,9 +79,9 @@ bool checkpoint_write(const struct comm *comm, const char *directory, const char
 /* Checks every byte of a checkpoint against its table. Names file and dataset if not good. Collective. */
 bool checkpoint_verify(const struct comm *comm, const char *path, struct error *error);
 
-/* Verifies, then reads. `particles` must be empty; its features may differ from those written (what is
- * missing is zero; density is made from the mass). On as many ranks as wrote it each gets its own particles
- * back in order, else slices of equal size, which the caller hands to their owners. Collective. */
+/* Verifies, then reads. `particles` must be empty; its fields may differ from those written (what is
+ * missing is at its fill; density is made from the mass). On as many ranks as wrote it each gets its own
+ * particles back in order, else slices of equal size, which the caller hands to their owners. Collective. */
 bool checkpoint_read(const struct comm *comm, const char *path, struct particles *particles,
                      struct checkpoint_loaded *loaded, struct error *error);
 void checkpoint_loaded_free(struct checkpoint_loaded *loaded);

@@ -17,7 +17,7 @@ enum checkpoint_integer {
     CHECKPOINT_SEED,
     CHECKPOINT_NEXT_ID,
     CHECKPOINT_RANKS,
-    CHECKPOINT_FEATURES,
+    CHECKPOINT_FIELDS, /* how many fields of particles were written; nobody reads it */
     CHECKPOINT_HISTORY_COMPONENTS,
     CHECKPOINT_WALLS,
     CHECKPOINT_TOTAL,
@@ -33,6 +33,6 @@ enum { CHECKPOINT_CUT = 3 };
 enum { CHECKPOINT_SIDES = 10 };
 
 /* The name of the dataset of a particle field. */
-void checkpoint_field_name(int field, char name[OUTPUT_NAME_MAX]);
+void checkpoint_field_name(const struct field *field, char name[OUTPUT_NAME_MAX]);
 
 #endif

@@ -3,6 +3,7 @@
 #include "formats/checkpoint_parts.h"
 
 #include "core/memory.h"
+#include "integrate/groups.h"
 
 #include <limits.h>
 #include <math.h>
@@ -52,7 +53,6 @@ static bool get_numbers(struct reading *r, struct error *error) {
     l->numbers.time = times[0];
     l->numbers.dt = times[1];
     l->ranks = (int)integers[CHECKPOINT_RANKS];
-    l->features = (unsigned)integers[CHECKPOINT_FEATURES];
     l->history_components = (int)integers[CHECKPOINT_HISTORY_COMPONENTS];
     l->walls = (int)integers[CHECKPOINT_WALLS];
     l->total = (uint64_t)integers[CHECKPOINT_TOTAL];
@@ -165,8 +165,8 @@ static bool get_share(struct reading *r, struct error *error) {
 }
 
 static bool get_field(struct reading *r, struct particles *p, int f, struct error *error) {
-    const struct field *field = fields_get(f);
-    size_t stride, bytes = fields_bytes(f);
+    const struct field *field = fields_get(p, f);
+    size_t stride, bytes = fields_bytes(field);
     char *base = fields_base(p, f, &stride);
     char *data = memory_allocate(r->count, bytes, "field of a checkpoint");
     struct h5_table table = {.type = field->type,
@@ -175,9 +175,10 @@ static bool get_field(struct reading *r, struct particles *p, int f, struct erro
                              .first = r->first,
                              .count = r->count};
     char name[OUTPUT_NAME_MAX];
-    checkpoint_field_name(f, name);
-    bool good = get(r, name, &table, data, error);
-    for (size_t i = 0; good && i < r->count; i++)
+    checkpoint_field_name(field, name);
+    r->loaded->field_read[f] = h5_exists(&r->h5, name);
+    bool good = !r->loaded->field_read[f] || get(r, name, &table, data, error);
+    for (size_t i = 0; good && r->loaded->field_read[f] && i < r->count; i++)
         memcpy(base + i * stride, data + i * bytes, bytes);
     memory_free(data);
     return good;
@@ -185,12 +186,13 @@ static bool get_field(struct reading *r, struct particles *p, int f, struct erro
 
 /* Density and inverse mass where the sets differ in having groups. */
 static bool complete_masses(struct reading *r, struct particles *p, struct error *error) {
-    bool written = (r->loaded->features & PARTICLE_GROUP) != 0, kept = p->density != NULL;
-    if (written == kept)
+    double *kept = groups_densities(p);
+    bool written = h5_exists(&r->h5, "/particles/density");
+    if (written == (kept != NULL))
         return true;
     if (kept) {
         for (size_t i = 0; i < r->count; i++)
-            p->density[i] = 1 / (p->state[i].inverse_mass * particles_sphere_mass(p->state[i].radius, 1));
+            kept[i] = 1 / (p->state[i].inverse_mass * particles_sphere_mass(p->state[i].radius, 1));
         return true;
     }
     struct h5_table table = {
@@ -209,12 +211,9 @@ static bool get_particles(struct reading *r, struct particles *p, struct error *
     for (uint64_t i = 0; i < r->count; i++)
         particles_append(p);
     bool good = true;
-    for (int f = 0; good && f < fields_count(); f++) {
-        unsigned needs = fields_get(f)->needs;
-        bool written = (r->loaded->features & needs) == needs && (fields_get(f)->use & FIELD_RESTART);
-        if (written && fields_present(p, f))
-            good = get_field(r, p, f, error);
-    }
+    const struct field_list fields = fields_with(p, FIELD_RESTART);
+    for (int k = 0; good && k < fields.count; k++)
+        good = get_field(r, p, fields.field[k], error);
     return good && complete_masses(r, p, error);
 }
 

@@ -1,5 +1,7 @@
 #include "formats/convert.h"
 
+#include "contact/material.h"
+#include "contact/spin.h"
 #include "core/memory.h"
 #include "formats/checkpoint.h"
 #include "formats/dump.h"
@@ -8,6 +10,7 @@
 #include "formats/h5md_read.h"
 #include "formats/info.h"
 #include "formats/lammps_data.h"
+#include "integrate/groups.h"
 
 #include <inttypes.h>
 #include <stdlib.h>
@@ -109,25 +112,35 @@ static void sort_rows(struct rows *rows) {
     memory_free(order);
 }
 
-static void rows_of_particles(struct rows *rows, const struct particles *p, const struct box *box) {
+/* True if the file has the field of this name. */
+static bool was_read(const struct checkpoint_loaded *loaded, const struct particles *p, const char *name) {
+    return loaded->field_read[fields_find(p, name)];
+}
+
+static void rows_of_particles(struct rows *rows, const struct particles *p,
+                              const struct checkpoint_loaded *loaded) {
+    const struct box *box = &loaded->box;
+    double(*omega)[4] = was_read(loaded, p, "angular_velocity") ? spin_of(p) : NULL;
+    const uint8_t *material = was_read(loaded, p, "material") ? material_numbers(p) : NULL;
+    int32_t(*image)[3] = was_read(loaded, p, "image") ? particles_images(p) : NULL;
     unsigned columns = ROWS_POSITION | ROWS_VELOCITY | ROWS_RADIUS | ROWS_MASS | ROWS_ID;
-    columns |= p->omega ? ROWS_ANGULAR_VELOCITY : 0u;
-    columns |= p->material ? ROWS_MATERIAL : 0u;
-    columns |= p->image ? ROWS_IMAGE : 0u;
+    columns |= omega ? ROWS_ANGULAR_VELOCITY : 0u;
+    columns |= material ? ROWS_MATERIAL : 0u;
+    columns |= image ? ROWS_IMAGE : 0u;
     rows_create(rows, p->owned, columns);
     for (size_t i = 0; i < p->owned; i++) {
         rows->id[i] = p->id[i];
         rows->radius[i] = p->state[i].radius;
-        rows->mass[i] = particles_mass(p, i);
+        rows->mass[i] = groups_mass(p, i);
         for (int d = 0; d < 3; d++)
             rows->position[i][d] = p->state[i].x[d] + box->origin[d];
         memcpy(rows->velocity[i], p->state[i].v, sizeof rows->velocity[i]);
-        if (p->omega)
-            memcpy(rows->angular_velocity[i], p->omega[i], sizeof rows->angular_velocity[i]);
-        if (p->material)
-            rows->material[i] = p->material[i];
-        if (p->image)
-            memcpy(rows->image[i], p->image[i], sizeof rows->image[i]);
+        if (omega)
+            memcpy(rows->angular_velocity[i], omega[i], sizeof rows->angular_velocity[i]);
+        if (material)
+            rows->material[i] = material[i];
+        if (image)
+            memcpy(rows->image[i], image[i], sizeof rows->image[i]);
     }
     rows->dimension = box->dimension;
     rows->box_given = rows->periodic_given = true;
@@ -141,13 +154,11 @@ static void rows_of_particles(struct rows *rows, const struct particles *p, cons
 /* The particles of a checkpoint, as it holds them. */
 static bool read_checkpoint(const struct converting *c, struct rows *rows, struct error *error) {
     struct checkpoint_loaded loaded;
-    if (!checkpoint_read_head(c->comm, c->in, &loaded, error))
-        return false;
-    struct particles *particles = particles_create(loaded.features & PARTICLE_FEATURES_ALL, 0);
-    checkpoint_loaded_free(&loaded);
+    struct particles *particles = particles_create(0);
+    frame_register_all(particles);
     bool good = checkpoint_read(c->comm, c->in, particles, &loaded, error);
     if (good) {
-        rows_of_particles(rows, particles, &loaded.box);
+        rows_of_particles(rows, particles, &loaded);
         rows->step = loaded.numbers.step;
         rows->time = loaded.numbers.time;
         checkpoint_loaded_free(&loaded);

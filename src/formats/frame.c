@@ -5,17 +5,19 @@
 
 #include "comm/exchange.h"
 #include "comm/groups.h"
+#include "contact/material.h"
+#include "contact/spin.h"
 #include "core/memory.h"
+#include "integrate/groups.h"
 
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* How a row of the field table is shown; fields without a row here are copied as they are. */
+/* How a field is shown that is not copied as it is. */
 struct shown {
     const char *field, *name;
-    const char *unit, *help; /* NULL: the table's */
-    bool asked_only, spatial, fixed;
+    const char *unit, *help;                                                  /* NULL: the field's */
     void (*value)(const struct output_view *view, size_t i, double value[3]); /* NULL: copied */
 };
 
@@ -34,32 +36,34 @@ static void show_angular_velocity(const struct output_view *view, size_t i, doub
 }
 
 static void show_mass(const struct output_view *view, size_t i, double value[3]) {
-    value[0] = particles_mass(view->particles, i);
+    value[0] = groups_mass(view->particles, i);
 }
 
 static const struct shown shown_table[] = {
-    {"position", "position", NULL, NULL, false, true, false, show_position},
-    {"velocity", "velocity", NULL, "velocity of the centre, at the same moment as the position", false, true,
-     false, show_velocity},
+    {"position", "position", NULL, NULL, show_position},
+    {"velocity", "velocity", NULL, "velocity of the centre, at the same moment as the position",
+     show_velocity},
     {"angular_velocity", "angular_velocity", NULL, "angular velocity, at the same moment as the position",
-     false, false, false, show_angular_velocity},
-    {"force", "force", NULL, NULL, false, true, false, NULL},
-    {"image", "image", NULL, NULL, false, true, false, NULL},
-    {"inverse_mass", "mass", "kg", "mass", false, false, true, show_mass},
-    {"radius", "radius", NULL, NULL, false, false, true, NULL},
-    {"id", "id", NULL, NULL, false, false, true, NULL},
-    {"material", "material", NULL, NULL, false, false, true, NULL},
-    {"group", "group", NULL, NULL, false, false, true, NULL},
-    {"density", "density", NULL, NULL, true, false, true, NULL},
-    {"size_class", "size_class", NULL, NULL, true, false, false, NULL},
+     show_angular_velocity},
+    {"inverse_mass", "mass", "kg", "mass", show_mass},
 };
 
-static struct shown shown_of(int f) {
-    const char *name = fields_get(f)->name;
+static struct shown shown_of(const struct field *field) {
     for (size_t k = 0; k < sizeof shown_table / sizeof shown_table[0]; k++)
-        if (strcmp(shown_table[k].field, name) == 0)
+        if (strcmp(shown_table[k].field, field->name) == 0)
             return shown_table[k];
-    return (struct shown){.field = name, .name = name};
+    return (struct shown){.field = field->name, .name = field->name};
+}
+
+void frame_register_all(struct particles *particles) {
+    spin_register(particles);
+    material_register(particles);
+    groups_register(particles);
+    particles_count_images(particles);
+}
+
+static const char *unit_of(const struct field *field, const struct shown *shown) {
+    return shown->unit ? shown->unit : field->unit ? field->unit : "";
 }
 
 /* A field of one byte is shown as INT32. */
@@ -67,18 +71,17 @@ static enum field_type shown_type(const struct field *field) {
     return field->type == FIELD_UINT8 ? FIELD_INT32 : field->type;
 }
 
-struct frame_field frame_field_get(int f) {
-    struct shown shown = shown_of(f);
-    const struct field *field = fields_get(f);
+struct frame_field frame_field_get(const struct field *field) {
+    struct shown shown = shown_of(field);
     return (struct frame_field){.name = shown.name,
-                                .unit = shown.unit ? shown.unit : field->unit,
+                                .unit = unit_of(field, &shown),
                                 .help = shown.help ? shown.help : field->help,
                                 .type = shown_type(field),
                                 .components = field->components,
-                                .spatial = shown.spatial,
-                                .fixed = shown.fixed,
-                                .asked_only = shown.asked_only,
-                                .needs = field->needs};
+                                .spatial = (field->use & FIELD_SPATIAL) != 0,
+                                .fixed = (field->use & FIELD_FIXED) != 0,
+                                .asked_only = (field->use & FIELD_ASKED) != 0,
+                                .needed_for = field->needed_for};
 }
 
 static bool listed(const struct output_fields *fields, const char *name) {
@@ -88,9 +91,12 @@ static bool listed(const struct output_fields *fields, const char *name) {
     return false;
 }
 
-static bool wanted(const struct output_fields *fields, const struct shown *shown) {
-    bool is_id = strcmp(shown->name, "id") == 0;
-    return is_id || (fields->count == 0 ? !shown->asked_only : listed(fields, shown->name));
+static bool wanted(const struct output_fields *fields, const struct field *field) {
+    if (!(field->use & FIELD_OUTPUT))
+        return false;
+    if (fields->count == 0)
+        return !(field->use & FIELD_ASKED);
+    return listed(fields, shown_of(field).name);
 }
 
 static size_t type_bytes(enum field_type type) {
@@ -111,16 +117,18 @@ const struct frame_column *frame_find(const struct frame *frame, const char *nam
 bool frame_check_fields(const struct output_fields *fields, const struct particles *particles,
                         struct error *error) {
     char known[ERROR_TEXT_MAX / 2] = "";
-    for (int f = 0; f < fields_count(); f++) {
-        if (!fields_present(particles, f))
-            continue;
+    for (int f = 0; f < fields_count(particles); f++) {
+        const struct field *field = fields_get(particles, f);
         size_t used = strlen(known);
-        snprintf(known + used, sizeof known - used, "%s%s", used ? ", " : "", shown_of(f).name);
+        if (field->use & FIELD_OUTPUT)
+            snprintf(known + used, sizeof known - used, "%s%s", used ? ", " : "", shown_of(field).name);
     }
     for (int k = 0; k < fields->count; k++) {
         bool found = false;
-        for (int f = 0; f < fields_count() && !found; f++)
-            found = fields_present(particles, f) && strcmp(shown_of(f).name, fields->name[k]) == 0;
+        for (int f = 0; f < fields_count(particles) && !found; f++) {
+            const struct field *field = fields_get(particles, f);
+            found = (field->use & FIELD_OUTPUT) && strcmp(shown_of(field).name, fields->name[k]) == 0;
+        }
         if (!found)
             return error_set(error, ERROR_USER, "field \"%s\": this scene has no such field; it has %s",
                              fields->name[k], known);
@@ -130,11 +138,14 @@ bool frame_check_fields(const struct output_fields *fields, const struct particl
 
 /* Copies field f of the owned particles into a column's array, UINT8 widened to INT32. */
 static void copy_field(const struct particles *particles, int f, struct frame_column *column) {
-    size_t stride, bytes = fields_bytes(f);
+    const struct field *field = fields_get(particles, f);
+    size_t stride, bytes = fields_bytes(field);
     const char *base = fields_base(particles, f, &stride);
-    if (fields_get(f)->type == FIELD_UINT8) {
+    if (field->type == FIELD_UINT8) {
+        size_t width = (size_t)field->components;
         for (size_t i = 0; i < particles->owned; i++)
-            ((int32_t *)column->data)[i] = *(const uint8_t *)(base + i * stride);
+            for (size_t c = 0; c < width; c++)
+                ((int32_t *)column->data)[i * width + c] = ((const uint8_t *)base + i * stride)[c];
         return;
     }
     for (size_t i = 0; i < particles->owned; i++)
@@ -160,16 +171,16 @@ static void fill_column(const struct output_view *view, int f, const struct show
 }
 
 static void add_column(struct frame *frame, const struct output_view *view, int f) {
-    struct shown shown = shown_of(f);
-    const struct field *field = fields_get(f);
+    const struct field *field = fields_get(view->particles, f);
+    struct shown shown = shown_of(field);
     assert(frame->columns < OUTPUT_FIELDS_MAX);
     struct frame_column *column = &frame->column[frame->columns++];
     *column = (struct frame_column){.name = shown.name,
-                                    .unit = shown.unit ? shown.unit : field->unit,
+                                    .unit = unit_of(field, &shown),
                                     .type = shown_type(field),
                                     .components = field->components,
-                                    .spatial = shown.spatial,
-                                    .fixed = shown.fixed};
+                                    .spatial = (field->use & FIELD_SPATIAL) != 0,
+                                    .fixed = (field->use & FIELD_FIXED) != 0};
     fill_column(view, f, &shown, column);
 }
 
@@ -282,13 +293,10 @@ static void unpack_sorted(struct frame *frame, const char *packed, size_t rows) 
 void frame_create(struct frame *frame, const struct output_view *view, const struct output_fields *fields) {
     *frame = (struct frame){
         .step = view->step, .time = view->time, .rows = view->particles->owned, .box = *view->box};
-    int id = fields_find("id");
-    add_column(frame, view, id);
-    for (int f = 0; f < fields_count(); f++) {
-        struct shown shown = shown_of(f);
-        if (f != id && fields_present(view->particles, f) && wanted(fields, &shown))
+    add_column(frame, view, FIELD_ID);
+    for (int f = 0; f < fields_count(view->particles); f++)
+        if (f != FIELD_ID && wanted(fields, fields_get(view->particles, f)))
             add_column(frame, view, f);
-    }
     size_t received;
     char *packed = send_rows(frame, view->comm, &received);
     unpack_sorted(frame, packed, received);

@@ -13,10 +13,10 @@ struct frame_column {
     const char *name;     /* as in H5MD */
     const char *unit;     /* SI, "" where it has none */
     enum field_type type; /* DOUBLE, INT64 or INT32 */
-    int components;       /* 1 or 3 */
-    bool spatial;         /* has as many components as the box has dimensions */
-    bool fixed;           /* never changes for a particle */
-    void *data;           /* rows x components */
+    int components;
+    bool spatial; /* has as many components as the box has dimensions */
+    bool fixed;   /* never changes for a particle */
+    void *data;   /* rows x components */
 };
 
 struct frame {
@@ -43,16 +43,20 @@ void frame_from_rows(struct frame *frame, const struct rows *rows);
 
 void frame_free(struct frame *frame);
 
-/* How row f of the field table is shown, for docs. */
+/* Registers every field that some scene has: for pages, for help, and for files whose fields are not known
+ * before they are read. */
+void frame_register_all(struct particles *particles);
+
+/* How a field is shown, for docs. */
 struct frame_field {
     const char *name, *unit, *help; /* as in H5MD */
     enum field_type type;           /* DOUBLE, INT64 or INT32 */
-    int components;                 /* 1 or 3 */
-    bool spatial, fixed;            /* as in a frame_column */
-    bool asked_only;                /* left out unless a list of fields names it */
-    unsigned needs;                 /* the features (particles.h) of scenes that have it */
+    int components;
+    bool spatial, fixed;    /* as in a frame_column */
+    bool asked_only;        /* left out unless a list of fields names it */
+    const char *needed_for; /* what brings it; NULL: all scenes have it */
 };
-struct frame_field frame_field_get(int f);
+struct frame_field frame_field_get(const struct field *field);
 
 /* The column of a name, or NULL. */
 const struct frame_column *frame_find(const struct frame *frame, const char *name);

@@ -2,20 +2,20 @@
 
 #include <string.h>
 
-/* Adds a column that borrows `data`, named and typed as the field table has it. */
-static void borrow(struct frame *frame, const char *name, void *data, bool spatial, bool fixed) {
+/* Adds a column that borrows `data`, described as the field is whose column it is. */
+static void borrow(struct frame *frame, const struct particles *known, const char *name, void *data) {
+    bool mass = strcmp(name, "mass") == 0;
     if (!data)
         return;
-    bool mass = strcmp(name, "mass") == 0;
-    const struct field *field = fields_get(fields_find(mass ? "inverse_mass" : name));
-    frame->column[frame->columns++] =
-        (struct frame_column){.name = name,
-                              .unit = mass ? "kg" : field->unit,
-                              .type = field->type == FIELD_UINT8 ? FIELD_INT32 : field->type,
-                              .components = field->components,
-                              .spatial = spatial,
-                              .fixed = fixed,
-                              .data = data};
+    struct frame_field shown =
+        frame_field_get(fields_get(known, fields_find(known, mass ? "inverse_mass" : name)));
+    frame->column[frame->columns++] = (struct frame_column){.name = name,
+                                                            .unit = shown.unit,
+                                                            .type = shown.type,
+                                                            .components = shown.components,
+                                                            .spatial = shown.spatial,
+                                                            .fixed = shown.fixed,
+                                                            .data = data};
 }
 
 void frame_from_rows(struct frame *frame, const struct rows *rows) {
@@ -29,12 +29,15 @@ void frame_from_rows(struct frame *frame, const struct rows *rows) {
         frame->box.edge[d] = rows->upper[d] - rows->lower[d];
         frame->box.periodic[d] = rows->periodic[d];
     }
-    borrow(frame, "id", rows->id, false, true);
-    borrow(frame, "position", rows->position, true, false);
-    borrow(frame, "velocity", rows->velocity, true, false);
-    borrow(frame, "radius", rows->radius, false, true);
-    borrow(frame, "mass", rows->mass, false, true);
-    borrow(frame, "angular_velocity", rows->angular_velocity, false, false);
-    borrow(frame, "material", rows->material, false, true);
-    borrow(frame, "image", rows->image, true, false);
+    struct particles *known = particles_create(0);
+    frame_register_all(known);
+    borrow(frame, known, "id", rows->id);
+    borrow(frame, known, "position", rows->position);
+    borrow(frame, known, "velocity", rows->velocity);
+    borrow(frame, known, "radius", rows->radius);
+    borrow(frame, known, "mass", rows->mass);
+    borrow(frame, known, "angular_velocity", rows->angular_velocity);
+    borrow(frame, known, "material", rows->material);
+    borrow(frame, known, "image", rows->image);
+    particles_destroy(&known);
 }

@@ -1,4 +1,6 @@
 #include "integrate/integrator.h"
+#include "contact/spin.h"
+#include "integrate/groups.h"
 #include <stddef.h>
 #include <string.h>
 
@@ -37,7 +39,8 @@ struct integrator_pass {
 };
 
 static struct integrator_pass integrator_pass_of(const struct particles *particles,
-                                                 const struct integrator_context *context, double dt) {
+                                                 const struct integrator_context *context, double dt,
+                                                 bool spin) {
     double z = context->dimension == 3 ? dt : 0.0;
     const double *g = context->gravity;
     return (struct integrator_pass){.dt = {dt, dt, z},
@@ -46,8 +49,8 @@ static struct integrator_pass integrator_pass_of(const struct particles *particl
                                     .motion = context->motion,
                                     .state = particles->state,
                                     .force = particles->force,
-                                    .omega = particles->omega,
-                                    .group = particles->group};
+                                    .omega = spin ? spin_of(particles) : NULL,
+                                    .group = context->groups > 1 ? groups_of(particles) : NULL};
 }
 
 /* The prescribed motion of particle i, or NULL if it is free. */
@@ -107,7 +110,7 @@ static inline double integrator_move(struct particle_state *state, const double 
 }
 
 void integrator_prescribe(struct particles *particles, const struct integrator_context *context) {
-    const struct integrator_pass pass = integrator_pass_of(particles, context, 0.0);
+    const struct integrator_pass pass = integrator_pass_of(particles, context, 0.0, true);
     if (pass.group == NULL)
         return;
 #pragma omp parallel for schedule(static)
@@ -118,7 +121,7 @@ void integrator_prescribe(struct particles *particles, const struct integrator_c
 
 double integrator_advance(struct particles *particles, const struct integrator_context *context, size_t first,
                           size_t last) {
-    const struct integrator_pass pass = integrator_pass_of(particles, context, context->dt);
+    const struct integrator_pass pass = integrator_pass_of(particles, context, context->dt, true);
     double fastest = 0.0, poison = 0.0; /* the second: 0, or NaN once a square is not finite */
     for (size_t i = first; i < last; i++) {
         struct particle_state *state = &pass.state[i];
@@ -143,14 +146,14 @@ double integrator_advance(struct particles *particles, const struct integrator_c
 
 void integrator_stagger(struct particles *particles, const struct integrator_context *context, size_t first,
                         size_t last) {
-    const struct integrator_pass pass = integrator_pass_of(particles, context, -0.5 * context->dt);
+    const struct integrator_pass pass = integrator_pass_of(particles, context, -0.5 * context->dt, true);
     for (size_t i = first; i < last; i++)
         integrator_kick(pass, i);
 }
 
 void integrator_full_step(const struct particles *particles, const struct integrator_context *context,
                           size_t i, double velocity[3], double omega[3]) {
-    struct integrator_pass pass = integrator_pass_of(particles, context, 0.5 * context->dt);
+    struct integrator_pass pass = integrator_pass_of(particles, context, 0.5 * context->dt, omega != NULL);
     const double *force = pass.force + i * pass.stride;
     const struct particle_state *state = &pass.state[i];
     bool free = integrator_motion_of(&pass, i) == NULL;

@@ -1,5 +1,7 @@
 noinst_LTLIBRARIES += libintegrate.la
 libintegrate_la_SOURCES = \
+	src/integrate/groups.c \
+	src/integrate/groups.h \
 	src/integrate/integrator.c \
 	src/integrate/integrator.h \
 	src/integrate/stability.c \

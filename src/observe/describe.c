@@ -16,32 +16,23 @@ static const char *type_name(enum field_type type) {
     return type == FIELD_DOUBLE ? "float64" : type == FIELD_INT64 ? "int64" : "int32";
 }
 
-/* Which scenes have a field. */
-static const char *scenes_of(const struct frame_field *field) {
-    static const struct {
-        unsigned feature;
-        const char *words;
-    } scenes[] = {{PARTICLE_SPIN, "friction or rolling resistance"},
-                  {PARTICLE_MATERIAL, "more than one material"},
-                  {PARTICLE_GROUP, "groups"},
-                  {PARTICLE_IMAGE, "a periodic direction"}};
-    for (size_t k = 0; k < sizeof scenes / sizeof scenes[0]; k++)
-        if (field->needs & scenes[k].feature)
-            return scenes[k].words;
-    return "any";
-}
-
 static void print_fields(FILE *out) {
     fprintf(out, "| in H5MD | in a dump | type | shape | unit | over time | scenes with | what it is |\n"
                  "|---|---|---|---|---|---|---|---|\n");
-    for (int f = 0; f < fields_count(); f++) {
-        struct frame_field field = frame_field_get(f);
+    struct particles *known = particles_create(0);
+    frame_register_all(known);
+    for (int f = 0; f < fields_count(known); f++) {
+        struct frame_field field = frame_field_get(fields_get(known, f));
         const char *dump = dump_columns_of(field.name), *quote = dump[0] ? "`" : "";
-        const char *shape = field.spatial ? "N × D" : field.components == 3 ? "N × 3" : "N";
+        char shape[32] = "N";
+        if (field.spatial || field.components > 1)
+            snprintf(shape, sizeof shape, field.spatial ? "N × D" : "N × %d", field.components);
         fprintf(out, "| `%s` | %s%s%s | %s | %s | %s | %s | %s | %s%s |\n", field.name, quote, dump, quote,
                 type_name(field.type), shape, unit_cell(field.unit), field.fixed ? "fixed" : "each frame",
-                scenes_of(&field), field.help, field.asked_only ? "; only where `fields` names it" : "");
+                field.needed_for ? field.needed_for : "any", field.help,
+                field.asked_only ? "; only where `fields` names it" : "");
     }
+    particles_destroy(&known);
 }
 
 /* The columns that a request of this kind makes. */

@@ -1,5 +1,7 @@
 /* Observables of the whole run: energies, momenta, stress, counts. */
 #include "observe/observables_kinds.h"
+#include "contact/spin.h"
+#include "integrate/groups.h"
 
 #include <math.h>
 #include <string.h>
@@ -11,8 +13,9 @@ static double dot(const double a[3], const double b[3]) {
 /* Position in the user's coordinates, not wrapped where crossings are counted. */
 static void unwrapped(const struct output_view *view, size_t i, double x[3]) {
     const struct particles *p = view->particles;
+    int32_t(*const image)[3] = particles_images(p);
     for (int d = 0; d < 3; d++)
-        x[d] = p->state[i].x[d] + view->box->origin[d] + (p->image ? p->image[i][d] * view->box->edge[d] : 0);
+        x[d] = p->state[i].x[d] + view->box->origin[d] + (image ? image[i][d] * view->box->edge[d] : 0);
 }
 
 static bool is_free(const struct particles *particles, size_t i) {
@@ -33,7 +36,7 @@ static void add_rotational(const struct output_view *view, const struct observab
     (void)item;
     const struct particle_state *state = &view->particles->state[i];
     double v[3], w[3];
-    if (!view->particles->omega || !is_free(view->particles, i))
+    if (!spin_of(view->particles) || !is_free(view->particles, i))
         return;
     integrator_full_step(view->particles, view->motion, i, v, w);
     part[0] += 0.2 * state->radius * state->radius * dot(w, w) / state->inverse_mass; /* I = 2/5 m r^2 */
@@ -65,7 +68,7 @@ static void add_angular_momentum(const struct output_view *view, const struct ob
     if (!is_free(view->particles, i))
         return;
     unwrapped(view, i, x);
-    integrator_full_step(view->particles, view->motion, i, v, view->particles->omega ? w : NULL);
+    integrator_full_step(view->particles, view->motion, i, v, spin_of(view->particles) ? w : NULL);
     for (int d = 0; d < 3; d++) {
         int e = (d + 1) % 3, f = (d + 2) % 3;
         part[d] +=
@@ -76,7 +79,7 @@ static void add_angular_momentum(const struct output_view *view, const struct ob
 static void add_centre(const struct output_view *view, const struct observable_item *item, size_t i,
                        double *part) {
     (void)item;
-    double x[3], mass = particles_mass(view->particles, i);
+    double x[3], mass = groups_mass(view->particles, i);
     unwrapped(view, i, x);
     for (int d = 0; d < 3; d++)
         part[d] += mass * x[d];
@@ -196,7 +199,7 @@ static void finish_sync(const struct output_view *view, const struct observable_
 }
 
 static bool has_spin(const struct output_view *view) {
-    return view->particles->omega != NULL;
+    return spin_of(view->particles) != NULL;
 }
 
 static bool has_history(const struct output_view *view) {

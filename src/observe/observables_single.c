@@ -1,5 +1,7 @@
 /* Observables of one wall, one particle, one region. */
 #include "observe/observables_kinds.h"
+#include "contact/material.h"
+#include "contact/spin.h"
 
 #include <math.h>
 #include <string.h>
@@ -72,7 +74,7 @@ static void spin_of_one(const struct observable_context *context, struct observa
     if (!find_particle(context, item))
         return;
     part[3] = 1;
-    if (context->view->particles->omega)
+    if (spin_of(context->view->particles))
         integrator_full_step(context->view->particles, context->view->motion, item->number, v, part);
 }
 
@@ -117,7 +119,7 @@ bool observables_item_counts(const struct output_view *view, const struct observ
     const struct box *box = view->box;
     if (item->region == NULL)
         return true;
-    if (item->material >= 0 && particles_material(view->particles, i) != item->material)
+    if (item->material >= 0 && material_of(material_numbers(view->particles), i) != item->material)
         return false;
     double x[3];
     for (int d = 0; d < 3; d++) {

@@ -50,7 +50,7 @@ static size_t count_start(const struct pack_work *work, struct error *error) {
 /* The large spheres, in a set of their own. */
 static bool place_large(struct pack_work *work, struct error *error) {
     const struct pack_options *o = work->options;
-    work->particles = particles_create(0, (size_t)o->large);
+    work->particles = particles_create((size_t)o->large);
     for (int64_t k = 1; k <= (int64_t)o->large; k++)
         pack_add(work, k, o->ratio);
     return pack_relax(work, "large", error);
@@ -128,7 +128,7 @@ bool pack_bidisperse(struct pack_work *work, struct error *error) {
     if (started == 0 || !place_large(work, error))
         return false;
     struct particles *placed = work->particles;
-    work->particles = particles_create(0, large + started);
+    work->particles = particles_create(large + started);
     for (size_t k = 1; k <= started; k++)
         pack_add(work, (int64_t)(large + k), 1);
     bool good = pack_relax(work, "small", error);

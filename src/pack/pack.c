@@ -39,7 +39,7 @@ static bool make_spheres(struct pack_work *work, struct error *error) {
     }
     good = good && make_box(work, solid, largest, error);
     if (good)
-        work->particles = particles_create(0, count);
+        work->particles = particles_create(count);
     for (size_t k = 0; good && k < count; k++)
         pack_add(work, (int64_t)k + 1, radius[k]);
     memory_free(radius);

@@ -1,5 +1,20 @@
-/* The field table: every field of a particle, once. Allocation, growth, reorder, packing for MPI, HDF5 files,
- * restart and the docs all walk it. */
+/* Fields: what a particle has. A field is registered by whoever needs it, in the set of particles that has
+ * it; there is no list of all fields. Allocation, growth, reorder, packing for MPI, H5MD, restart, the docs
+ * and `scree check` walk the table of the set.
+ *
+ * How to add a field, in four steps:
+ *   1. Describe the field in one row, `static const struct field temperature = {.name = "temperature",
+ *      .type = FIELD_DOUBLE, .components = 1, .use = ..., .unit = "K", .help = "..."}`, in the file of its
+ *      owner. The row says where the values travel; nothing else in the program lists the field.
+ *   2. Where the scene decides that the field is needed: `fields_register(particles, &temperature)`.
+ *   3. Take the values from fields_base (or a function of the owner that calls it) before a loop, never
+ *      inside. Pointers die when the set grows: at rebuilds, and where particles or fields are added.
+ *   4. Values of copies: a FORWARD field comes with every exchange of the step, a REVERSE field is summed
+ *      back with the forces; a pass of its own sends any list of fields (comm/ghosts.h).
+ * `src/contact/spin.c` is an example.
+ *
+ * Every set begins with the fields of enum field_first: the hot record of a cache line, the force, the id
+ * and the size class; struct particles has pointers to these. */
 #ifndef SCREE_PARTICLES_FIELDS_H
 #define SCREE_PARTICLES_FIELDS_H
 
@@ -7,58 +22,106 @@
 
 enum field_type { FIELD_DOUBLE, FIELD_INT64, FIELD_INT32, FIELD_UINT8 };
 
-/* Where a field travels. Bits of `use`. */
+/* Where a field goes. Bits of `use`. */
 enum field_use {
-    FIELD_GHOST = 1,   /* set in a copy when it is made */
-    FIELD_FORWARD = 2, /* sent to copies every step */
-    FIELD_REVERSE = 4, /* sent back from copies and added, newton on */
-    FIELD_MIGRATE = 8, /* travels with a particle that changes ranks */
-    FIELD_RESTART = 16 /* written to a checkpoint */
+    FIELD_GHOST = 1,     /* set in a copy when it is made; else a copy's value is not defined */
+    FIELD_FORWARD = 2,   /* sent to copies every step */
+    FIELD_REVERSE = 4,   /* 0 in a copy when it is made; sent back from copies and added, newton on */
+    FIELD_MIGRATE = 8,   /* travels with a particle that changes ranks; else set to `fill` there */
+    FIELD_RESTART = 16,  /* written to a checkpoint */
+    FIELD_OUTPUT = 32,   /* shown in files */
+    FIELD_ASKED = 64,    /* in files only where a list of fields names it */
+    FIELD_SPATIAL = 128, /* in files: as many components as the box has dimensions */
+    FIELD_FIXED = 256,   /* never changes for a particle: files hold it once */
+    FIELD_TRAVELS = FIELD_MIGRATE | FIELD_RESTART
 };
 
+/* One field, borrowed by the sets that have it: static data of its owner. */
 struct field {
-    const char *name; /* as in H5MD: position, velocity, angular_velocity, force, torque, radius, mass, ... */
+    const char *name; /* as in H5MD: angular_velocity, temperature ...; unique in a set */
     enum field_type type;
-    int components;   /* 1 or 3 */
-    unsigned needs;   /* feature bit that brings it, 0 = always */
+    int components;   /* 1 ... FIELD_COMPONENTS_MAX */
+    int room;         /* components that memory holds (the others are 0); 0: no more than `components` */
     unsigned use;     /* bits of enum field_use */
-    const char *unit; /* H5MD unit string in SI, "" where it has none */
-    const char *help; /* one line */
+    unsigned kinds;   /* bits 1 << kind of the kinds that have it (kinds.h); 0: all. Others hold `fill` */
+    double fill;      /* the value of particles that are added */
+    const char *unit; /* H5MD unit string in SI, "" or NULL where it has none */
+    const char *needed_for; /* what in a scene brings it; NULL: every scene has it */
+    const char *help;       /* one line */
 };
 
-/* Number of rows, and row `f` of the table. */
-int fields_count(void);
-const struct field *fields_get(int f);
+enum { FIELDS_MAX = 32, FIELD_COMPONENTS_MAX = 16 };
 
-/* The row with this name, or -1. */
-int fields_find(const char *name);
+/* The handles of the fields that each set has from the start. */
+enum field_first {
+    FIELD_POSITION,
+    FIELD_VELOCITY,
+    FIELD_RADIUS,
+    FIELD_INVERSE_MASS,
+    FIELD_FORCE,
+    FIELD_ID,
+    FIELD_SIZE_CLASS,
+    FIELD_FIRST_COUNT
+};
 
-/* True if the set holds this field. */
-bool fields_present(const struct particles *particles, int f);
+/* Adds a field to a set, `fill` in all its particles, and returns its handle; a row that is there already
+ * only gives its handle. Two rows of one name are a programmer's mistake. Pointers into the arrays die. One
+ * thread; on all ranks alike. */
+int fields_register(struct particles *particles, const struct field *field);
 
-/* First byte of the field of particle 0 and the bytes from one particle to the next. The field must be
- * present. */
+/* The same for a field of doubles that lies in one record with the force, behind it, and is cleared with it
+ * (the torque). */
+int fields_register_with_force(struct particles *particles, const struct field *field);
+
+/* Number of fields of a set, and the row of handle `f`. */
+int fields_count(const struct particles *particles);
+const struct field *fields_get(const struct particles *particles, int f);
+
+/* The handle of a row, or of a name; -1 if the set has no such field. */
+int fields_handle(const struct particles *particles, const struct field *field);
+int fields_find(const struct particles *particles, const char *name);
+
+/* First byte of the field of particle 0 and the bytes from one particle to the next; O(1). `stride` may be
+ * NULL. */
 void *fields_base(const struct particles *particles, int f, size_t *stride);
 
+/* The values of a row's field in a set, NULL if the set has no such field. */
+void *fields_values(const struct particles *particles, const struct field *field);
+
 /* Bytes of one particle's value of a field (components x size of the type). */
-size_t fields_bytes(int f);
+size_t fields_bytes(const struct field *field);
 
-/* Bytes that fields_pack writes a particle for all present fields with any of the bits in `use`. */
-size_t fields_packed_bytes(const struct particles *particles, unsigned use);
+/* Fields that travel together, by handle. */
+struct field_list {
+    int count;
+    int field[FIELDS_MAX];
+};
 
-/* Copies the present fields with any of the bits in `use` of the `n` particles list[0..n) to `buffer`,
- * particle after particle, without padding. Returns the end of what was written. One thread; may run at the
- * same time on other parts. */
-char *fields_pack(const struct particles *particles, unsigned use, const uint32_t *list, size_t n,
-                  char *buffer);
+/* All fields of a set that have any of the bits in `use`; a list of one field. */
+struct field_list fields_with(const struct particles *particles, unsigned use);
+struct field_list fields_one(int f);
+
+/* True if a list has a field. */
+bool fields_listed(const struct field_list *list, int f);
+
+/* Bytes that fields_pack writes a particle. */
+size_t fields_packed_bytes(const struct particles *particles, const struct field_list *fields);
+
+/* Copies the listed fields of the `n` particles list[0..n) to `buffer`, particle after particle, without
+ * padding. Returns the end of what was written. One thread; may run at the same time on other parts. */
+char *fields_pack(const struct particles *particles, const struct field_list *fields, const uint32_t *list,
+                  size_t n, char *buffer);
 
 /* The opposite: fills `n` particles from number `first` on. Returns the end of what was read. */
-const char *fields_unpack(struct particles *particles, unsigned use, size_t first, size_t n,
-                          const char *buffer);
+const char *fields_unpack(struct particles *particles, const struct field_list *fields, size_t first,
+                          size_t n, const char *buffer);
 
-/* Adds the packed REVERSE fields in `buffer` to the `n` particles list[0..n). Returns the end of what was
+/* Adds packed fields of doubles in `buffer` to the `n` particles list[0..n). Returns the end of what was
  * read. */
-const char *fields_unpack_add(struct particles *particles, const uint32_t *list, size_t n,
-                              const char *buffer);
+const char *fields_unpack_add(struct particles *particles, const struct field_list *fields,
+                              const uint32_t *list, size_t n, const char *buffer);
+
+/* Sets the REVERSE fields, padding included, of the `n` particles from number `first` on to 0. */
+void fields_clear_reverse(struct particles *particles, size_t first, size_t n);
 
 #endif

@@ -9,21 +9,27 @@
 
 enum { CAPACITY_MIN = 16 };
 
+static const struct field image = {.name = "image",
+                                   .type = FIELD_INT32,
+                                   .components = 3,
+                                   .use = FIELD_TRAVELS | FIELD_OUTPUT | FIELD_SPATIAL,
+                                   .needed_for = "a periodic direction",
+                                   .help = "crossings of the periodic box"};
+
 static void arrays_resize(struct particles *particles, size_t capacity) {
-    for (int a = 0; a < STORAGE_ARRAYS; a++) {
-        if (!storage_present(a, particles->features))
-            continue;
-        size_t stride = storage_stride(a, particles->features);
-        void *old = storage_get(particles, a);
-        storage_set(particles, a, memory_resize(old, capacity, stride, "particles"));
+    struct storage *storage = particles->storage;
+    for (int a = 0; a < storage->arrays; a++) {
+        struct storage_array *array = &storage->array[a];
+        array->base = memory_resize(array->base, capacity, array->stride, "particles");
     }
     particles->capacity = capacity;
+    storage_publish(particles);
 }
 
-struct particles *particles_create(unsigned features, size_t capacity) {
+struct particles *particles_create(size_t capacity) {
     struct particles *particles = memory_allocate_zero(1, sizeof *particles, "particle set");
-    particles->features = features;
-    particles->force_stride = (features & PARTICLE_SPIN) ? 8 : 4;
+    particles->storage = memory_allocate_zero(1, sizeof *particles->storage, "particle set");
+    storage_begin(particles->storage);
     arrays_resize(particles, capacity > CAPACITY_MIN ? capacity : CAPACITY_MIN);
     return particles;
 }
@@ -31,10 +37,20 @@ struct particles *particles_create(unsigned features, size_t capacity) {
 void particles_destroy(struct particles **particles) {
     if (*particles == NULL)
         return;
-    for (int a = 0; a < STORAGE_ARRAYS; a++)
-        memory_free(storage_get(*particles, a));
+    struct storage *storage = (*particles)->storage;
+    for (int a = 0; a < storage->arrays; a++)
+        memory_free(storage->array[a].base);
+    memory_free(storage);
     memory_free(*particles);
     *particles = NULL;
+}
+
+void particles_count_images(struct particles *particles) {
+    fields_register(particles, &image);
+}
+
+int32_t (*particles_images(const struct particles *particles))[3] {
+    return fields_values(particles, &image);
 }
 
 void particles_reserve(struct particles *particles, size_t capacity) {
@@ -49,12 +65,11 @@ size_t particles_append(struct particles *particles) {
     if (particles->owned == particles->capacity)
         particles_reserve(particles, 2 * particles->capacity);
     size_t k = particles->owned++;
-    for (int a = 0; a < STORAGE_ARRAYS; a++) {
-        if (!storage_present(a, particles->features))
-            continue;
-        size_t stride = storage_stride(a, particles->features);
-        memset((char *)storage_get(particles, a) + k * stride, 0, stride);
+    for (int a = 0; a < particles->storage->arrays; a++) {
+        const struct storage_array *array = &particles->storage->array[a];
+        memset(array->base + k * array->stride, 0, array->stride);
     }
+    storage_fill(particles, k, 1);
     particles->revision++;
     return k;
 }
@@ -62,11 +77,9 @@ size_t particles_append(struct particles *particles) {
 size_t particles_remove(struct particles *particles, const uint8_t *remove) {
     assert(particles->ghosts == 0);
     size_t n = particles->owned, kept = 0;
-    for (int a = 0; a < STORAGE_ARRAYS; a++) {
-        if (!storage_present(a, particles->features))
-            continue;
-        size_t stride = storage_stride(a, particles->features);
-        char *base = storage_get(particles, a);
+    for (int a = 0; a < particles->storage->arrays; a++) {
+        size_t stride = particles->storage->array[a].stride;
+        char *base = particles->storage->array[a].base;
         kept = 0;
         for (size_t k = 0; k < n; k++) {
             if (remove[k])
@@ -102,11 +115,9 @@ size_t particles_places(const uint8_t *leaves, size_t owned, uint32_t *place) {
 void particles_vacate(struct particles *particles, const uint32_t *place, size_t stay) {
     assert(particles->ghosts == 0);
     size_t owned = particles->owned;
-    for (int a = 0; a < STORAGE_ARRAYS; a++) {
-        if (!storage_present(a, particles->features))
-            continue;
-        size_t stride = storage_stride(a, particles->features);
-        char *base = storage_get(particles, a);
+    for (int a = 0; a < particles->storage->arrays; a++) {
+        size_t stride = particles->storage->array[a].stride;
+        char *base = particles->storage->array[a].base;
         for (size_t k = stay; k < owned; k++)
             if (place[k] != PARTICLE_LEFT)
                 memcpy(base + place[k] * stride, base + k * stride, stride);
@@ -175,17 +186,22 @@ static void copy(char *to, const char *from, size_t bytes) {
     }
 }
 
-/* Gathers particle states one half after the other, each through `spare`, which has room for halves. */
-static void gather_halves(struct particle_state *state, char *spare, const uint32_t *order, size_t n) {
-    enum { HALF = sizeof(struct particle_state) / 2 };
-    for (size_t offset = 0; offset < sizeof(struct particle_state); offset += HALF) {
-        char *array = (char *)state + offset;
+/* Gathers an array piece after piece of its rows, each of at most `width` bytes through `spare`, which has
+ * room for these. */
+static void gather_pieces(const struct storage_array *array, char *spare, size_t width, const uint32_t *order,
+                          size_t n) {
+    for (size_t offset = 0; offset < array->stride; offset += width) {
+        const size_t bytes = array->stride - offset < width ? array->stride - offset : width;
+        char *piece = array->base + offset;
 #pragma omp parallel
         {
-            gather_rows(spare, array, sizeof(struct particle_state), order, n, HALF);
+            if (bytes == 32)
+                gather_rows(spare, piece, array->stride, order, n, 32);
+            else
+                gather_rows(spare, piece, array->stride, order, n, bytes);
 #pragma omp for schedule(static)
             for (size_t k = 0; k < n; k++)
-                memcpy(array + k * sizeof(struct particle_state), spare + k * HALF, HALF);
+                memcpy(piece + k * array->stride, spare + k * bytes, bytes);
         }
     }
 }
@@ -194,34 +210,36 @@ static void gather_halves(struct particle_state *state, char *spare, const uint3
  * While forces are zero their array is the spare one. */
 void particles_reorder(struct particles *particles, const uint32_t *order) {
     assert(particles->ghosts == 0);
-    const size_t force_stride = storage_stride(STORAGE_FORCE, particles->features), n = particles->owned;
-    const bool lend = particles->force_clear; /* the array of states alone may be wider, by twice */
-    const size_t width = lend ? force_stride : sizeof(struct particle_state);
-    void *spare = lend ? (void *)particles->force
-                       : memory_allocate(particles->capacity, width, "particles, second array");
-    for (int a = 0; a < STORAGE_ARRAYS; a++) {
-        if (!storage_present(a, particles->features) || (a == STORAGE_FORCE && lend))
+    struct storage *storage = particles->storage;
+    struct storage_array *force = &storage->array[STORAGE_FORCE];
+    const size_t n = particles->owned;
+    const bool lend = particles->force_clear; /* few arrays are wider, that of the states by twice */
+    const size_t width = lend ? force->stride : sizeof(struct particle_state);
+    char *spare = lend ? force->base : memory_allocate(particles->capacity, width, "particles, second array");
+    for (int a = 0; a < storage->arrays; a++) {
+        struct storage_array *array = &storage->array[a];
+        if (a == STORAGE_FORCE && lend)
             continue;
-        size_t stride = storage_stride(a, particles->features);
-        void *now = storage_get(particles, a);
-        if (stride > width) {
-            gather_halves(now, spare, order, n);
+        if (array->stride > width) {
+            gather_pieces(array, spare, width, order, n);
             continue;
         }
-        gather(spare, now, order, n, stride);
-        if (stride == width) {
-            storage_set(particles, a, spare);
+        gather(spare, array->base, order, n, array->stride);
+        if (array->stride == width) {
+            char *now = array->base;
+            array->base = spare;
             spare = now;
         } else {
-            copy(now, spare, n * stride);
+            copy(array->base, spare, n * array->stride);
         }
     }
     if (lend) {
-        particles->force = spare;
-        copy((char *)particles->force, NULL, n * force_stride);
+        force->base = spare;
+        copy(force->base, NULL, n * force->stride);
     } else {
         memory_free(spare);
     }
+    storage_publish(particles);
     particles->revision++;
 }
 
@@ -245,6 +263,7 @@ static double wrap_coordinate(double *x, double edge) {
 
 bool particles_wrap(struct particles *particles, const struct box *box) {
     int bad = 0;
+    int32_t(*const crossed)[3] = particles_images(particles);
 #pragma omp parallel for schedule(static) reduction(| : bad)
     for (size_t k = 0; k < particles->owned; k++) {
         double *x = particles->state[k].x, sum = x[0] + x[1] + x[2];
@@ -256,8 +275,8 @@ bool particles_wrap(struct particles *particles, const struct box *box) {
             if (!box->periodic[d] || (x[d] >= 0 && x[d] < box->edge[d]))
                 continue;
             double turns = wrap_coordinate(&x[d], box->edge[d]);
-            if (particles->image)
-                particles->image[k][d] += (int32_t)turns;
+            if (crossed)
+                crossed[k][d] += (int32_t)turns;
         }
     }
     return !bad;
@@ -267,19 +286,10 @@ double particles_sphere_mass(double radius, double density) {
     return 4.0 / 3.0 * M_PI * radius * radius * radius * density;
 }
 
-double particles_mass(const struct particles *particles, size_t i) {
-    const struct particle_state *state = &particles->state[i];
-    if (state->inverse_mass > 0)
-        return 1 / state->inverse_mass;
-    assert(particles->density);
-    return particles_sphere_mass(state->radius, particles->density[i]);
-}
-
 size_t particles_bytes_each(const struct particles *particles) {
     size_t bytes = 0;
-    for (int a = 0; a < STORAGE_ARRAYS; a++)
-        if (storage_present(a, particles->features))
-            bytes += storage_stride(a, particles->features);
+    for (int a = 0; a < particles->storage->arrays; a++)
+        bytes += particles->storage->array[a].stride;
     return bytes;
 }
 

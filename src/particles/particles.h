@@ -2,8 +2,8 @@
  * owned+ghosts-1).
  *
  * The hot state is one record of a cache line a particle, because the force loop gathers it; everything else
- * lies in arrays of its own, and exists only if the scene needs it (`features`). The field table (fields.h)
- * names every field once and drives allocation, growth, reorder, packing for MPI, HDF5 and the docs.
+ * lies in arrays of its own, and exists only if somebody registered it (fields.h). The table of fields drives
+ * allocation, growth, reorder, packing for MPI, HDF5 and the docs.
  *
  * Velocity is that of the last half step, v(n-1/2): it led to the present positions. Full-step values are
  * made for output from v + dt/2 f/m (integrate/). Forces are those at the present positions. */
@@ -14,15 +14,6 @@
 #include "particles/classes.h"
 #include <stddef.h>
 #include <stdint.h>
-
-/* What a scene needs beyond position, velocity, radius, mass, force and id. Bits of `features`. */
-enum particle_feature {
-    PARTICLE_SPIN = 1,     /* angular velocity and torque: friction or rolling resistance somewhere */
-    PARTICLE_MATERIAL = 2, /* more than one material */
-    PARTICLE_GROUP = 4,    /* groups other than "free" */
-    PARTICLE_IMAGE = 8,    /* periodic direction: how often a particle crossed the box */
-    PARTICLE_FEATURES_ALL = 15
-};
 
 /* The hot record. */
 struct particle_state {
@@ -38,32 +29,30 @@ enum { PARTICLE_INDEX_BITS = 27 };
 struct particles {
     size_t owned, ghosts; /* particles of this rank, copies of others */
     size_t capacity;      /* records allocated */
-    unsigned features;    /* bits of enum particle_feature, fixed at creation */
     uint64_t revision;    /* bumped whenever particles are added, removed or renumbered */
     bool force_clear; /* every force is zero (between a drift and the next force evaluation): reorder need not
                          move them */
+    /* The fields that each set has, for the passes that use these all the time; others: fields.h */
     struct particle_state *state;
-    double (*omega)[4];  /* SPIN: angular velocity, rad/time; the fourth component is padding, 0 */
-    double *force;       /* force_stride doubles a particle: fx fy fz 0 [tx ty tz 0 with SPIN] */
-    int force_stride;    /* 4, or 8 with SPIN */
+    double *force;       /* force_stride doubles a particle: fx fy fz 0, then what is registered with it */
+    int force_stride;    /* 4, or more */
     int64_t *id;         /* unique over all ranks, >= 1 */
     uint8_t *size_class; /* see classes.h */
-    uint8_t *material;   /* MATERIAL: index into the scene's materials */
-    uint8_t *group;      /* GROUP: index into the scene's groups, 0 = free */
-    double *density;     /* GROUP: mass / volume, kept because inverse_mass is 0 while motion is prescribed */
-    int32_t (*image)[3]; /* IMAGE: box crossings; unwrapped position = x + image * edge */
+    struct storage *storage; /* the table of fields and their arrays (fields.h) */
 };
 
-/* Makes an empty set with room for `capacity` particles. Destroy frees it and nulls the pointer. One thread.
- */
-struct particles *particles_create(unsigned features, size_t capacity);
+struct storage;
+
+/* Makes an empty set with room for `capacity` particles and the first fields (fields.h). Destroy frees it and
+ * nulls the pointer. One thread. */
+struct particles *particles_create(size_t capacity);
 void particles_destroy(struct particles **particles);
 
 /* Makes room for `capacity` records at least, keeping the contents. Pointers into the arrays die. */
 void particles_reserve(struct particles *particles, size_t capacity);
 
-/* Appends one owned particle with zeroed fields and returns its number; only while ghosts == 0. The caller
- * fills its fields. */
+/* Appends one owned particle, its fields at their fill (0 for most), and returns its number; only while
+ * ghosts == 0. The caller fills its fields. */
 size_t particles_append(struct particles *particles);
 
 /* Removes the owned particles whose entry in `remove[owned]` is non-zero, keeping the order of the rest; only
@@ -88,18 +77,17 @@ void particles_reorder(struct particles *particles, const uint32_t *order);
 /* Sets size_class of the owned particles from their radii. Opens its own thread team. */
 void particles_classify(struct particles *particles, const struct size_classes *classes);
 
-/* Wraps owned particles into the box in the periodic directions (and counts crossings where IMAGE is kept).
+/* Registers the field `image`, int32 x 3: how often a particle crossed the box; unwrapped position = x +
+ * image * edge. For boxes with a periodic direction. particles_images gives the values, NULL without. */
+void particles_count_images(struct particles *particles);
+int32_t (*particles_images(const struct particles *particles))[3];
+
+/* Wraps owned particles into the box in the periodic directions (and counts crossings where images are kept).
  * False if there are positions that are no numbers; these are left alone. Opens its own thread team. */
 bool particles_wrap(struct particles *particles, const struct box *box);
 
-/* Material of a particle: 0 where all are of one material. */
-static inline int particles_material(const struct particles *p, size_t i) {
-    return p->material ? p->material[i] : 0;
-}
-
-/* Mass of a sphere of a density; and of particle i (also where its motion is prescribed). */
+/* Mass of a sphere of a density. */
 double particles_sphere_mass(double radius, double density);
-double particles_mass(const struct particles *particles, size_t i);
 
 /* Bytes that one particle takes in all allocated fields. */
 size_t particles_bytes_each(const struct particles *particles);

@@ -3,29 +3,37 @@
 #ifndef SCREE_PARTICLES_STORAGE_H
 #define SCREE_PARTICLES_STORAGE_H
 
-#include "particles/particles.h"
+#include "particles/fields.h"
 
-enum storage_array {
-    STORAGE_STATE,
-    STORAGE_OMEGA,
-    STORAGE_FORCE,
-    STORAGE_ID,
-    STORAGE_CLASS,
-    STORAGE_MATERIAL,
-    STORAGE_GROUP,
-    STORAGE_DENSITY,
-    STORAGE_IMAGE,
-    STORAGE_ARRAYS
+/* The arrays that each set has. */
+enum storage_first { STORAGE_STATE, STORAGE_FORCE, STORAGE_ID, STORAGE_CLASS, STORAGE_FIRST_COUNT };
+
+struct storage_array {
+    char *base;
+    size_t stride; /* bytes a particle */
 };
 
-/* True if a set with these features has the array. */
-bool storage_present(enum storage_array array, unsigned features);
+/* Where a field lies. */
+struct storage_place {
+    const struct field *field;
+    int array;
+    size_t offset; /* bytes from the particle's start in the array */
+};
 
-/* Bytes a particle takes in the array. */
-size_t storage_stride(enum storage_array array, unsigned features);
+struct storage {
+    int arrays, fields;
+    bool filled; /* there is a field whose fill is not 0 */
+    struct storage_array array[FIELDS_MAX];
+    struct storage_place place[FIELDS_MAX];
+};
 
-/* The array's pointer now, and setting it. */
-void *storage_get(const struct particles *particles, enum storage_array array);
-void storage_set(struct particles *particles, enum storage_array array, void *pointer);
+/* The first arrays and fields of an empty set, without memory. */
+void storage_begin(struct storage *storage);
+
+/* Sets the pointers of the set to its first arrays, after one of these changed. */
+void storage_publish(struct particles *particles);
+
+/* Sets the fields of the `n` particles from number `first` on, whose memory is 0, to their fill. */
+void storage_fill(const struct particles *particles, size_t first, size_t n);
 
 #endif

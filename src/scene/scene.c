@@ -1,6 +1,9 @@
 #include "scene/scene.h"
 
+#include "contact/material.h"
+#include "contact/spin.h"
 #include "core/memory.h"
+#include "integrate/groups.h"
 #include "scene/finish.h"
 #include "scene/schema.h"
 
@@ -122,17 +125,15 @@ bool scene_gives(const struct scene *scene, const char *section, const char *key
     return tree_get(tree_nearest(scene->tree->root, section), key) != NULL;
 }
 
-unsigned scene_features(const struct scene *scene, const struct law *law) {
-    unsigned features = 0;
+void scene_register(const struct scene *scene, const struct law *law, struct particles *particles) {
     if (law->spin)
-        features |= PARTICLE_SPIN;
+        spin_register(particles);
     if (scene->materials > 1)
-        features |= PARTICLE_MATERIAL;
+        material_register(particles);
     if (scene->groups > 1)
-        features |= PARTICLE_GROUP;
+        groups_register(particles);
     if (scene->box.periodic[0] || scene->box.periodic[1] || scene->box.periodic[2])
-        features |= PARTICLE_IMAGE;
-    return features;
+        particles_count_images(particles);
 }
 
 void scene_integrator(const struct scene *scene, struct integrator_context *context) {

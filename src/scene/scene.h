@@ -169,8 +169,8 @@ char *scene_echo(const struct scene *scene);
  * given. Writes at most `room` bytes; returns `place`. */
 const char *scene_place(const struct scene *scene, const char *key, char *place, size_t room);
 
-/* The particle features (bits of enum particle_feature) that the scene needs; `law` as prepared from it. */
-unsigned scene_features(const struct scene *scene, const struct law *law);
+/* Registers the fields that the scene needs beyond those of every set; `law` as prepared from it. */
+void scene_register(const struct scene *scene, const struct law *law, struct particles *particles);
 
 /* Motion of the groups and gravity as the integrator wants them; dt stays 0. */
 void scene_integrator(const struct scene *scene, struct integrator_context *context);
@@ -204,11 +204,12 @@ struct scene_census {
     double volume; /* solid */
 };
 
-/* Fills an empty particle set, made with scene_features, with this rank's particles: box-relative positions,
- * velocities as given (full step), inverse masses (0 in groups that do not move freely), ids, materials,
- * groups. Every rank reads or generates the whole stream; no communication. Bad data: file, line, column and
- * what is allowed. Duplicate ids and coinciding centres are searched for by all ranks together, each a part:
- * errors differ between ranks, so the caller agrees on them (comm_agree). One thread. `census` may be NULL.
+/* Fills an empty particle set, with the fields of scene_register, with this rank's particles: box-relative
+ * positions, velocities as given (full step), inverse masses (0 in groups that do not move freely), ids,
+ * materials, groups. Every rank reads or generates the whole stream; no communication. Bad data: file, line,
+ * column and what is allowed. Duplicate ids and coinciding centres are searched for by all ranks together,
+ * each a part: errors differ between ranks, so the caller agrees on them (comm_agree). One thread. `census`
+ * may be NULL.
  */
 bool scene_particles(const struct scene *scene, const struct scene_share *share, struct particles *particles,
                      struct scene_census *census, struct error *error);

@@ -4,10 +4,13 @@
  * remembers what falls to it. */
 #include "scene/source_parts.h"
 
+#include "contact/material.h"
+#include "contact/spin.h"
 #include "core/checksum.h"
 #include "core/memory.h"
 #include "formats/h5md_read.h"
 #include "formats/lammps_data.h"
+#include "integrate/groups.h"
 #include "scene/unique.h"
 
 #include <math.h>
@@ -98,16 +101,19 @@ static void append_sphere(const struct walk *walk, const struct source_sphere *s
     state->radius = sphere->radius;
     state->inverse_mass = free ? 1 / particles_sphere_mass(sphere->radius, sphere->density) : 0;
     particles->id[i] = sphere->id;
-    if (particles->omega)
-        memcpy(particles->omega[i], sphere->omega, sizeof(sphere->omega));
-    if (particles->material)
-        particles->material[i] = (uint8_t)sphere->material;
-    if (particles->group)
-        particles->group[i] = (uint8_t)sphere->group;
-    if (particles->density)
-        particles->density[i] = sphere->density;
-    if (particles->image)
-        memcpy(particles->image[i], sphere->image, sizeof(sphere->image));
+    double(*omega)[4] = spin_of(particles), *density = groups_densities(particles);
+    uint8_t *material = material_numbers(particles), *group = groups_of(particles);
+    int32_t(*image)[3] = particles_images(particles);
+    if (omega)
+        memcpy(omega[i], sphere->omega, sizeof(sphere->omega));
+    if (material)
+        material[i] = (uint8_t)sphere->material;
+    if (group)
+        group[i] = (uint8_t)sphere->group;
+    if (density)
+        density[i] = sphere->density;
+    if (image)
+        memcpy(image[i], sphere->image, sizeof(sphere->image));
 }
 
 static bool take_sphere(struct walk *walk, int source, const struct source_batch *batch,

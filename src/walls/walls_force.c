@@ -1,6 +1,8 @@
 /* Forces of the walls on the particles: contacts are found one sphere at a time, collected, and taken through
  * the law of the pairs in batches. */
 #include "walls/walls_parts.h"
+#include "contact/material.h"
+#include "contact/spin.h"
 #include "core/memory.h"
 #include <string.h>
 
@@ -11,7 +13,9 @@ struct wall_task {
     struct wall_scratch *scratch;
     struct law_case law;
     struct law_step step;
-    size_t candidate; /* its number */
+    const double (*omega)[4]; /* NULL without spin */
+    const uint8_t *material;  /* NULL where all are of one */
+    size_t candidate;         /* its number */
     size_t particle;
     struct force_contact *list; /* where contacts are only listed; else NULL: they act */
     size_t listed;
@@ -88,11 +92,11 @@ static void collect(const struct wall_task *task, int w, const struct wall_touch
     b->effective[k] = state->radius;
     put(b->normal, k, touch->normal);
     put(b->velocity, k, law_add(wall_twist_at(&wall->twist, at), -1.0, sphere.v));
-    int material = particles_material(p, task->particle);
+    int material = material_of(task->material, task->particle);
     force_set_coefficients(b, k, &task->context->law->pair[material][wall->options.material]);
     if (!task->law.friction)
         return;
-    struct law_vector omega = wall_vector(p->omega[task->particle]);
+    struct law_vector omega = wall_vector(task->omega[task->particle]);
     put(b->surface, k, law_scale(lever_of_slip(task, k, lever, state->radius), omega));
     put(b->spin, k, law_add(wall->twist.omega, -1.0, omega));
     put(b->half_normal, k,
@@ -254,7 +258,9 @@ void walls_force_share(struct walls *walls, const struct force_context *context,
                              .context = context,
                              .scratch = walls->scratch[thread],
                              .law = law_case_of(&context->law->options, context->want_sums),
-                             .step = law_step_of(&context->law->options, context->dt)};
+                             .step = law_step_of(&context->law->options, context->dt),
+                             .omega = spin_values(context->particles),
+                             .material = material_numbers(context->particles)};
     size_t first = walls->candidates * (size_t)thread / (size_t)walls->threads;
     size_t last = walls->candidates * ((size_t)thread + 1) / (size_t)walls->threads;
     for (size_t k = first; k < last; k++) {
@@ -355,7 +361,9 @@ size_t walls_contacts(const struct walls *walls, const struct force_context *con
                              .context = context,
                              .scratch = &scratch,
                              .law = law_case_of(&context->law->options, false),
-                             .step = law_step_of(&context->law->options, 0.0)};
+                             .step = law_step_of(&context->law->options, 0.0),
+                             .omega = spin_values(context->particles),
+                             .material = material_numbers(context->particles)};
     *contacts = memory_allocate(walls->first[walls->candidates], sizeof **contacts, "contact list");
     task.list = *contacts;
     for (size_t k = 0; k < walls->candidates; k++) {

@@ -1,6 +1,7 @@
 /* Candidates: which particles are near which pieces of walls (walls_parts.h). Count, scan, fill; each thread
  * its own range of particles, so that the result is the same for any number of threads. */
 #include "walls/walls_parts.h"
+#include "contact/spin.h"
 #include "core/memory.h"
 #include <stdlib.h>
 #include <string.h>
@@ -80,8 +81,10 @@ static bool is_zero(const double a[3]) {
  * whatever they overlap by. */
 static bool at_rest(const struct particles *particles, size_t i) {
     const struct particle_state *state = &particles->state[i];
-    return state->inverse_mass == 0 && is_zero(state->v) &&
-           (particles->omega == NULL || is_zero(particles->omega[i]));
+    if (state->inverse_mass != 0 || !is_zero(state->v))
+        return false;
+    const double(*omega)[4] = spin_values(particles);
+    return omega == NULL || is_zero(omega[i]);
 }
 
 /* All pieces near particle i; counts only without `out`. */

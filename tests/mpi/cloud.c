@@ -72,28 +72,36 @@ void cloud_free(struct cloud *cloud) {
     memory_free(cloud->radius);
 }
 
-double cloud_value(int64_t id, int field, int component, unsigned stamp) {
-    uint64_t item = (uint64_t)id * 64 + (uint64_t)field;
+int cloud_code(const char *name) {
+    unsigned code = 0;
+    while (*name)
+        code = (code * 31 + (unsigned char)*name++) & 0xfffff;
+    return (int)code;
+}
+
+double cloud_value(int64_t id, int code, int component, unsigned stamp) {
+    uint64_t item = ((uint64_t)id << 20) + (uint64_t)code;
     struct random_sequence sequence = random_sequence(stamp, RANDOM_TEST, item);
     sequence.draw = (uint32_t)component;
     return floor(200 * random_uniform(&sequence));
 }
 
-bool cloud_stamped(int field) {
-    const char *name = fields_get(field)->name;
+bool cloud_stamped(const struct field *field) {
+    const char *name = field->name;
     return strcmp(name, "position") != 0 && strcmp(name, "radius") != 0 && strcmp(name, "id") != 0 &&
            strcmp(name, "size_class") != 0;
 }
 
 static char *component_of(const struct particles *particles, int field, int component, size_t i) {
-    size_t stride, bytes = fields_bytes(field) / (size_t)fields_get(field)->components;
+    const struct field *row = fields_get(particles, field);
+    size_t stride, bytes = fields_bytes(row) / (size_t)row->components;
     char *base = fields_base(particles, field, &stride);
     return base + i * stride + (size_t)component * bytes;
 }
 
 double cloud_get(const struct particles *particles, int field, int component, size_t i) {
     const void *at = component_of(particles, field, component, i);
-    switch (fields_get(field)->type) {
+    switch (fields_get(particles, field)->type) {
     case FIELD_DOUBLE:
         return *(const double *)at;
     case FIELD_INT64:
@@ -108,7 +116,7 @@ double cloud_get(const struct particles *particles, int field, int component, si
 
 void cloud_set(struct particles *particles, int field, int component, size_t i, double value) {
     void *at = component_of(particles, field, component, i);
-    switch (fields_get(field)->type) {
+    switch (fields_get(particles, field)->type) {
     case FIELD_DOUBLE:
         *(double *)at = value;
         break;
@@ -126,10 +134,11 @@ void cloud_set(struct particles *particles, int field, int component, size_t i, 
 
 void cloud_append(const struct cloud *cloud, size_t k, unsigned stamp, struct particles *particles) {
     size_t i = particles_append(particles);
-    for (int f = 0; f < fields_count(); f++)
-        for (int c = 0; fields_present(particles, f) && cloud_stamped(f) && c < fields_get(f)->components;
-             c++)
-            cloud_set(particles, f, c, i, cloud_value((int64_t)k + 1, f, c, stamp));
+    for (int f = 0; f < fields_count(particles); f++) {
+        const struct field *field = fields_get(particles, f);
+        for (int c = 0; cloud_stamped(field) && c < field->components; c++)
+            cloud_set(particles, f, c, i, cloud_value((int64_t)k + 1, cloud_code(field->name), c, stamp));
+    }
     memcpy(particles->state[i].x, cloud->x[k], sizeof cloud->x[k]);
     particles->state[i].radius = cloud->radius[k];
     particles->id[i] = (int64_t)k + 1;

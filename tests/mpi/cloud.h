@@ -5,6 +5,7 @@
 #define SCREE_TESTS_MPI_CLOUD_H
 
 #include "particles/particles.h"
+#include "tests/fields_by_hand.h"
 
 enum cloud_radii {
     CLOUD_EQUAL,
@@ -27,8 +28,14 @@ void cloud_free(struct cloud *cloud);
 /* Gives all particles new positions, unrelated to the old ones. */
 void cloud_scatter(struct cloud *cloud, uint64_t seed);
 
+/* The number by which cloud_value knows the field of a name, and a field of a set. */
+int cloud_code(const char *name);
+static inline int cloud_field(const struct particles *particles, int field) {
+    return cloud_code(fields_get(particles, field)->name);
+}
+
 /* The value of a field's component of the particle with this id, small whole numbers; exact in any type. */
-double cloud_value(int64_t id, int field, int component, unsigned stamp);
+double cloud_value(int64_t id, int code, int component, unsigned stamp);
 
 /* Appends particle k to the set: its position, radius and id, and cloud_value everywhere else. */
 void cloud_append(const struct cloud *cloud, size_t k, unsigned stamp, struct particles *particles);
@@ -38,6 +45,6 @@ double cloud_get(const struct particles *particles, int field, int component, si
 void cloud_set(struct particles *particles, int field, int component, size_t i, double value);
 
 /* True if the field is one that cloud_value fills (not position, radius, id, size_class). */
-bool cloud_stamped(int field);
+bool cloud_stamped(const struct field *field);
 
 #endif

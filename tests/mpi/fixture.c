@@ -87,7 +87,7 @@ void fixture_make(struct fixture *fixture, struct team *team, int number, size_t
         domain_divide(fixture->domain, uneven_tree(&scene->box, size, (uint64_t)number));
     struct ghosts_options ghosts = {.newton = scene->newton, .reduced = scene->reduced};
     fixture->ghosts = ghosts_create(&team->comm, fixture->domain, &fixture->cloud.box, &ghosts);
-    fixture->particles = particles_create(PARTICLE_FEATURES_ALL, 0);
+    fixture->particles = particles_with(WITH_ALL | WITH_OTHERS, 0);
     for (size_t k = 0; k < fixture->cloud.n; k++)
         if (k % (size_t)size == (size_t)team->comm.rank)
             cloud_append(&fixture->cloud, k, FIXTURE_STAMP, fixture->particles);

@@ -11,7 +11,7 @@ check_PROGRAMS += \
 	tests/mpi/test_shadows
 
 MPI_TEST_FLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS) $(CMOCKA_CFLAGS) -I$(top_srcdir)/tests/mpi
-MPI_TEST_LIBS = $(COMM_LIBS) $(TEST_LIBS) $(MPI_LIBS)
+MPI_TEST_LIBS = libintegrate.la libwalls.la libcontact.la $(COMM_LIBS) $(TEST_LIBS) $(MPI_LIBS)
 
 tests_mpi_test_comm_SOURCES = tests/mpi/test_comm.c tests/mpi/team.c tests/mpi/team.h
 tests_mpi_test_comm_CPPFLAGS = $(MPI_TEST_FLAGS)

@@ -32,7 +32,7 @@ struct fixture {
 };
 
 static inline double value_of(int64_t id, const char *field, int component) {
-    return cloud_value(id, fields_find(field), component, STAMP);
+    return cloud_value(id, cloud_code(field), component, STAMP);
 }
 
 /* Particle 7 is held: its inverse mass is 0. */
@@ -49,18 +49,18 @@ static inline void fixture_make(struct fixture *f, struct team *team) {
     *f = (struct fixture){.team = team};
     folder_make(&f->folder, &team->comm);
     cloud_make(&f->cloud, &box, CLOUD_CONTINUOUS, PARTICLES, 2);
-    f->particles = particles_create(PARTICLE_FEATURES_ALL, 0);
+    f->particles = particles_with(WITH_ALL, 0);
     for (size_t k = 0; k < f->cloud.n; k++)
         if (k * 7 % 5 % (size_t)team->comm.size == (size_t)team->comm.rank)
             cloud_append(&f->cloud, k, STAMP, f->particles);
     struct particles *p = f->particles;
     for (size_t i = 0; i < p->owned; i++) {
-        p->group[i] = 0;
-        p->material[i] = p->id[i] % 2;
-        p->density[i] = 3;
+        groups_of(p)[i] = 0;
+        material_numbers(p)[i] = p->id[i] % 2;
+        groups_densities(p)[i] = 3;
         p->state[i].inverse_mass = inverse_mass(p->id[i]);
         for (int d = 0; d < 3; d++)
-            p->image[i][d] = image_of(p->id[i], d);
+            particles_images(p)[i][d] = image_of(p->id[i], d);
     }
     f->motion = (struct integrator_context){
         .dt = 0.25, .gravity = {0, 0.5, -2}, .dimension = box.dimension, .groups = 1};

@@ -78,7 +78,7 @@ static inline void fixture_make(struct fixture *f, struct team *team, const stru
     *f = (struct fixture){.team = team, .comm = *comm};
     folder_make(&f->folder, &team->comm);
     cloud_make(&f->cloud, &box, CLOUD_CONTINUOUS, PARTICLES, 2);
-    f->particles = particles_create(features, 0);
+    f->particles = particles_with(features, 0);
     for (size_t k = 0; k < f->cloud.n; k++)
         if (owner_of(k, comm->size) == comm->rank)
             cloud_append(&f->cloud, k, STAMP, f->particles);
@@ -144,12 +144,13 @@ static inline void expect_particle(struct fixture *f, const struct particles *p,
     team_expect(team, memcmp(p->state[i].x, f->cloud.x[id - 1], 3 * sizeof(double)) == 0, "position of %d",
                 (int)id);
     team_expect(team, p->state[i].radius == f->cloud.radius[id - 1], "radius of %d", (int)id);
-    for (int field = 0; field < fields_count(); field++) {
-        if (!cloud_stamped(field) || !fields_present(p, field) || !(fields_get(field)->use & FIELD_RESTART))
+    for (int f = 0; f < fields_count(p); f++) {
+        const struct field *field = fields_get(p, f);
+        if (!cloud_stamped(field) || !(field->use & FIELD_RESTART))
             continue;
-        for (int c = 0; c < fields_get(field)->components; c++)
-            team_expect(team, cloud_get(p, field, c, i) == cloud_value(id, field, c, STAMP), "%s of %d",
-                        fields_get(field)->name, (int)id);
+        for (int c = 0; c < field->components; c++)
+            team_expect(team, cloud_get(p, f, c, i) == cloud_value(id, cloud_code(field->name), c, STAMP),
+                        "%s of %d", field->name, (int)id);
     }
     size_t rows = l->history.start[i + 1] - l->history.start[i];
     size_t wall_rows = l->wall_history.start[i + 1] - l->wall_history.start[i];
@@ -177,7 +178,7 @@ static inline void expect_whole(struct fixture *f, const char *path, const struc
                                 unsigned features) {
     struct checkpoint_loaded l;
     struct error error = {0};
-    struct particles *p = particles_create(features, 0);
+    struct particles *p = particles_with(features, 0);
     if (team_expect(f->team, checkpoint_read(reader, path, p, &l, &error), "%s", error.text)) {
         bool same = reader->size == f->comm.size;
         team_expect(f->team, l.same_layout == same && l.ranks == f->comm.size, "layout");

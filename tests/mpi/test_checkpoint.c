@@ -15,11 +15,11 @@ static void comes_back_on_the_same_layout(void **state) {
     struct fixture f;
     struct error error = {0};
     char path[FOLDER_MAX + 64];
-    fixture_make(&f, team, &team->comm, PARTICLE_FEATURES_ALL);
+    fixture_make(&f, team, &team->comm, WITH_ALL | WITH_OTHERS);
     team_expect(team, checkpoint_write(&f.comm, f.folder.path, "", &f.checkpoint, 2, &error), "%s",
                 error.text);
     team_expect(team, folder_count(&f.folder) == 1, "%d files", folder_count(&f.folder));
-    expect_whole(&f, path_of(&f, "checkpoint-1200.h5", path), &team->comm, PARTICLE_FEATURES_ALL);
+    expect_whole(&f, path_of(&f, "checkpoint-1200.h5", path), &team->comm, WITH_ALL);
     fixture_free(&f);
     team_finish(team);
 }
@@ -31,21 +31,21 @@ static void comes_back_on_other_layouts(void **state) {
     struct error error = {0};
     char path[FOLDER_MAX + 64];
     /* all write, each reads the whole by itself */
-    fixture_make(&f, team, &team->comm, PARTICLE_FEATURES_ALL);
+    fixture_make(&f, team, &team->comm, WITH_ALL | WITH_OTHERS);
     team_expect(team, checkpoint_write(&f.comm, f.folder.path, "", &f.checkpoint, 2, &error), "%s",
                 error.text);
-    expect_whole(&f, path_of(&f, "checkpoint-1200.h5", path), &self, PARTICLE_FEATURES_ALL);
+    expect_whole(&f, path_of(&f, "checkpoint-1200.h5", path), &self, WITH_ALL);
     fixture_free(&f);
     /* all but the last write (or the only one), all read */
     struct comm some = folder_first(&team->comm, team->comm.size > 1 ? team->comm.size - 1 : 1);
     bool writes = team->comm.rank < some.size;
-    fixture_make(&f, team, writes ? &some : &self, PARTICLE_FEATURES_ALL);
+    fixture_make(&f, team, writes ? &some : &self, WITH_ALL);
     f.comm.size = some.size;
     if (writes)
         team_expect(team, checkpoint_write(&some, f.folder.path, "", &f.checkpoint, 2, &error), "%s",
                     error.text);
     team_finish(team);
-    expect_whole(&f, path_of(&f, "checkpoint-1200.h5", path), &team->comm, PARTICLE_FEATURES_ALL);
+    expect_whole(&f, path_of(&f, "checkpoint-1200.h5", path), &team->comm, WITH_ALL);
     fixture_free(&f);
     folder_first_free(&some);
     team_finish(team);
@@ -60,12 +60,12 @@ static struct particles *read_otherwise(struct fixture *f, struct team *team, un
     char path[FOLDER_MAX + 64];
     fixture_make(f, team, &team->comm, written);
     for (size_t i = 0; i < f->particles->owned; i++) {
-        bool held = f->particles->group && f->particles->id[i] % 7 == 0;
+        bool held = groups_of(f->particles) && f->particles->id[i] % 7 == 0;
         f->particles->state[i].inverse_mass = held ? 0 : 1.0 / (double)f->particles->id[i];
     }
     team_expect(team, checkpoint_write(&f->comm, f->folder.path, "", &f->checkpoint, 2, &error), "%s",
                 error.text);
-    struct particles *p = particles_create(kept, 0);
+    struct particles *p = particles_with(kept, 0);
     path_of(f, "checkpoint-1200.h5", path);
     if (team_expect(team, checkpoint_read(&f->comm, path, p, &l, &error), "%s", error.text))
         checkpoint_loaded_free(&l);
@@ -78,12 +78,12 @@ static struct particles *read_otherwise(struct fixture *f, struct team *team, un
 static void features_may_change(void **state) {
     struct team *team = *state;
     struct fixture f;
-    struct particles *p = read_otherwise(&f, team, PARTICLE_FEATURES_ALL, 0);
+    struct particles *p = read_otherwise(&f, team, WITH_ALL, 0);
     int64_t held = 0;
     for (size_t i = 0; i < p->owned; i++) {
         /* what was held moves freely now, with the mass of its density */
         int64_t id = p->id[i];
-        double density = cloud_value(id, fields_find("density"), 0, STAMP);
+        double density = cloud_value(id, cloud_code("density"), 0, STAMP);
         double expected = 1 / (id % 7 == 0 ? particles_sphere_mass(p->state[i].radius, density) : (double)id);
         held += id % 7 == 0;
         team_expect(team, p->state[i].inverse_mass == expected, "mass of %d", (int)id);
@@ -99,14 +99,15 @@ static void features_may_change(void **state) {
 static void groups_may_come(void **state) {
     struct team *team = *state;
     struct fixture f;
-    struct particles *p =
-        read_otherwise(&f, team, PARTICLE_FEATURES_ALL & ~PARTICLE_GROUP, PARTICLE_FEATURES_ALL);
+    struct particles *p = read_otherwise(&f, team, WITH_ALL & ~WITH_GROUP, WITH_ALL | WITH_OTHERS);
     for (size_t i = 0; i < p->owned; i++) {
         int64_t id = p->id[i];
-        double mass = particles_sphere_mass(p->state[i].radius, p->density[i]) / (double)id;
+        double mass = particles_sphere_mass(p->state[i].radius, groups_densities(p)[i]) / (double)id;
         team_expect(team, p->state[i].inverse_mass == 1.0 / (double)id, "mass of %d", (int)id);
         team_expect(team, mass > 1 - 1e-12 && mass < 1 + 1e-12, "density of %d", (int)id);
-        team_expect(team, p->group[i] == 0, "group of %d", (int)id);
+        team_expect(team, groups_of(p)[i] == 0, "group of %d", (int)id);
+        team_expect(team, ((int64_t *)fields_values(p, &field_visits))[i] == -3, "fill of %d", (int)id);
+        team_expect(team, ((double(*)[3])fields_values(p, &field_flux))[i][2] == 0.5, "fill of %d", (int)id);
     }
     particles_destroy(&p);
     fixture_free(&f);
@@ -119,12 +120,12 @@ static void no_particles_at_all(void **state) {
     struct error error = {0};
     struct checkpoint_loaded l;
     char path[FOLDER_MAX + 64];
-    fixture_make(&f, team, &team->comm, PARTICLE_SPIN);
+    fixture_make(&f, team, &team->comm, WITH_SPIN);
     f.particles->owned = 0;
     f.history.count = f.wall_history.count = 0;
     team_expect(team, checkpoint_write(&f.comm, f.folder.path, "", &f.checkpoint, 2, &error), "%s",
                 error.text);
-    struct particles *p = particles_create(PARTICLE_SPIN, 0);
+    struct particles *p = particles_with(WITH_SPIN, 0);
     path_of(&f, "checkpoint-1200.h5", path);
     team_expect(team, checkpoint_read(&f.comm, path, p, &l, &error), "%s", error.text);
     team_expect(team, p->owned == 0 && l.total == 0 && l.numbers.next_id == 777, "%d particles",
@@ -162,7 +163,7 @@ static void wall_poses_come_back(void **state) {
                                       .normal = {1, 0, 0},
                                       .motions = 1,
                                       .motion = {turn}}};
-    fixture_make(&f, team, &team->comm, PARTICLE_SPIN);
+    fixture_make(&f, team, &team->comm, WITH_SPIN);
     struct walls *walls = NULL;
     if (team_expect(team, walls_create(&walls, planes, 2, &law, &f.cloud.box, 1, &error, NULL), "%s",
                     error.text)) {
@@ -199,13 +200,12 @@ static void head_is_read_alone(void **state) {
     struct error error = {0};
     struct checkpoint_loaded l;
     char path[FOLDER_MAX + 64];
-    fixture_make(&f, team, &team->comm, PARTICLE_SPIN);
+    fixture_make(&f, team, &team->comm, WITH_SPIN);
     team_expect(team, checkpoint_write(&f.comm, f.folder.path, "", &f.checkpoint, 2, &error), "%s",
                 error.text);
     path_of(&f, "checkpoint-1200.h5", path);
     if (team_expect(team, checkpoint_read_head(&f.comm, path, &l, &error), "%s", error.text)) {
         expect_numbers(&f, &l, &f.comm);
-        team_expect(team, l.features == PARTICLE_SPIN, "features %u", l.features);
         checkpoint_loaded_free(&l);
     }
     fixture_free(&f);

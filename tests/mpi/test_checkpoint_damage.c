@@ -42,7 +42,7 @@ static void expect_refused(struct fixture *f, const char *path, const char *what
     struct comm self = folder_self();
     struct error error = {0};
     struct checkpoint_loaded l;
-    struct particles *p = particles_create(0, 0);
+    struct particles *p = particles_create(0);
     bool good = checkpoint_read(&self, path, p, &l, &error);
     team_expect(f->team, !good, "%s at %zu is not noticed", what, place);
     team_expect(f->team,
@@ -58,7 +58,7 @@ static void make_victim(struct fixture *f, struct team *team, struct bytes *byte
                         char path[FOLDER_MAX + 64]) {
     struct comm self = folder_self();
     struct error error = {0};
-    fixture_make(f, team, &self, PARTICLE_FEATURES_ALL);
+    fixture_make(f, team, &self, WITH_ALL);
     if (team->comm.rank != 0)
         return;
     team_expect(team, checkpoint_write(&self, f->folder.path, "", &f->checkpoint, 2, &error), "%s",
@@ -171,7 +171,7 @@ static void what_does_not_fit_leaves_the_old_one(void **state) {
     struct fixture f;
     struct error error = {0};
     char path[FOLDER_MAX + 64];
-    fixture_make(&f, team, &team->comm, PARTICLE_FEATURES_ALL);
+    fixture_make(&f, team, &team->comm, WITH_ALL);
     team_expect(team, checkpoint_write(&f.comm, f.folder.path, "", &f.checkpoint, 1, &error), "%s",
                 error.text);
     struct rlimit limit, small;
@@ -189,7 +189,7 @@ static void what_does_not_fit_leaves_the_old_one(void **state) {
                 "%s", error.text);
     team_expect(team, folder_count(&f.folder) == 1, "%d files", folder_count(&f.folder));
     f.checkpoint.numbers.step = 1200;
-    expect_whole(&f, path_of(&f, "checkpoint-1200.h5", path), &f.comm, PARTICLE_FEATURES_ALL);
+    expect_whole(&f, path_of(&f, "checkpoint-1200.h5", path), &f.comm, WITH_ALL);
     fixture_free(&f);
     team_finish(team);
 }

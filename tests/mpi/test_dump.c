@@ -43,7 +43,7 @@ static void fixture_make(struct fixture *f, struct team *team, unsigned features
     folder_make(&f->folder, &team->comm);
     folder_file(&f->folder, "dump.lammpstrj", f->path);
     cloud_make(&f->cloud, &box, CLOUD_CONTINUOUS, PARTICLES, 2);
-    f->particles = particles_create(features, 0);
+    f->particles = particles_with(features, 0);
     for (size_t k = 0; k < f->cloud.n; k++)
         if (k * 7 % 5 % (size_t)team->comm.size == (size_t)team->comm.rank)
             cloud_append(&f->cloud, k, STAMP, f->particles);
@@ -92,12 +92,12 @@ static void expect_rows(struct fixture *f, const struct rows *rows) {
         for (int d = 0; d < 3; d++) {
             team_expect(team, near(rows->position[k][d], f->cloud.x[k][d] + box.origin[d]), "position of %d",
                         (int)id);
-            team_expect(team, rows->velocity[k][d] == cloud_value(id, fields_find("velocity"), d, STAMP),
+            team_expect(team, rows->velocity[k][d] == cloud_value(id, cloud_code("velocity"), d, STAMP),
                         "velocity");
-            if (f->particles->features & PARTICLE_SPIN)
+            if (spin_of(f->particles))
                 team_expect(team,
                             rows->angular_velocity[k][d] ==
-                                cloud_value(id, fields_find("angular_velocity"), d, STAMP),
+                                cloud_value(id, cloud_code("angular_velocity"), d, STAMP),
                             "angular velocity of %d", (int)id);
         }
     }
@@ -109,7 +109,7 @@ static void expect_rows(struct fixture *f, const struct rows *rows) {
 
 static void dump_comes_back(void **state) {
     struct team *team = *state;
-    for (unsigned features = 0; features <= PARTICLE_SPIN; features++) {
+    for (unsigned features = 0; features <= WITH_SPIN; features++) {
         struct fixture f;
         struct rows rows;
         struct error error = {0};
@@ -147,7 +147,7 @@ static void dump_goes_on(void **state) {
     struct fixture f;
     size_t whole_length = 0, length = 0;
     char *whole = NULL, *text = NULL;
-    fixture_make(&f, team, PARTICLE_SPIN);
+    fixture_make(&f, team, WITH_SPIN);
     write_frames(&f, -1, 0, 6);
     if (team->comm.rank == 0)
         whole = read_text(f.path, &whole_length);
@@ -172,7 +172,7 @@ static void conversions_close_the_circle(void **state) {
     struct fixture f;
     struct comm self = folder_self();
     struct error error = {0};
-    fixture_make(&f, team, PARTICLE_SPIN);
+    fixture_make(&f, team, WITH_SPIN);
     write_frames(&f, -1, 0, 2);
     static const char *const names[] = {"a.data", "b.h5", "c.lammpstrj", "d.h5", "e.data"};
     char from[FOLDER_MAX + 64], to[FOLDER_MAX + 64];
@@ -211,7 +211,7 @@ static void conversions_close_the_circle(void **state) {
 static void checkpoint_is_converted(void **state) {
     struct team *team = *state;
     static const char *const names[] = {"a.data", "a.h5", "a.lammpstrj"};
-    for (unsigned features = 0; features <= PARTICLE_FEATURES_ALL; features += PARTICLE_FEATURES_ALL) {
+    for (unsigned features = 0; features <= WITH_ALL; features += WITH_ALL) {
         struct fixture f;
         struct comm self = folder_self();
         struct error error = {0};
@@ -241,7 +241,7 @@ static void checkpoint_is_converted(void **state) {
             for (size_t i = 0; features > 0 && i < rows.count; i++)
                 team_expect(team,
                             rows.image &&
-                                rows.image[i][0] == cloud_value(rows.id[i], fields_find("image"), 0, STAMP),
+                                rows.image[i][0] == cloud_value(rows.id[i], cloud_code("image"), 0, STAMP),
                             "%s: image of row %zu", names[k], i);
             expect_rows(&f, &rows);
             rows_free(&rows);
@@ -393,7 +393,7 @@ static void info_tells_what_it_is(void **state) {
     struct fixture f;
     struct comm self = folder_self();
     struct error error = {0};
-    fixture_make(&f, team, PARTICLE_SPIN);
+    fixture_make(&f, team, WITH_SPIN);
     write_frames(&f, -1, 0, 4);
     if (team->comm.rank == 0) {
         char path[FOLDER_MAX + 64];

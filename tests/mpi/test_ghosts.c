@@ -27,14 +27,29 @@ static void expect_values(struct fixture *fixture, unsigned use, unsigned stamp)
             team_expect(fixture->team,
                         particles->state[g].x[d] == fixture->cloud.x[id - 1][d] + shift[code][d],
                         "position of the copy of %lld", (long long)id);
-        for (int f = 0; f < fields_count(); f++) {
-            if (!cloud_stamped(f) || !(fields_get(f)->use & use))
+        for (int f = 0; f < fields_count(particles); f++) {
+            const struct field *field = fields_get(particles, f);
+            if (!cloud_stamped(field) || !(field->use & use))
                 continue;
-            for (int c = 0; c < fields_get(f)->components; c++)
-                team_expect(fixture->team, cloud_get(particles, f, c, g) == cloud_value(id, f, c, stamp),
-                            "%s of the copy of %lld", fields_get(f)->name, (long long)id);
+            for (int c = 0; c < field->components; c++)
+                team_expect(fixture->team,
+                            cloud_get(particles, f, c, g) ==
+                                cloud_value(id, cloud_code(field->name), c, stamp),
+                            "%s of the copy of %lld", field->name, (long long)id);
         }
     }
+}
+
+/* Sends the fields of each step. */
+static void send_forward(struct fixture *fixture) {
+    struct field_list fields = fields_with(fixture->particles, FIELD_FORWARD);
+    ghosts_forward_begin(fixture->ghosts, fixture->particles, &fields);
+    ghosts_forward_end(fixture->ghosts, fixture->particles);
+}
+
+static void send_reverse(struct fixture *fixture) {
+    struct field_list fields = fields_with(fixture->particles, FIELD_REVERSE);
+    ghosts_reverse(fixture->ghosts, fixture->particles, &fields);
 }
 
 /* New places nearby and new values for all owned particles. */
@@ -45,9 +60,12 @@ static void move(struct fixture *fixture, unsigned stamp) {
             fixture->cloud.x[k][d] += 0.001 * (cloud_value((int64_t)k, d, 0, stamp) - 100);
     for (size_t i = 0; i < particles->owned; i++) {
         memcpy(particles->state[i].x, fixture->cloud.x[particles->id[i] - 1], 3 * sizeof(double));
-        for (int f = 0; f < fields_count(); f++)
-            for (int c = 0; cloud_stamped(f) && c < fields_get(f)->components; c++)
-                cloud_set(particles, f, c, i, cloud_value(particles->id[i], f, c, stamp));
+        for (int f = 0; f < fields_count(particles); f++) {
+            const struct field *field = fields_get(particles, f);
+            for (int c = 0; cloud_stamped(field) && c < field->components; c++)
+                cloud_set(particles, f, c, i,
+                          cloud_value(particles->id[i], cloud_code(field->name), c, stamp));
+        }
     }
 }
 
@@ -60,8 +78,7 @@ static void values_forward(void **state) {
         expect_values(&fixture, FIELD_GHOST, FIXTURE_STAMP);
         for (unsigned stamp = FIXTURE_STAMP + 1; stamp < FIXTURE_STAMP + 4; stamp++) {
             move(&fixture, stamp);
-            ghosts_forward_begin(fixture.ghosts, fixture.particles);
-            ghosts_forward_end(fixture.ghosts, fixture.particles);
+            send_forward(&fixture);
             expect_values(&fixture, FIELD_FORWARD, stamp);
         }
         fixture_free(&fixture);
@@ -89,8 +106,7 @@ static void values_in_place(void **state) {
         for (unsigned stamp = FIXTURE_STAMP; stamp < FIXTURE_STAMP + 3; stamp++) {
             if (stamp > FIXTURE_STAMP) {
                 move(&fixture, stamp);
-                ghosts_forward_begin(fixture.ghosts, fixture.particles);
-                ghosts_forward_end(fixture.ghosts, fixture.particles);
+                send_forward(&fixture);
             }
             for (size_t g = particles->owned; g < particles->owned + particles->ghosts; g++)
                 team_expect(team,
@@ -127,13 +143,53 @@ static void threads_do_not_matter(void **state) {
                     "copy %zu is another", g);
     expect_values(&fixture, FIELD_GHOST, FIXTURE_STAMP);
     move(&fixture, FIXTURE_STAMP + 1);
-    ghosts_forward_begin(fixture.ghosts, particles);
-    ghosts_forward_end(fixture.ghosts, particles);
+    send_forward(&fixture);
     expect_values(&fixture, FIELD_FORWARD, FIXTURE_STAMP + 1);
     omp_set_num_threads(before);
     memory_free(id);
     memory_free(image);
     fixture_free(&fixture);
+    team_finish(team);
+}
+
+/* A list of one field: the others of the copies, and their positions, stay. */
+static void one_field_forward(void **state) {
+    struct team *team = *state;
+    for (int s = 0; s < SCENES; s++) {
+        struct fixture fixture;
+        fixture_make(&fixture, team, s, PARTICLES);
+        fixture_rebuild(&fixture);
+        struct particles *particles = fixture.particles;
+        struct ghosts_counts before, after;
+        double(*x)[3] = memory_allocate(particles->ghosts, sizeof *x, "test");
+        for (size_t g = 0; g < particles->ghosts; g++)
+            memcpy(x[g], particles->state[particles->owned + g].x, sizeof *x);
+        move(&fixture, FIXTURE_STAMP + 1);
+        int strain = fields_find(particles, "strain"), flux = fields_find(particles, "flux");
+        const struct field_list fields = fields_one(strain);
+        ghosts_count(fixture.ghosts, &before);
+        ghosts_forward_begin(fixture.ghosts, particles, &fields);
+        ghosts_forward_end(fixture.ghosts, particles);
+        ghosts_count(fixture.ghosts, &after);
+        for (size_t g = 0; g < particles->ghosts; g++) {
+            size_t at = particles->owned + g;
+            int64_t id = particles->id[at];
+            for (int c = 0; c < 5; c++)
+                team_expect(team,
+                            cloud_get(particles, strain, c, at) ==
+                                cloud_value(id, cloud_code("strain"), c, FIXTURE_STAMP + 1),
+                            "strain of the copy of %lld", (long long)id);
+            for (int c = 0; c < 3; c++)
+                team_expect(team,
+                            cloud_get(particles, flux, c, at) ==
+                                cloud_value(id, cloud_code("flux"), c, FIXTURE_STAMP),
+                            "flux of the copy of %lld", (long long)id);
+            team_expect(team, memcmp(x[g], particles->state[at].x, sizeof *x) == 0, "a copy moved");
+        }
+        team_expect(team, (after.bytes - before.bytes) % (5 * sizeof(double)) == 0, "bytes");
+        memory_free(x);
+        fixture_free(&fixture);
+    }
     team_finish(team);
 }
 
@@ -178,13 +234,53 @@ static void sums_back(void **state) {
         for (size_t i = 0; i < particles->owned; i++)
             for (int c = 0; c < 6; c++)
                 *force_at(particles, i, c) = cloud_value(particles->id[i], 0, c, 76);
-        ghosts_reverse(fixture.ghosts, particles);
+        send_reverse(&fixture);
         for (size_t i = 0; i < particles->owned; i++)
             for (int c = 0; c < 6; c++) {
                 double sum = expected_sum(&fixture, (size_t)particles->id[i] - 1, c);
                 team_expect(team, *force_at(particles, i, c) == sum, "scene %d: sum %g instead of %g", s,
                             *force_at(particles, i, c), sum);
             }
+        fixture_free(&fixture);
+    }
+    team_finish(team);
+}
+
+/* Sums of fields that are no forces, of one and of five components, alone and together with them. */
+static void any_sums_back(void **state) {
+    struct team *team = *state;
+    static const char *const names[] = {"heat", "moment", "torque"};
+    for (int n = 0; n < 3; n++) {
+        struct fixture fixture;
+        fixture_make(&fixture, team, SCENE_BOULDERS, PARTICLES);
+        fixture_rebuild(&fixture);
+        struct particles *particles = fixture.particles;
+        int f = fields_find(particles, names[n]), other = fields_find(particles, names[(n + 1) % 3]);
+        int components = fields_get(particles, f)->components;
+        struct field_list fields = fields_one(f);
+        if (n == 1)
+            fields = fields_with(particles, FIELD_REVERSE);
+        for (size_t i = 0; i < particles->owned + particles->ghosts; i++) {
+            bool copy = i >= particles->owned;
+            size_t k = (size_t)particles->id[i] - 1;
+            unsigned code = copy ? ghosts_image(fixture.ghosts, i - particles->owned) : 0;
+            team_expect(team, !copy || cloud_get(particles, f, components - 1, i) == 0, "a copy begins at 0");
+            for (int c = 0; c < components; c++)
+                cloud_set(particles, f, c, i,
+                          copy ? share(k, team->comm.rank, code, c)
+                               : cloud_value(particles->id[i], 0, c, 76));
+            cloud_set(particles, other, 0, i, 5);
+        }
+        ghosts_reverse(fixture.ghosts, particles, &fields);
+        for (size_t i = 0; i < particles->owned; i++) {
+            for (int c = 0; c < components; c++)
+                team_expect(team,
+                            cloud_get(particles, f, c, i) ==
+                                expected_sum(&fixture, (size_t)particles->id[i] - 1, c),
+                            "%s of %lld", names[n], (long long)particles->id[i]);
+            team_expect(team, n == 1 || cloud_get(particles, other, 0, i) == 5, "%s was sent",
+                        names[(n + 1) % 3]);
+        }
         fixture_free(&fixture);
     }
     team_finish(team);
@@ -204,7 +300,7 @@ static void sums_are_reproducible(void **state) {
             for (int c = 0; c < 6; c++)
                 *force_at(particles, i, c) =
                     1.0 / (1 + share((size_t)particles->id[i], team->comm.rank, 0, c));
-        ghosts_reverse(fixture.ghosts, particles);
+        send_reverse(&fixture);
         if (first == NULL) {
             first = memory_allocate(values, sizeof *first, "test");
             memcpy(first, particles->force, values * sizeof *first);
@@ -257,8 +353,7 @@ static void counts(void **state) {
     team_expect(team, before.ghosts == fixture.particles->ghosts && classes == before.ghosts,
                 "%llu copies, %llu by class", (unsigned long long)before.ghosts, (unsigned long long)classes);
     team_expect(team, before.neighbours < (uint64_t)team->comm.size, "neighbours");
-    ghosts_forward_begin(fixture.ghosts, fixture.particles);
-    ghosts_forward_end(fixture.ghosts, fixture.particles);
+    send_forward(&fixture);
     ghosts_count(fixture.ghosts, &after);
     int64_t sums[3] = {(int64_t)(after.bytes - before.bytes), (int64_t)(after.messages - before.messages), 0};
     for (size_t g = 0; g < fixture.particles->ghosts; g++) {
@@ -268,7 +363,8 @@ static void counts(void **state) {
     team_expect(team, (uint64_t)sums[1] <= after.neighbours, "%lld messages in one exchange",
                 (long long)sums[1]);
     comm_sum_int(&team->comm, sums, 3);
-    int64_t each = (int64_t)fields_packed_bytes(fixture.particles, FIELD_FORWARD);
+    const struct field_list fields = fields_with(fixture.particles, FIELD_FORWARD);
+    int64_t each = (int64_t)fields_packed_bytes(fixture.particles, &fields);
     team_expect(team, sums[0] == each * sums[2], "%lld bytes for %lld copies", (long long)sums[0],
                 (long long)sums[2]);
     fixture_free(&fixture);
@@ -283,6 +379,8 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(values_in_place, &team),
         cmocka_unit_test_prestate(threads_do_not_matter, &team),
         cmocka_unit_test_prestate(sums_back, &team),
+        cmocka_unit_test_prestate(any_sums_back, &team),
+        cmocka_unit_test_prestate(one_field_forward, &team),
         cmocka_unit_test_prestate(sums_are_reproducible, &team),
         cmocka_unit_test_prestate(originals, &team),
         cmocka_unit_test_prestate(counts, &team),

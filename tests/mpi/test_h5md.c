@@ -58,7 +58,7 @@ static void expect_box(struct team *team, hid_t file, const struct box *box) {
 
 static void file_is_h5md(const struct box *box, struct team *team) {
     struct fixture f;
-    fixture_make(&f, team, box, PARTICLE_FEATURES_ALL);
+    fixture_make(&f, team, box, WITH_ALL);
     write_file(&f, false, -1, 0, 30);
     int64_t barrier = 0;
     comm_sum_int(&team->comm, &barrier, 1);

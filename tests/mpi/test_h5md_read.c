@@ -12,7 +12,7 @@ static void reads_back(void **state) {
     struct team *team = *state;
     struct fixture f;
     struct error error = {0};
-    fixture_make(&f, team, &box_3d, PARTICLE_SPIN | PARTICLE_IMAGE | PARTICLE_MATERIAL);
+    fixture_make(&f, team, &box_3d, WITH_SPIN | WITH_IMAGE | WITH_MATERIAL);
     write_file(&f, false, -1, 0, 30);
     struct h5md_read_options options = {.frame = -2};
     struct rows rows;
@@ -27,10 +27,10 @@ static void reads_back(void **state) {
             team_expect(team, id == (int64_t)(rows.first + k) + 1, "id %d", (int)id);
             for (int d = 0; d < 3; d++) {
                 team_expect(team, rows.position[k][d] == f.cloud.x[id - 1][d] + box_3d.origin[d], "position");
-                team_expect(team, rows.image[k][d] == cloud_value(id, fields_find("image"), d, STAMP),
+                team_expect(team, rows.image[k][d] == cloud_value(id, cloud_code("image"), d, STAMP),
                             "image");
             }
-            team_expect(team, rows.material[k] == cloud_value(id, fields_find("material"), 0, STAMP),
+            team_expect(team, rows.material[k] == cloud_value(id, cloud_code("material"), 0, STAMP),
                         "material");
         }
         for (int d = 0; d < 3; d++)

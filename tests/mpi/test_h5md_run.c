@@ -97,7 +97,7 @@ static void resume_goes_on(void **state) {
     struct team *team = *state;
     for (int varying = 0; varying < 2; varying++) {
         struct fixture f;
-        fixture_make(&f, team, &box_3d, PARTICLE_SPIN);
+        fixture_make(&f, team, &box_3d, WITH_SPIN);
         write_file(&f, varying, -1, 0, 50);
         write_file(&f, varying, 25, 20, 70);
         uint64_t frames = 0;

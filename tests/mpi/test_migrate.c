@@ -48,7 +48,7 @@ static void fixture_make(struct fixture *fixture, struct team *team, const struc
     assert_non_null(fixture->domain);
     struct ghosts_options ghosts = {.newton = true, .reduced = true};
     fixture->ghosts = ghosts_create(&team->comm, fixture->domain, &fixture->cloud.box, &ghosts);
-    fixture->particles = particles_create(features, 0);
+    fixture->particles = particles_with(features, 0);
     for (size_t k = 0; k < fixture->cloud.n; k++)
         if (k % (size_t)team->comm.size == (size_t)team->comm.rank)
             cloud_append(&fixture->cloud, k, STAMP, fixture->particles);
@@ -91,12 +91,14 @@ static void expect_all(struct fixture *fixture) {
                     (long long)id);
         team_expect(team, particles->state[i].radius == cloud->radius[id - 1], "radius of %lld",
                     (long long)id);
-        for (int f = 0; f < fields_count(); f++) {
-            if (!cloud_stamped(f) || !fields_present(particles, f) || !(fields_get(f)->use & FIELD_MIGRATE))
+        for (int f = 0; f < fields_count(particles); f++) {
+            const struct field *field = fields_get(particles, f);
+            if (!cloud_stamped(field) || !(field->use & FIELD_MIGRATE))
                 continue;
-            for (int c = 0; c < fields_get(f)->components; c++)
-                team_expect(team, cloud_get(particles, f, c, i) == cloud_value(id, f, c, STAMP), "%s of %lld",
-                            fields_get(f)->name, (long long)id);
+            for (int c = 0; c < field->components; c++)
+                team_expect(
+                    team, cloud_get(particles, f, c, i) == cloud_value(id, cloud_code(field->name), c, STAMP),
+                    "%s of %lld", field->name, (long long)id);
         }
     }
     memory_free(seen);
@@ -105,7 +107,7 @@ static void expect_all(struct fixture *fixture) {
 static void fields_travel(void **state) {
     struct team *team = *state;
     for (int b = 0; b < BOXES; b++) {
-        for (unsigned features = 0; features <= PARTICLE_FEATURES_ALL; features += 5) {
+        for (unsigned features = 0; features <= (WITH_ALL | WITH_OTHERS); features += 5) {
             struct fixture fixture;
             fixture_make(&fixture, team, &boxes[b], features);
             for (uint64_t seed = 1; seed < 5; seed++) {
@@ -124,7 +126,7 @@ static void fields_travel(void **state) {
 static void all_in_one_place(void **state) {
     struct team *team = *state;
     struct fixture fixture;
-    fixture_make(&fixture, team, &boxes[0], PARTICLE_FEATURES_ALL);
+    fixture_make(&fixture, team, &boxes[0], WITH_ALL);
     for (int round = 0; round < 3; round++) {
         for (size_t k = 0; k < fixture.cloud.n; k++)
             for (int d = 0; d < 3; d++)
@@ -231,7 +233,7 @@ static void expect_rows(struct team *team, const struct particles *particles,
 static void rows_travel(void **state) {
     struct team *team = *state;
     struct fixture fixture;
-    fixture_make(&fixture, team, &boxes[1], PARTICLE_SPIN);
+    fixture_make(&fixture, team, &boxes[1], WITH_SPIN);
     struct migrate_rows rows[2];
     make_rows(fixture.particles, rows);
     for (uint64_t seed = 1; seed < 5; seed++) {
@@ -275,7 +277,8 @@ static void counts(void **state) {
     ghosts_count(fixture.ghosts, &counts);
     team_expect(team, counts.migrated == leave, "%llu migrated instead of %zu",
                 (unsigned long long)counts.migrated, leave);
-    size_t least = leave * fields_packed_bytes(fixture.particles, FIELD_MIGRATE);
+    const struct field_list fields = fields_with(fixture.particles, FIELD_MIGRATE);
+    size_t least = leave * fields_packed_bytes(fixture.particles, &fields);
     team_expect(team, counts.bytes >= least && counts.bytes <= least + 8 * counts.messages, "%llu bytes",
                 (unsigned long long)counts.bytes);
     team_expect(team, counts.messages < (uint64_t)team->comm.size, "%llu messages",

@@ -1,6 +1,7 @@
 /* Particle sources on many ranks. Ranks: 1 2 3 5 */
 #include "comm/domain.h"
 #include "formats/convert.h"
+#include "tests/fields_by_hand.h"
 #include "tests/mpi/folder.h"
 #include "tests/scene_by_hand.h"
 
@@ -36,7 +37,7 @@ static void owners_get_theirs(void **state) {
     assert_non_null(domain);
     struct whose whose = {domain, comm.rank};
     struct scene_share share = {.rank = comm.rank, .size = comm.size, .mine = is_mine, .context = &whose};
-    struct particles *particles = particles_create(PARTICLE_FEATURES_ALL, 0);
+    struct particles *particles = particles_with(WITH_ALL, 0);
     struct scene_census census;
     assert_true(scene_particles(scene, &share, particles, &census, &error));
     int64_t sums[2] = {(int64_t)particles->owned, 0};
@@ -75,7 +76,7 @@ static void doubles_are_found(void **state) {
         }
         struct error error = {0};
         assert_true(comm_agree(&comm, &error)); /* the file is there */
-        struct particles *particles = particles_create(PARTICLE_FEATURES_ALL, 0);
+        struct particles *particles = particles_with(WITH_ALL, 0);
         struct scene_share share = {.rank = comm.rank, .size = comm.size};
         int64_t found = !scene_particles(scene, &share, particles, NULL, &error);
         comm_sum_int(&comm, &found, 1);
@@ -125,8 +126,8 @@ static void h5md_equals_data(void **state) {
         for (size_t j = 0; j < 3; j++)
             if (set[0]->id[i] == set[1]->id[j]) {
                 assert_memory_equal(&set[0]->state[i], &set[1]->state[j], sizeof(set[0]->state[i]));
-                assert_memory_equal(set[0]->omega[i], set[1]->omega[j], sizeof(set[0]->omega[i]));
-                assert_int_equal(set[0]->material[i], set[1]->material[j]);
+                assert_memory_equal(spin_of(set[0])[i], spin_of(set[1])[j], sizeof(spin_of(set[0])[i]));
+                assert_int_equal(material_numbers(set[0])[i], material_numbers(set[1])[j]);
             }
     assert_int_equal(set[1]->id[0] + set[1]->id[1] + set[1]->id[2], 12);
     particles_destroy(&set[0]);

@@ -52,7 +52,7 @@ static void flight_start(struct flight *flight, struct team *team, bool periodic
     flight->domain = domain_create(&team->comm, &flight->box, &options, &error);
     assert_non_null(flight->domain);
     flight->ghosts = ghosts_create(&team->comm, flight->domain, &flight->box, &ghosts);
-    flight->particles = particles_create(0, 0);
+    flight->particles = particles_create(0);
     if (domain_owner(flight->domain, flight->x) != team->comm.rank)
         return;
     size_t k = particles_append(flight->particles);

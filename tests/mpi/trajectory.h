@@ -39,13 +39,13 @@ static inline void fixture_make(struct fixture *f, struct team *team, const stru
     folder_make(&f->folder, &team->comm);
     folder_file(&f->folder, "trajectory.h5", f->path);
     cloud_make(&f->cloud, box, CLOUD_CONTINUOUS, PARTICLES, 2);
-    f->particles = particles_create(features, 0);
+    f->particles = particles_with(features, 0);
     for (size_t k = 0; k < f->cloud.n; k++)
         if (k * 7 % 5 % (size_t)team->comm.size == (size_t)team->comm.rank)
             cloud_append(&f->cloud, k, STAMP, f->particles);
-    for (size_t i = 0; f->particles->group && i < f->particles->owned; i++)
-        f->particles->group[i] = 0; /* there is no other */
-    for (size_t i = 0; !f->particles->density && i < f->particles->owned; i++)
+    for (size_t i = 0; groups_of(f->particles) && i < f->particles->owned; i++)
+        groups_of(f->particles)[i] = 0; /* there is no other */
+    for (size_t i = 0; !groups_densities(f->particles) && i < f->particles->owned; i++)
         if (f->particles->state[i].inverse_mass == 0)
             f->particles->state[i].inverse_mass = 1;
     f->motion = (struct integrator_context){
@@ -148,15 +148,15 @@ static inline void expect_text(struct team *team, hid_t file, const char *object
 }
 
 static inline double inverse_mass(const struct fixture *f, int64_t id) {
-    double w = cloud_value(id, fields_find("inverse_mass"), 0, STAMP);
-    return w == 0 && !f->particles->density ? 1 : w;
+    double w = cloud_value(id, cloud_code("inverse_mass"), 0, STAMP);
+    return w == 0 && !groups_densities(f->particles) ? 1 : w;
 }
 
 /* The full-step velocity, by the formula, from the values that the cloud gave. */
 static inline double full_step(const struct fixture *f, int64_t id, int d) {
-    double v = cloud_value(id, fields_find("velocity"), d, STAMP);
+    double v = cloud_value(id, cloud_code("velocity"), d, STAMP);
     double w = inverse_mass(f, id);
-    double force = cloud_value(id, fields_find("force"), d, STAMP);
+    double force = cloud_value(id, cloud_code("force"), d, STAMP);
     return v + 0.5 * f->motion.dt * (force * w + f->motion.gravity[d]);
 }
 
@@ -172,7 +172,7 @@ static inline void expect_values(const struct fixture *f, hid_t file, int frame,
         team_expect(team, id[k] == k + 1, "row %d holds id %g", k, id[k]);
         team_expect(team, radius[k] == f->cloud.radius[k], "radius of %d", k);
         double w = inverse_mass(f, k + 1);
-        double density = cloud_value(k + 1, fields_find("density"), 0, STAMP);
+        double density = cloud_value(k + 1, cloud_code("density"), 0, STAMP);
         if (w > 0)
             team_expect(team, fabs(mass[k] - 1 / w) <= 1e-15 / w, "mass of %d", k);
         else
@@ -183,7 +183,7 @@ static inline void expect_values(const struct fixture *f, hid_t file, int frame,
             double x = f->cloud.x[k][d] + f->cloud.box.origin[d];
             team_expect(team, position[place] == x, "position of %d", k);
             team_expect(team, fabs(velocity[place] - full_step(f, k + 1, d)) < 1e-9, "velocity of %d", k);
-            double touched = cloud_value(k + 1, fields_find("force"), d, STAMP); /* without gravity */
+            double touched = cloud_value(k + 1, cloud_code("force"), d, STAMP); /* without gravity */
             team_expect(team, force[place] == touched, "force of %d", k);
         }
     }

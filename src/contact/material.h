@@ -1,0 +1,19 @@
+/* The material of each particle: which row of the law's coefficients it has. Registered where a scene has
+ * more than one. */
+#ifndef SCREE_CONTACT_MATERIAL_H
+#define SCREE_CONTACT_MATERIAL_H
+
+#include "particles/particles.h"
+
+/* Registers `material`. */
+void material_register(struct particles *particles);
+
+/* The number of the material of each particle; NULL where all are of one. Borrowed until the set grows. */
+uint8_t *material_numbers(const struct particles *particles);
+
+/* Material of particle i, from material_numbers. */
+static inline int material_of(const uint8_t *number, size_t i) {
+    return number ? number[i] : 0;
+}
+
+#endif

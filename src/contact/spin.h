@@ -1,0 +1,20 @@
+/* Spin: particles that turn have an angular velocity and a torque. Registered where the law has a force along
+ * the surface (law.spin); without, neither exists. */
+#ifndef SCREE_CONTACT_SPIN_H
+#define SCREE_CONTACT_SPIN_H
+
+#include "particles/particles.h"
+
+/* Registers `angular_velocity`, and `torque` behind the force of its particle: force_stride becomes 8. */
+void spin_register(struct particles *particles);
+
+/* The angular velocities, rad/time, the fourth component 0; NULL where particles do not turn. Borrowed until
+ * the set grows. */
+double (*spin_of(const struct particles *particles))[4];
+
+/* The same to read alone. */
+static inline const double (*spin_values(const struct particles *particles))[4] {
+    return (const double(*)[4])spin_of(particles);
+}
+
+#endif
