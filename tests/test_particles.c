@@ -1,6 +1,7 @@
 /* The particle set, its field table, size classes and images. */
 #include "core/random.h"
 #include "particles/fields.h"
+#include "particles/kinds.h"
 #include "particles/particles.h"
 #include "tests/fields_by_hand.h"
 #include <math.h>
@@ -343,6 +344,79 @@ static void test_classes_by_quantiles(void **state) {
     assert_true(classes.population[0] == 12 && classes.radius_min[0] == 1 && classes.radius_max[0] == 3);
 }
 
+/* Grains and fluid of like radii: classes of their own, and one range each after an order by class. */
+static void test_kinds_lie_together(void **state) {
+    (void)state;
+    enum { N = 300 };
+    struct classes_options two = {
+        .method = CLASSES_CUTS, .cut_count = 1, .cut = {0.5}, .skin_given = true, .skin = 0.01};
+    struct classes_options one = {.method = CLASSES_ONE, .skin_given = true, .skin = 0.01};
+    struct size_classes all = {0}, of_kind;
+    struct error error = {0};
+    struct particles *p = sample(WITH_SPIN, N);
+    double radii[2][N];
+    size_t count[2] = {0};
+    assert_null(kinds_of(p));
+    kinds_register(p);
+    for (size_t k = 0; k < N; k++) {
+        int fluid = k % 3 == 0;
+        kinds_of(p)[k] = fluid ? KIND_FLUID : KIND_GRAIN;
+        radii[fluid][count[fluid]++] = p->state[k].radius;
+    }
+    assert_true(classes_choose(&of_kind, &two, 0, radii[0], count[0], &error));
+    assert_true(kinds_join_classes(&all, KIND_GRAIN, &of_kind, &two, 0.25, &error));
+    assert_true(classes_choose(&of_kind, &one, 0, radii[1], count[1], &error));
+    assert_true(kinds_join_classes(&all, KIND_FLUID, &of_kind, &one, 0.25, &error));
+    assert_int_equal(all.count, 3);
+    assert_true(all.kind[0] == KIND_GRAIN && all.kind[1] == KIND_GRAIN && all.kind[2] == KIND_FLUID);
+    assert_true(all.margin[0][2] == 0.26 && all.population[2] == count[1]);
+    particles_classify(p, &all);
+    uint32_t order[N];
+    for (uint32_t k = 0; k < N; k++)
+        order[k] = N - 1 - k;
+    kinds_sort(p, &all, order);
+    particles_reorder(p, order);
+    struct kind_span grains = kinds_span(p, &all, KIND_GRAIN), fluid = kinds_span(p, &all, KIND_FLUID);
+    struct kind_span none = kinds_span(p, &all, KIND_BOUNDARY);
+    assert_true(grains.first == 0 && grains.end == count[0]);
+    assert_true(fluid.first == count[0] && fluid.end == N);
+    assert_true(none.first == none.end);
+    for (size_t k = 0; k < N; k++) {
+        size_t from = (size_t)(1000 - p->id[k]); /* where it lay */
+        int class = k >= count[0] ? 2 : p->state[k].radius > 0.5;
+        assert_int_equal(kinds_of(p)[k], from % 3 == 0 ? KIND_FLUID : KIND_GRAIN);
+        assert_int_equal(p->size_class[k], class);
+        if (k > 0 && p->size_class[k - 1] == class)
+            assert_true(p->id[k] > p->id[k - 1]); /* in a class the order stays */
+    }
+    particles_destroy(&p);
+}
+
+/* With one kind there is no field, all are grains, and an order stays as it is. */
+static void test_one_kind_costs_nothing(void **state) {
+    (void)state;
+    struct classes_options options = {.method = CLASSES_CUTS, .cut_count = 1, .cut = {0.5}};
+    struct size_classes classes;
+    struct error error = {0};
+    struct particles *p = sample(0, 50);
+    double radii[50];
+    uint32_t order[50];
+    for (uint32_t k = 0; k < 50; k++) {
+        radii[k] = p->state[k].radius;
+        order[k] = 49 - k;
+    }
+    assert_true(classes_choose(&classes, &options, 0, radii, 50, &error));
+    particles_classify(p, &classes);
+    kinds_sort(p, &classes, order);
+    for (uint32_t k = 0; k < 50; k++)
+        assert_int_equal(order[k], 49 - k);
+    assert_int_equal(fields_find(p, "kind"), -1);
+    assert_true(kinds_class(&classes, KIND_GRAIN, 0.4) == 0 && kinds_class(&classes, KIND_GRAIN, 9) == 1);
+    struct kind_span all = kinds_span(p, &classes, KIND_GRAIN);
+    assert_true(all.first == 0 && all.end == 50);
+    particles_destroy(&p);
+}
+
 static void test_validity_finds_nonsense(void **state) {
     (void)state;
     char why[200];
@@ -370,6 +444,8 @@ int main(void) {
         cmocka_unit_test(test_image_codes_and_shifts),
         cmocka_unit_test(test_classes_by_ratio_and_by_cuts),
         cmocka_unit_test(test_classes_by_quantiles),
+        cmocka_unit_test(test_kinds_lie_together),
+        cmocka_unit_test(test_one_kind_costs_nothing),
         cmocka_unit_test(test_validity_finds_nonsense),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -3,6 +3,7 @@
 #include "engine/guards.h"
 #include "engine/load.h"
 #include "core/memory.h"
+#include "particles/kinds.h"
 #include <math.h>
 #include <string.h>
 
@@ -93,6 +94,7 @@ static uint32_t *reorder(struct simulation *s, struct rebuild_rows *rows) {
     struct index_view view;
     simulation_index_view(s, &view);
     index_order(s->index, &view, order);
+    kinds_sort(s->particles, &s->classes, order);
     particles_reorder(s->particles, order);
     if (rows->pairs.start)
         history_rows_reorder(&rows->pairs, order, owned);

@@ -38,9 +38,9 @@ struct integrator_pass {
     const uint8_t *group; /* NULL where all are free */
 };
 
-static struct integrator_pass integrator_pass_of(const struct particles *particles,
-                                                 const struct integrator_context *context, double dt,
-                                                 bool spin) {
+static inline __attribute__((always_inline)) struct integrator_pass
+integrator_pass_of(const struct particles *particles, const struct integrator_context *context, double dt,
+                   bool spin) {
     double z = context->dimension == 3 ? dt : 0.0;
     const double *g = context->gravity;
     return (struct integrator_pass){.dt = {dt, dt, z},

@@ -95,12 +95,20 @@ static void classes_fill(struct size_classes *classes, const double *radii, size
     classes->cut[kept - 1] = INFINITY;
 }
 
+/* The class of the smaller particles; walls are the largest. */
+static int smaller_class(const struct size_classes *classes, int a, int b) {
+    int low = a < b ? a : b, high = a < b ? b : a;
+    if (high == classes->count || classes->kind[low] == classes->kind[high])
+        return low;
+    return classes->radius_min[low] <= classes->radius_min[high] ? low : high;
+}
+
 void classes_set_margins(struct size_classes *classes, const struct classes_options *options, double range) {
     int n = classes->count;
     classes->range = range;
     for (int a = 0; a <= n; a++) {
         for (int b = 0; b <= n; b++) {
-            int smaller = a < b ? a : b;
+            int smaller = smaller_class(classes, a, b);
             double skin = options->skin_given ? options->skin
                           : smaller < n       ? options->skin_relative * classes->radius_min[smaller]
                                               : 0;

@@ -2,8 +2,9 @@
  * bounded per class pair, never by the largest radius of all.
  *
  * Classes are numbered from small to large: class c holds the radii in (cut[c-1], cut[c]]. They are the same
- * on every rank. The margin of a class pair is what a pair adds to r_i + r_j: range (from the law) + skin.
- * Walls count as one more class, number `count`. */
+ * on every rank. Where particles are of several kinds each has classes of its own, kind after kind (kinds.h).
+ * The margin of a class pair is what a pair adds to r_i + r_j: range (from the law) + skin. Walls count as
+ * one more class, number `count`. */
 #ifndef SCREE_PARTICLES_CLASSES_H
 #define SCREE_PARTICLES_CLASSES_H
 
@@ -35,8 +36,9 @@ struct size_classes {
     double cut[CLASS_MAX];        /* upper radius bound of each class; the last is >= every radius */
     double radius_min[CLASS_MAX]; /* smallest and largest radius present, over all ranks, length unit */
     double radius_max[CLASS_MAX];
-    uint64_t population[CLASS_MAX];              /* particles in the class, over all ranks */
-    double range;                                /* how far beyond touch the law acts, length unit */
+    uint64_t population[CLASS_MAX]; /* particles in the class, over all ranks */
+    uint8_t kind[CLASS_MAX];        /* of whose particles it is a class (kinds.h); not decreasing */
+    double range;                   /* how far beyond touch the law acts, length unit */
     double skin[CLASS_MAX + 1][CLASS_MAX + 1];   /* symmetric; row and column `count` are walls */
     double margin[CLASS_MAX + 1][CLASS_MAX + 1]; /* range + skin */
 };

@@ -3,5 +3,6 @@ libparticles_la_SOURCES = \
 	src/particles/box.c src/particles/box.h \
 	src/particles/classes.c src/particles/classes.h \
 	src/particles/fields.c src/particles/fields.h \
+	src/particles/kinds.c src/particles/kinds.h \
 	src/particles/particles.c src/particles/particles.h \
 	src/particles/storage.c src/particles/storage.h

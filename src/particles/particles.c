@@ -1,6 +1,7 @@
 #include "particles/particles.h"
 #include "core/memory.h"
 #include "core/stream.h"
+#include "particles/kinds.h"
 #include "particles/storage.h"
 #include <assert.h>
 #include <math.h>
@@ -244,9 +245,12 @@ void particles_reorder(struct particles *particles, const uint32_t *order) {
 }
 
 void particles_classify(struct particles *particles, const struct size_classes *classes) {
+    const uint8_t *kind = kinds_of(particles);
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < particles->owned; k++)
-        particles->size_class[k] = (uint8_t)classes_of(classes, particles->state[k].radius);
+        particles->size_class[k] =
+            (uint8_t)(kind ? kinds_class(classes, (enum kind)kind[k], particles->state[k].radius)
+                           : classes_of(classes, particles->state[k].radius));
 }
 
 /* Wraps one coordinate; returns how many edges it had to go back. */

@@ -74,7 +74,7 @@ void particles_vacate(struct particles *particles, const uint32_t *place, size_t
  * own thread team. */
 void particles_reorder(struct particles *particles, const uint32_t *order);
 
-/* Sets size_class of the owned particles from their radii. Opens its own thread team. */
+/* Sets size_class of the owned particles from their radii and kinds. Opens its own thread team. */
 void particles_classify(struct particles *particles, const struct size_classes *classes);
 
 /* Registers the field `image`, int32 x 3: how often a particle crossed the box; unwrapped position = x +
