@@ -1,40 +1,49 @@
 #include "engine/limit.h"
 #include "core/memory.h"
 #include "integrate/stability.h"
+#include "particles/fields.h"
 #include <math.h>
 #include <string.h>
 
-/* Sends the sums of copies to their originals, as forces go: a few components at a time. */
+/* Sends the sums of copies to their originals, as forces go: a few components at a time, in the place of the forces,
+ * which are put back. */
 static void sums_home(struct simulation *s, struct stability *stability) {
-    struct particles carrier = *s->particles;
-    size_t stride = (size_t)carrier.force_stride, sums = (size_t)stability->sums;
+    struct particles *p = s->particles;
+    struct field_list fields = fields_with(p, FIELD_REVERSE);
+    size_t stride = (size_t)p->force_stride, sums = (size_t)stability->sums, bytes;
     size_t width = s->law.spin ? 6 : 3;
-    carrier.force = memory_allocate_zero(stability->count * stride, sizeof(double), "stability of contacts");
+    double *kept = memory_allocate(stability->count * stride, sizeof *kept, "stability of contacts");
+    bytes = stability->count * stride * sizeof *kept;
+    memcpy(kept, p->force, bytes);
     for (size_t first = 0; first < sums; first += width) {
         size_t part = sums - first < width ? sums - first : width;
+        memset(p->force, 0, bytes);
         for (size_t k = 0; k < stability->count; k++)
             for (size_t c = 0; c < part; c++)
-                carrier.force[k * stride + c + c / 3] = stability->sum[k * sums + first + c];
-        ghosts_reverse(s->ghosts, &carrier);
-        for (size_t k = 0; k < carrier.owned; k++)
+                p->force[k * stride + c + c / 3] = stability->sum[k * sums + first + c];
+        ghosts_reverse(s->ghosts, p, &fields);
+        for (size_t k = 0; k < p->owned; k++)
             for (size_t c = 0; c < part; c++)
-                stability->sum[k * sums + first + c] = carrier.force[k * stride + c + c / 3];
+                stability->sum[k * sums + first + c] = p->force[k * stride + c + c / 3];
     }
-    memory_free(carrier.force);
+    memcpy(p->force, kept, bytes);
+    memory_free(kept);
 }
 
-/* Tells copies what was found for their originals, in place of a velocity. */
+/* Tells copies what was found for their originals, in the place of a velocity, which is put back. */
 static void local_out(struct simulation *s, struct stability *stability) {
-    struct particles carrier = *s->particles;
-    carrier.state = memory_allocate(carrier.capacity, sizeof *carrier.state, "stability of contacts");
-    memcpy(carrier.state, s->particles->state, stability->count * sizeof *carrier.state);
-    for (size_t k = 0; k < carrier.owned; k++)
-        carrier.state[k].v[0] = stability->local[k];
-    ghosts_forward_begin(s->ghosts, &carrier);
-    ghosts_forward_end(s->ghosts, &carrier);
-    for (size_t k = carrier.owned; k < stability->count; k++)
-        stability->local[k] = carrier.state[k].v[0];
-    memory_free(carrier.state);
+    struct particles *p = s->particles;
+    struct field_list fields = fields_one(FIELD_VELOCITY);
+    struct particle_state *kept = memory_allocate(stability->count, sizeof *kept, "stability of contacts");
+    memcpy(kept, p->state, stability->count * sizeof *kept);
+    for (size_t k = 0; k < p->owned; k++)
+        p->state[k].v[0] = stability->local[k];
+    ghosts_forward_begin(s->ghosts, p, &fields);
+    ghosts_forward_end(s->ghosts, p);
+    for (size_t k = p->owned; k < stability->count; k++)
+        stability->local[k] = p->state[k].v[0];
+    memcpy(p->state, kept, stability->count * sizeof *kept);
+    memory_free(kept);
 }
 
 static void walls_give(struct simulation *s, struct stability *stability) {

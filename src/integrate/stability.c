@@ -1,4 +1,5 @@
 #include "integrate/stability.h"
+#include "contact/material.h"
 #include "core/memory.h"
 #include "integrate/timestep.h"
 #include <math.h>
@@ -53,6 +54,7 @@ static bool pair_contact(const struct stability *s, const struct force_context *
         square += contact->normal[d] * contact->normal[d];
     }
     double inertia = a->inverse_mass + b->inverse_mass;
+    const uint8_t *number = material_numbers(p);
     if (!(square < reach * reach) || !(inertia > 0.0))
         return false;
     double distance = sqrt(square);
@@ -62,7 +64,7 @@ static bool pair_contact(const struct stability *s, const struct force_context *
     contact->j = j;
     contact->radius = a->radius * b->radius / reach;
     struct timestep_springs springs =
-        timestep_springs(context->law, particles_material(p, i), particles_material(p, j), 1.0 / inertia,
+        timestep_springs(context->law, material_of(number, i), material_of(number, j), 1.0 / inertia,
                          contact->radius, reach - distance);
     stiffen(s, &springs, contact);
     return true;
@@ -130,6 +132,7 @@ void stability_pairs(struct stability *s, const struct force_context *context) {
 void stability_walls(struct stability *s, const struct force_context *context,
                      const struct force_contact *contacts, size_t count, const int *material) {
     const struct particles *p = context->particles;
+    const uint8_t *number = material_numbers(p);
     for (size_t k = 0; k < count; k++) {
         const struct force_contact *c = &contacts[k];
         const struct particle_state *state = &p->state[c->number_i];
@@ -138,7 +141,7 @@ void stability_walls(struct stability *s, const struct force_context *context,
         if (state->inverse_mass == 0.0)
             continue;
         struct timestep_springs springs =
-            timestep_springs(context->law, particles_material(p, c->number_i), material[-c->id_j - 1],
+            timestep_springs(context->law, material_of(number, c->number_i), material[-c->id_j - 1],
                              1.0 / state->inverse_mass, state->radius, c->overlap);
         stiffen(s, &springs, &contact);
         add_to(s, p, contact.i, &contact, 1.0, false);
