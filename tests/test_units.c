@@ -1,3 +1,4 @@
+#include "scene/decimal.h"
 #include "scene/schema.h"
 #include "scene/units.h"
 
@@ -148,6 +149,49 @@ static void refuses(void **state) {
     assert_non_null(strstr(why, "dimensionless"));
 }
 
+/* A whole number counts by its worth, exactly, however it is written. */
+static void whole_numbers(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        int64_t value;
+    } good[] = {
+        {"0", 0},
+        {"-0.0", 0},
+        {"0e99", 0},
+        {"+17", 17},
+        {"-17", -17},
+        {"1e6", 1000000},
+        {"1.50e1", 15},
+        {"100e-2", 1},
+        {"0.001e3", 1},
+        {"12.000", 12},
+        {"9007199254740993", 9007199254740993},
+        {"9.007199254740993e15", 9007199254740993},
+        {"1e18", 1000000000000000000},
+        {"1000000000000000000", 1000000000000000000},
+        {"9223372036854775807", INT64_MAX},
+        {"922337203685477580.7e1", INT64_MAX},
+        {"-9223372036854775807", -INT64_MAX},
+    };
+    static const char *const not_whole[] = {"1.5", "15e-1", "1e-3", "0.1", "x",   "",
+                                            "-",   "e5",    "0x10", "1 2", "5 m", "nan"};
+    static const char *const too_large[] = {
+        "1e19",  "9223372036854775808",           "-1e30", "10000000000000000000", ".inf",
+        "-.inf", "123456789012345678901234567890"};
+    int64_t value;
+    bool fits;
+    for (size_t k = 0; k < sizeof(good) / sizeof(good[0]); k++)
+        if (!decimal_whole(good[k].text, &value, &fits) || !fits || value != good[k].value)
+            fail_msg("%s: %lld", good[k].text, (long long)value);
+    for (size_t k = 0; k < sizeof(not_whole) / sizeof(not_whole[0]); k++)
+        if (decimal_whole(not_whole[k], &value, &fits))
+            fail_msg("%s is taken for whole", not_whole[k]);
+    for (size_t k = 0; k < sizeof(too_large) / sizeof(too_large[0]); k++)
+        if (!decimal_whole(too_large[k], &value, &fits) || fits)
+            fail_msg("%s is taken for one of 64 bits", too_large[k]);
+}
+
 static void parses_dimensions(void **state) {
     (void)state;
     struct units_scale scale;
@@ -167,6 +211,7 @@ int main(void) {
                                        cmocka_unit_test(knows_every_prefix),
                                        cmocka_unit_test(decimals_are_exact),
                                        cmocka_unit_test(refuses),
+                                       cmocka_unit_test(whole_numbers),
                                        cmocka_unit_test(parses_dimensions)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -352,6 +352,8 @@ static bool study_options(struct study *study, struct error *error) {
     if (scene == NULL)
         return false;
     study->duration = scene->duration > 0 ? scene->duration : (double)scene->step.count * scene->step.dt;
+    if (isinf(study->duration))
+        study->duration = 0; /* no end: the command line must name one */
     scene_free(&scene);
     if (!number_read(list[ABLATE_DURATION], "duration", 1e-300, 1e300, &study->duration, error) ||
         !number_read(list[ABLATE_SAMPLES], "samples", 2, 10000, &samples, error) ||
@@ -364,10 +366,9 @@ static bool study_options(struct study *study, struct error *error) {
     study->samples = (int)samples;
     study->repeat = (int)repeat;
     study->members = (int)members;
-    return study->duration > 0 ||
-           error_set(
-               error, ERROR_USER,
-               "command line: --duration is needed: the scene gives its length in steps of no stated length");
+    return study->duration > 0 || error_set(error, ERROR_USER,
+                                            "command line: --duration is needed: the scene has no end, or "
+                                            "gives its length in steps of no stated length");
 }
 
 bool ablate_error(const struct comm *comm, const struct command_line *line, struct error *error) {

@@ -72,11 +72,16 @@ bool run_directory(const struct comm *comm, const struct run_options *options, s
     return comm_agree(comm, error);
 }
 
+/* More steps than this nobody waits for: a run of infinite or huge duration ends there, or by a signal. */
+static const uint64_t steps_most = (uint64_t)1 << 62;
+
 uint64_t run_last_step(const struct simulation *s) {
     const struct scene *scene = s->scene;
     if (scene->duration > 0) {
-        double left = (scene->duration - s->time) / s->dt;
-        return left > 0 ? s->step + (uint64_t)ceil(left - 1e-6) : s->step;
+        double left = ceil((scene->duration - s->time) / s->dt - 1e-6);
+        if (left >= (double)(steps_most - s->step))
+            return steps_most;
+        return left > 0 ? s->step + (uint64_t)left : s->step;
     }
     return scene->step.count > 0 ? (uint64_t)scene->step.count : 0;
 }

@@ -1,5 +1,7 @@
 noinst_LTLIBRARIES += libscene.la
 libscene_la_SOURCES = \
+	src/scene/decimal.c \
+	src/scene/decimal.h \
 	src/scene/finish.c \
 	src/scene/finish.h \
 	src/scene/insertion.c \

@@ -1,4 +1,5 @@
 /* One value: from a node to where the row says. */
+#include "scene/decimal.h"
 #include "scene/schema.h"
 #include "scene/units.h"
 
@@ -8,38 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A decimal number at the start of `text`, its end in *end; .inf for infinity. No hexadecimal, no nan. */
-static bool read_decimal(const char *text, const char **end, double *value) {
-    const char *digits = text + (*text == '-' || *text == '+');
-    if (strncmp(digits, ".inf", 4) == 0) {
-        *value = *text == '-' ? -INFINITY : INFINITY;
-        *end = digits + 4;
-        return true;
-    }
-    if (!((*digits >= '0' && *digits <= '9') || *digits == '.') ||
-        (digits[0] == '0' && (digits[1] == 'x' || digits[1] == 'X')))
-        return false;
-    char *after;
-    *value = strtod(text, &after);
-    *end = after;
-    return after != text && isfinite(*value);
-}
-
-/* The number in [text, end) x 10^decimal, by its exponent, so that 2.3 mm is the double nearest to 0.0023. */
-static double shift_decimal(const char *text, const char *end, int decimal) {
-    char copy[128];
-    size_t mantissa = strcspn(text, "eE ");
-    mantissa = text + mantissa < end ? mantissa : (size_t)(end - text);
-    long exponent = text + mantissa < end ? strtol(text + mantissa + 1, NULL, 10) : 0;
-    snprintf(copy, sizeof(copy), "%.*se%ld", (int)(mantissa < 100 ? mantissa : 100), text,
-             exponent + decimal);
-    return strtod(copy, NULL);
-}
-
 bool schema_number(const char *text, const char *unit, bool units_allowed, double *value, char *why,
                    size_t room) {
     const char *end, *behind;
-    if (!read_decimal(text, &end, value)) {
+    if (!decimal_read(text, &end, value)) {
         snprintf(why, room, "'%.80s' is not a number", text);
         return false;
     }
@@ -65,7 +38,7 @@ bool schema_number(const char *text, const char *unit, bool units_allowed, doubl
             snprintf(why, room, "'%.80s': a pure number has no unit", text);
         return false;
     }
-    *value = isfinite(*value) ? shift_decimal(text, behind, scale.decimal) * scale.factor : *value;
+    *value = isfinite(*value) ? decimal_shift(text, behind, scale.decimal) * scale.factor : *value;
     return true;
 }
 
@@ -113,23 +86,15 @@ static bool read_long(struct schema_reader *reader, const struct schema_row *row
                       const struct tree_node *node, const char *key, int64_t *value) {
     if (!want_scalar(reader, row, node, key))
         return false;
-    char why[256], *end;
-    errno = 0;
-    *value = strtoll(node->text, &end, 10);
-    bool good = errno == 0 && end != node->text && *end == '\0';
-    double real;
-    const char *after;
-    if (!good && read_decimal(node->text, &after, &real) && *after == '\0' && fabs(real) < 9e15 &&
-        real == nearbyint(real)) {
-        *value = (int64_t)real;
-        good = true;
-    }
+    char why[256];
+    bool fits;
     snprintf(why, sizeof(why), "'%.80s' is not a whole number", node->text);
-    if (!good)
+    if (!decimal_whole(node->text, value, &fits))
         return refuse(reader, row, node, key, why);
     snprintf(why, sizeof(why), "'%.80s' is out of range", node->text);
-    return (schema_in_range(row, (double)*value) &&
-            (row->type != SCHEMA_INT || llabs(*value) <= INT32_MAX)) ||
+    bool narrow = row->type == SCHEMA_INT;
+    return (fits && schema_in_range(row, (double)*value) &&
+            (!narrow || (*value >= -INT32_MAX && *value <= INT32_MAX))) ||
            refuse(reader, row, node, key, why);
 }
 
