@@ -13,6 +13,7 @@
 #include "index/grids/cells_sort.h"
 #include "index/grids/locate.h"
 
+#include <assert.h>
 #include <omp.h>
 #include <string.h>
 
@@ -47,6 +48,16 @@ static void reserve_slots(struct cells *cells, size_t count, bool coordinates) {
     cells->z = ensure(cells->z, old, count, sizeof(float), "index coordinates");
     cells->r = ensure(cells->r, old, count, sizeof(float), "index radii");
     cells->place_capacity = count > old ? count : old;
+}
+
+/* Searches read whole vectors: what stands behind the last slot is far from everybody. */
+static void pad_slots(const struct cells *cells) {
+    static_assert(MEMORY_ALIGNMENT / sizeof(float) >= CELLS_PAD, "arrays are padded by a cache line");
+    for (size_t k = cells->count; k < cells->count + CELLS_PAD; k++) {
+        cells->x[k] = cells->y[k] = cells->z[k] = 1e30f;
+        cells->r[k] = 0;
+        cells->particle[k] = 0;
+    }
 }
 
 /* Puts the particles of a batch into the slots from `slot` on; what it finds goes into the bounds of `cells`,
@@ -286,6 +297,7 @@ void cells_build(struct cells *cells, struct cells_scratch *scratch, const struc
         sort(cells, scratch, source);
         gather_slots(cells, source);
     }
+    pad_slots(cells);
     finish(cells, scratch, source);
     if (slot_of != NULL) {
         set_slots(cells, source->view->threads, slot_of);
@@ -324,6 +336,7 @@ void cells_fill(struct cells *cells, const struct cells_source *source, uint32_t
 #pragma omp barrier
         merge_bounds(cells, &mine, true);
     }
+    pad_slots(cells);
     set_slots(cells, source->view->threads, slot_of);
 }
 

@@ -32,6 +32,9 @@ struct cells {
     size_t occupied; /* sparse: cells with particles */
 };
 
+/* Behind the last slot stand so many of a place that is far from everybody: searches read whole vectors. */
+enum { CELLS_PAD = 16 };
+
 #define CELLS_RADIUS_EXCESS 0x1p-19
 
 /* Scratch of the sort, one for all tables of an index. */

@@ -245,6 +245,13 @@ static bool check_cells(const struct levels *levels, const struct index_view *vi
             return false;
         }
     }
+    for (size_t slot = cells->count; cells->count > 0 && slot < cells->count + CELLS_PAD; slot++) {
+        if (!(cells->x[slot] >= 1e30f && cells->y[slot] >= 1e30f && cells->z[slot] >= 1e30f &&
+              cells->r[slot] == 0)) {
+            snprintf(why, INDEX_WHY_MAX, "what stands behind the last slot is not far from everybody");
+            return false;
+        }
+    }
     return true;
 }
 
