@@ -257,6 +257,32 @@ static void test_scene_without_friction_carries_nothing_of_it(void **state) {
     particles_destroy(&q);
 }
 
+/* A counter that is full does not start over. */
+static void test_wrap_refuses_full_counters(void **state) {
+    (void)state;
+    struct box box = {.dimension = 3, .edge = {4, 5, 6}, .periodic = {true, true, true}};
+    static const struct {
+        int32_t image;
+        double x;
+        bool good;
+    } cases[] = {{INT32_MAX - 1, 4.5, true}, {INT32_MAX, 4.5, false},      {INT32_MAX, -0.5, true},
+                 {-INT32_MAX, -0.5, false},  {-INT32_MAX + 1, -0.5, true}, {0, 4e15, false},
+                 {0, -4e300, false},         {INT32_MAX, 3.5, true}};
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        struct particles *p = sample(PARTICLE_IMAGE, 3);
+        for (size_t i = 0; i < 3; i++)
+            memset(p->image[i], 0, sizeof p->image[i]);
+        p->image[1][0] = cases[k].image;
+        p->state[1].x[0] = cases[k].x;
+        assert_int_equal(particles_wrap(p, &box), cases[k].good);
+        bool inside = p->state[1].x[0] >= 0 && p->state[1].x[0] < 4;
+        assert_int_equal(inside, cases[k].good);
+        if (!cases[k].good)
+            assert_true(p->image[1][0] == cases[k].image && p->state[1].x[0] == cases[k].x);
+        particles_destroy(&p);
+    }
+}
+
 static void test_wrap_counts_images(void **state) {
     (void)state;
     struct box box = {.dimension = 3, .edge = {4, 5, 6}, .periodic = {true, false, true}};
@@ -441,6 +467,7 @@ int main(void) {
         cmocka_unit_test(test_pack_and_unpack_are_inverse),
         cmocka_unit_test(test_scene_without_friction_carries_nothing_of_it),
         cmocka_unit_test(test_wrap_counts_images),
+        cmocka_unit_test(test_wrap_refuses_full_counters),
         cmocka_unit_test(test_image_codes_and_shifts),
         cmocka_unit_test(test_classes_by_ratio_and_by_cuts),
         cmocka_unit_test(test_classes_by_quantiles),

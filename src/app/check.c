@@ -197,7 +197,7 @@ static void print_step(const struct simulation *s) {
     printf("\ntime step\n");
     printf("  stable       %.6g (contact '%s' - '%s', damping ratio %.3g)\n", s->limits.stable,
            s->scene->material[s->limits.material_a].name, s->scene->material[s->limits.material_b].name,
-           s->limits.damping_ratio);
+           s->limits.damping_ratio + 0.0); /* no -0 */
     if (s->limits.stable < s->limits_expected)
         printf("               for the contacts that there are; %.6g for contacts to come\n",
                s->limits_expected);

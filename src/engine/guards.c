@@ -142,6 +142,24 @@ void guards_check_positions(struct simulation *s) {
     }
 }
 
+/* Where a particle is, unwrapped, cannot be told any more, so this always stops the run. */
+void guards_check_images(struct simulation *s) {
+    const struct box *box = &s->scene->box;
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        double *x = s->particles->state[k].x;
+        for (int d = 0; d < 3; d++) {
+            if (!box->periodic[d] || (x[d] >= 0 && x[d] < box->edge[d]))
+                continue;
+            error_set(&s->error, ERROR_PHYSICS,
+                      "particle %lld has crossed the periodic box in %c more often than 32 bits count, at "
+                      "step %llu, "
+                      "t = %.9g",
+                      (long long)s->particles->id[k], "xyz"[d], (unsigned long long)s -> step, s -> time);
+            x[d] = 0;
+        }
+    }
+}
+
 bool guards_prepare(struct simulation *s, struct error *error) {
     const struct scene *scene = s->scene;
     struct observables_options options = {.count = 1, .request = {{.name = "energy"}}};

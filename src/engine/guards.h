@@ -20,6 +20,10 @@ void guards_check(struct simulation *simulation);
 /* Positions and velocities that are no numbers; a pass over all particles. */
 void guards_check_positions(struct simulation *simulation);
 
+/* Particles that particles_wrap left outside of a periodic box, as it could not count their crossings; a pass
+ * over all particles. */
+void guards_check_images(struct simulation *simulation);
+
 /* True if guards_check_energy is to follow that step, which then needs the energy sums. */
 bool guards_energy_due(const struct simulation *simulation, uint64_t step);
 

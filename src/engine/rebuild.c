@@ -186,8 +186,10 @@ static void walls_reach(struct simulation *s) {
 void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
     timer_start(&s->timers, TIMER_MIGRATE);
     ghosts_drop(s->ghosts, s->particles);
-    if (!particles_wrap(s->particles, &s->scene->box))
+    if (!particles_wrap(s->particles, &s->scene->box)) {
         guards_check_positions(s);
+        guards_check_images(s);
+    }
     sources_run(s, rows);
     integrator_prescribe(s->particles, &s->motion); /* whom walls will meet depends on it */
     load_begin(s);

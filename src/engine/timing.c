@@ -168,7 +168,7 @@ static bool dt_allowed(const struct simulation *s, struct error *error) {
     else
         snprintf(why, sizeof why, "contact between materials '%s' and '%s', damping ratio %.3g",
                  s->scene->material[s->limits.material_a].name, s->scene->material[s->limits.material_b].name,
-                 s->limits.damping_ratio);
+                 s->limits.damping_ratio + 0.0);
     return error_set(error, ERROR_USER,
                      "%s: step.dt: the time step %.6g is above the stable one, %.6g (%s); allowed: up to "
                      "that, or step.force: true",

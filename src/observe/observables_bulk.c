@@ -89,7 +89,7 @@ static void add_centre(const struct output_view *view, const struct observable_i
 static void finish_centre(const struct output_view *view, const struct observable_item *item, double *part) {
     (void)view, (void)item;
     for (int d = 0; d < 3; d++)
-        part[d] /= part[3];
+        part[d] = part[3] > 0 ? part[d] / part[3] : NAN; /* of no particles */
 }
 
 static void add_one(const struct output_view *view, const struct observable_item *item, size_t i,

@@ -278,9 +278,15 @@ bool particles_wrap(struct particles *particles, const struct box *box) {
         for (int d = 0; d < 3; d++) {
             if (!box->periodic[d] || (x[d] >= 0 && x[d] < box->edge[d]))
                 continue;
-            double turns = wrap_coordinate(&x[d], box->edge[d]);
+            double wrapped = x[d], turns = wrap_coordinate(&wrapped, box->edge[d]);
+            double image = crossed ? crossed[k][d] + turns : 0;
+            if (fabs(image) > INT32_MAX) {
+                bad = 1;
+                continue;
+            }
+            x[d] = wrapped;
             if (crossed)
-                crossed[k][d] += (int32_t)turns;
+                crossed[k][d] = (int32_t)image;
         }
     }
     return !bad;

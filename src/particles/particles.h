@@ -83,7 +83,8 @@ void particles_count_images(struct particles *particles);
 int32_t (*particles_images(const struct particles *particles))[3];
 
 /* Wraps owned particles into the box in the periodic directions (and counts crossings where images are kept).
- * False if there are positions that are no numbers; these are left alone. Opens its own thread team. */
+ * False if there are positions that are no numbers, or coordinates whose crossings 32 bits do not count;
+ * these are left as they are. Opens its own thread team. */
 bool particles_wrap(struct particles *particles, const struct box *box);
 
 /* Mass of a sphere of a density. */

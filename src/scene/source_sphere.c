@@ -169,7 +169,9 @@ static bool place_in_box(const struct subject *at, struct source_sphere *sphere,
             x[d] = 0;
             images++;
         }
-        sphere->image[d] += (int32_t)images;
+        if (__builtin_add_overflow(sphere->image[d], (int32_t)images, &sphere->image[d]) ||
+            sphere->image[d] == INT32_MIN)
+            return fail(at, "crossed the periodic box in %c more often than 32 bits count", axis);
         if (2 * sphere->radius >= box->edge[d])
             return fail(at, "the diameter (%g) is not smaller than the periodic box in %c (%g)",
                         2 * sphere->radius, axis, box->edge[d]);

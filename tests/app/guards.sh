@@ -130,4 +130,32 @@ thrown() { # THREADS
 }
 check 'a speed that is no number shows at once, whoever moves after it' thrown 1
 check 'and on whatever thread' thrown 2
+
+# Crossings of a periodic box are counted in 32 bits; a counter that is full ends the run, also where guards are off
+printf 'title\n\n1 atoms\n1 atom types\n0 4 xlo xhi\n0 4 ylo yhi\n0 4 zlo zhi\n\nAtoms # sphere\n\n7 1 1 1 3.9 2 2 2147483647 0 0\n' >full.data
+cat >full.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [4, 4, 4], periodic: true}
+step: {dt: 0.01, count: 50}
+contact: {law: hooke}
+guards: {speed: off, overlap: off}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 1, k_n: 100}]
+particles: {file: full.data, format: lammps-data, velocity: [1, 0, 0]}
+observables: {every: 10, list: [{name: centre}]}
+EOF
+full() {
+    on 1 "$scree" run full.yaml -o full --quiet "$@" >said 2>&1
+    [ $? = 3 ] && holds said 'particle 7 has crossed the periodic box in x more often than 32 bits count, at step ' || { cat said; return 1; }
+}
+check 'crossings beyond 32 bits end the run' full
+check 'but not crossings back' run_scene 1 full.yaml back --set 'particles.velocity=[-20, 0, 0]'
+
+# Nobody is left: the centre is nan, without a sign
+gone() {
+    run_scene 1 full.yaml gone --set box.periodic=false --set box.leave=delete --set 'particles.velocity=[10, 0, 0]' &&
+        tail -n 1 gone/observables.csv | grep -q ',nan,nan,nan$' || { cat said gone/observables.csv; return 1; }
+}
+check 'the centre of no particles is nan' gone
+check 'a damping ratio of nothing has no sign' says 'damping ratio 0)' --set material_pairs[0].restitution=1
 finish
