@@ -25,7 +25,10 @@ static double moment(const struct sizes_options *options, double power) {
         assert_true(r >= smallest * (1 - 1e-14) && r <= largest * (1 + 1e-14));
         sum += pow(r, power);
     }
-    return sum / DRAWS;
+    double drawn = sum / DRAWS, stated = sizes_moment(&sampler, (int)power);
+    if (power == (int)power && !(fabs(drawn - stated) <= 0.03 * stated))
+        fail_msg("mean of r^%g: %.6g drawn, %.6g stated", power, drawn, stated);
+    return drawn;
 }
 
 static void close_to(double value, double expected, double relative) {

@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 /* Radii that stand for all when classes are chosen: of each of so many logarithmic bins the smallest and the
  * largest, and more by weight. */
@@ -252,8 +253,27 @@ static bool taken(void *context, const double x[3], double radius) {
     return s->walls && walls_overlap(s->walls, x, radius);
 }
 
+/* How far a placement is that takes long: a line of rank 0 every ten seconds, where progress is shown. */
+static void placed(void *context, const char *what, double part) {
+    static const double pause = 10;
+    struct simulation *s = context;
+    enum progress_mode mode = s->scene->output.progress.mode;
+    double now = timer_now();
+    bool shown = mode == PROGRESS_LINES || (mode != PROGRESS_OFF && isatty(fileno(stderr)));
+    if (s->comm->rank != 0 || !shown || now - s->placing_told < pause)
+        return;
+    if (s->placing_told > 0)
+        fprintf(stderr, "scree: %s: %.0f %%\n", what, 100 * part);
+    s->placing_told = now;
+}
+
 static bool particles_make(struct simulation *s, struct error *error) {
-    struct scene_share share = {s->comm->rank, s->comm->size, mine, taken, s};
+    struct scene_share share = {.rank = s->comm->rank,
+                                .size = s->comm->size,
+                                .mine = mine,
+                                .taken = taken,
+                                .context = s,
+                                .progress = placed};
     bool good = scene_particles(s->scene, &share, s->particles, &s->census, error);
     if (!comm_agree(s->comm, error) || !good)
         return false;

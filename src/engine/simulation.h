@@ -95,8 +95,9 @@ struct simulation {
 
     struct particles *particles;
     struct size_classes classes;
-    bool classes_stale; /* radii may have changed: choose classes anew at the next rebuild */
-    uint64_t total;     /* particles on all ranks */
+    bool classes_stale;  /* radii may have changed: choose classes anew at the next rebuild */
+    uint64_t total;      /* particles on all ranks */
+    double placing_told; /* seconds: when a placement last told how far it is; 0: not yet */
     int64_t next_id;
 
     struct domain *domain;

@@ -7,6 +7,9 @@
 #include <math.h>
 #include <string.h>
 
+/* Places that a walk may look at, in about ten seconds, and that a lattice may have. */
+static const double WALK_MAX = 1e9, PLACES_MAX = 1e15;
+
 struct lattice {
     double cell[3]; /* edges, in spacings */
     int points;
@@ -51,13 +54,12 @@ static void prepare_walk(struct walk *walk, const struct scene *scene, const str
         walk->start[d] =
             walk->space.wrap[d] ? lower[d] + walk->cell[d] / 12 : lower[d] + largest + walk->jitter;
         double room = upper[d] - lower[d];
-        if (walk->cell[d] == 0)
-            walk->cells[d] = 1;
-        else if (walk->space.wrap[d])
-            walk->cells[d] =
-                (int64_t)floor(room / walk->cell[d] * (1 + 1e-9)); /* whole cells, so that the seam fits */
-        else
-            walk->cells[d] = (int64_t)floor(room / walk->cell[d]) + 1;
+        double cells = 1;
+        if (walk->cell[d] != 0 && walk->space.wrap[d])
+            cells = floor(room / walk->cell[d] * (1 + 1e-9)); /* whole cells, so that the seam fits */
+        else if (walk->cell[d] != 0)
+            cells = floor(room / walk->cell[d]) + 1;
+        walk->cells[d] = (int64_t)fmin(cells, PLACES_MAX); /* more are refused */
     }
 }
 
@@ -82,6 +84,15 @@ static int64_t count_places(const struct walk *walk, int64_t places, int64_t wan
     return found;
 }
 
+/* About how many places lie in the region: all cells, less what the region leaves of its bounding box. */
+static double expected_spheres(const struct walk *walk, double places) {
+    double lower[3], upper[3], bounds = 1;
+    region_bounds(&walk->region, lower, upper);
+    for (int d = 0; d < walk->space.dimension; d++)
+        bounds *= upper[d] - lower[d];
+    return places * fmin(1, region_volume(&walk->region, &walk->space) / bounds);
+}
+
 bool lattice_make(const struct scene *scene, int source, struct source_batch *batch, struct error *error) {
     const struct source_options *options = &scene->source[source];
     struct walk walk;
@@ -89,9 +100,15 @@ bool lattice_make(const struct scene *scene, int source, struct source_batch *ba
     prepare_walk(&walk, scene, options);
     double places_real =
         (double)walk.cells[0] * (double)walk.cells[1] * (double)walk.cells[2] * walk.lattice->points;
-    if (places_real > 1e10)
+    double expected = expected_spheres(&walk, places_real), wanted = (double)options->count;
+    bool by_count = wanted > 0 && wanted < expected;
+    source_key(source, by_count ? "count" : "spacing", key, sizeof(key));
+    if ((by_count ? wanted : expected) > SOURCE_SPHERES_MAX)
+        return finish_fail(scene, error, key, "gives about %.2g spheres; at most %d are possible",
+                           by_count ? wanted : expected, SOURCE_SPHERES_MAX);
+    if (places_real > PLACES_MAX || (by_count ? places_real * wanted / expected : places_real) > WALK_MAX)
         return finish_fail(scene, error, source_key(source, "spacing", key, sizeof(key)),
-                           "gives %.3g places; at most 1e10 are possible", places_real);
+                           "gives %.2g places in the bounds of the region, too many to look at", places_real);
     int64_t places = (int64_t)places_real, found = count_places(&walk, places, options->count);
     if (found == 0 || found < options->count)
         return finish_fail(scene, error,

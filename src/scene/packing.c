@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SPHERES_MAX = 200000000 };
+enum { PROGRESS_BLOCK = 4096 };
 
 struct draw {
     double radius;
@@ -36,8 +36,25 @@ struct order {
     double volume; /* of the region */
 };
 
-static bool draw_radii(const struct scene *scene, int source, double volume, struct order *order,
-                       struct error *error) {
+/* Where spheres are placed, and what is in their way. */
+struct placing {
+    const struct scene *scene;
+    int source;
+    const struct scene_share *share;
+    struct region region;
+    struct region_space space;
+    struct placegrid *grid;
+};
+
+/* Tells whoever wants to know how far it is, but not for each sphere. */
+static void tell(const struct scene_share *share, const char *what, size_t done, double all) {
+    if (share->progress && done % PROGRESS_BLOCK == 0 && done > 0)
+        share->progress(share->context, what, fmin(1, (double)done / all));
+}
+
+static bool draw_radii(const struct placing *p, double volume, struct order *order, struct error *error) {
+    const struct scene *scene = p->scene;
+    int source = p->source;
     const struct source_options *options = &scene->source[source];
     struct sizes_sampler sampler;
     if (!sizes_prepare(&sampler, &options->sizes, error))
@@ -46,21 +63,27 @@ static bool draw_radii(const struct scene *scene, int source, double volume, str
     size_t capacity = options->count ? (size_t)options->count : 1024;
     *order = (struct order){.volume = volume};
     char key[96];
-    if (options->count > SPHERES_MAX)
+    if (options->count > SOURCE_SPHERES_MAX)
         return finish_fail(scene, error, source_key(source, "count", key, sizeof(key)),
-                           "more than %d spheres", SPHERES_MAX);
+                           "more than %d spheres", SOURCE_SPHERES_MAX);
+    double expected =
+        wanted / (sizes_moment(&sampler, scene->box.dimension) * solid(scene->box.dimension, 1));
+    if (!options->count && expected > 1.1 * SOURCE_SPHERES_MAX) /* a few per cent are chance */
+        return finish_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),
+                           "needs about %.2g spheres; at most %d are possible", expected, SOURCE_SPHERES_MAX);
     order->draw = memory_allocate(capacity, sizeof(*order->draw), "radii");
     while (options->count ? order->count < (size_t)options->count : have < wanted) {
         struct random_sequence random =
             random_sequence(scene->seed, RANDOM_RADIUS, (uint64_t)(source + 1) << 40 | order->count);
+        tell(p->share, "radii drawn", order->count, options->count ? (double)options->count : expected);
         double r = sizes_draw(&sampler, &random);
         double more = solid(scene->box.dimension, r);
         if (!options->count && have + more - wanted > wanted - have)
             break; /* without it the fraction is nearer */
         have += more;
-        if (order->count == SPHERES_MAX)
+        if (order->count == SOURCE_SPHERES_MAX)
             return finish_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),
-                               "needs more than %d spheres", SPHERES_MAX);
+                               "needs more than %d spheres", SOURCE_SPHERES_MAX);
         if (order->count == capacity)
             order->draw = memory_resize(order->draw, capacity *= 2, sizeof(*order->draw), "radii");
         order->draw[order->count] = (struct draw){r, (uint32_t)order->count};
@@ -78,16 +101,6 @@ static void relative(const struct box *box, const double x[3], double y[3]) {
             y[d] -= floor(y[d] / box->edge[d]) * box->edge[d];
     }
 }
-
-/* Where spheres are placed, and what is in their way. */
-struct placing {
-    const struct scene *scene;
-    int source;
-    const struct scene_share *share;
-    struct region region;
-    struct region_space space;
-    struct placegrid *grid;
-};
 
 /* Finds a free place for one sphere. */
 static bool find_place(const struct placing *p, const struct draw *draw, double x[3]) {
@@ -129,6 +142,7 @@ static bool place_all(const struct placing *p, const struct order *order, struct
     double reached = 0;
     for (size_t k = 0; k < order->count; k++) {
         double *x = batch->rows.position[k], y[3];
+        tell(p->share, "spheres placed", k, (double)order->count);
         if (!find_place(p, &order->draw[k], x))
             return not_placed(p->scene, p->source, order, k, reached, error);
         relative(&p->scene->box, x, y);
@@ -144,7 +158,7 @@ bool packing_make(const struct scene *scene, int source, const struct scene_shar
     struct placing placing = {.scene = scene, .source = source, .share = share, .grid = grid};
     placing.region = source_region(scene, &scene->source[source].region, &placing.space);
     struct order order = {0};
-    bool good = draw_radii(scene, source, region_volume(&placing.region, &placing.space), &order, error);
+    bool good = draw_radii(&placing, region_volume(&placing.region, &placing.space), &order, error);
     char key[96];
     if (good && order.count == 0)
         good = finish_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),

@@ -47,6 +47,10 @@ bool sizes_prepare(struct sizes_sampler *sampler, const struct sizes_options *op
 /* One radius, by number. Draws a varying count of numbers from the sequence. */
 double sizes_draw(const struct sizes_sampler *sampler, struct random_sequence *random);
 
+/* The mean of radius^power over the radii that sizes_draw gives: closed forms, for the normal laws a
+ * quadrature good to about 1e-6. */
+double sizes_moment(const struct sizes_sampler *sampler, int power);
+
 /* Smallest and largest radius that the law can give. */
 void sizes_bounds(const struct sizes_options *options, double *smallest, double *largest);
 

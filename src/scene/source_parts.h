@@ -11,6 +11,9 @@
 /* The largest id: what insertions add never overflows. */
 #define SOURCE_ID_MAX ((int64_t)1 << 62)
 
+/* The most spheres that a source makes: each rank draws all of them. */
+enum { SOURCE_SPHERES_MAX = 200000000 };
+
 /* The spheres of one source. */
 struct source_batch {
     struct rows rows;     /* position and radius always; mass 0: not given */
