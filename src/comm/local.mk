@@ -13,7 +13,7 @@ libcomm_la_SOURCES = \
 	src/comm/groups.c src/comm/groups.h \
 	src/comm/migrate.c src/comm/migrate.h \
 	src/comm/shadows.c src/comm/shadows.h \
-	src/comm/writes.c src/comm/writes.h
+	src/comm/files.c src/comm/files.h
 libcomm_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 libcomm_la_LIBADD = $(MPI_LIBS)
 if HAVE_ZOLTAN

@@ -3,8 +3,55 @@
 #include "files/file.h"
 #include <errno.h>
 #include <fcntl.h>
+#include <stdio.h>
+#include <string.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
+
+/* The longest of what a run adds to the path of its directory. */
+static const char longest[] = "/checkpoint-18446744073709551615" CHECKPOINT_STOPPED ".h5.part";
+
+/* The directory in which one that is not there would be made. */
+static void parent_of(const char *directory, char parent[FILE_PATH_MAX]) {
+    snprintf(parent, FILE_PATH_MAX, "%s", directory);
+    size_t length = strlen(parent);
+    while (length > 0 && parent[length - 1] == '/')
+        length--;
+    while (length > 0 && parent[length - 1] != '/')
+        length--;
+    parent[length] = '\0';
+    if (length == 0)
+        snprintf(parent, FILE_PATH_MAX, ".");
+}
+
+static void check(const char *directory, struct error *error) {
+    char parent[FILE_PATH_MAX];
+    struct stat found;
+    if (strlen(directory) + strlen(longest) >= FILE_PATH_MAX) {
+        error_set(
+            error, ERROR_USER,
+            "%.100s...: the name of the directory has %zu characters; with the names of files in it the "
+            "path may have %d, so %zu are allowed",
+            directory, strlen(directory), FILE_PATH_MAX - 1, FILE_PATH_MAX - 1 - strlen(longest));
+    } else if (stat(directory, &found) != 0) {
+        parent_of(directory, parent);
+        if (access(parent, W_OK | X_OK) != 0)
+            error_set(error, ERROR_USER, "%s: cannot make this directory: %s: %s", directory, parent,
+                      strerror(errno));
+    } else if (!S_ISDIR(found.st_mode)) {
+        error_set(error, ERROR_USER, "%s: exists and is not a directory", directory);
+    } else if (access(directory, W_OK | X_OK) != 0) {
+        error_set(error, ERROR_USER, "%s: nothing can be written to this directory: %s", directory,
+                  strerror(errno));
+    }
+}
+
+bool folder_check(const struct comm *comm, const char *directory, struct error *error) {
+    if (comm->rank == 0)
+        check(directory, error);
+    return comm_agree(comm, error);
+}
 
 bool folder_lock(const struct comm *comm, const char *directory, int *handle, struct error *error) {
     *handle = -1;

@@ -4,6 +4,11 @@
 
 #include "comm/comm.h"
 
+/* Tells whether files can be written to a directory, or, where it is not there yet, whether it can be made:
+ * fails (user) where the path is too long for the names of a run's files, is no directory, or where the
+ * system allows no writing. Nothing is made. Collective. */
+bool folder_check(const struct comm *comm, const char *directory, struct error *error);
+
 /* Keeps other runs out of a directory until folder_unlock or the end of the program, but not where the file
  * system knows no locks; `handle` is -1 on all ranks but the first. Fails (user) if another run has it.
  * Collective. */

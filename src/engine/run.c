@@ -52,15 +52,22 @@ struct run {
     bool crowd_told;        /* that other programs use the cores */
 };
 
+/* What can be said of the directory before anything is made. */
+static bool directory_suits(const struct comm *comm, const struct run_options *options, struct error *error) {
+    if (options->directory == NULL)
+        return true;
+    if (options->directory[0] == '\0')
+        return error_set(error, ERROR_USER, "command line: -o: the name of the directory is empty");
+    return folder_check(comm, options->directory, error);
+}
+
 bool run_directory(const struct comm *comm, const struct run_options *options, struct error *error) {
-    if (options->directory && options->directory[0] == '\0') {
-        error_set(error, ERROR_USER, "command line: -o: the name of the directory is empty");
-    } else if (comm->rank == 0 && options->directory) {
+    if (!directory_suits(comm, options, error))
+        return false;
+    if (comm->rank == 0 && options->directory) {
         struct stat found;
         bool there = stat(options->directory, &found) == 0;
-        if (there && !S_ISDIR(found.st_mode))
-            error_set(error, ERROR_USER, "%s: exists and is not a directory", options->directory);
-        else if (there && !options->overwrite && !options->resume)
+        if (there && !options->overwrite && !options->resume)
             error_set(error, ERROR_USER,
                       "%s: exists already; nothing was written. Choose another -o, or give --overwrite or "
                       "--resume FILE",
@@ -282,6 +289,8 @@ int run_scene(const struct comm *comm, const struct scene *scene, const struct r
     struct run run = {.options = options, .lock = -1};
     struct report own;
     double start = timer_now();
+    if (!directory_suits(comm, options, error))
+        return error->kind;
     run.s = simulation_create(comm, scene, options->resume, error);
     if (run.s == NULL || over_already(run.s, options->resume)) {
         simulation_destroy(&run.s);

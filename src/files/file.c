@@ -122,3 +122,42 @@ int64_t file_size(const char *path) {
     struct stat status;
     return stat(path, &status) == 0 ? (int64_t)status.st_size : -1;
 }
+
+bool file_is_missing(int code) {
+    return code == ENOENT || code == ENOTDIR || code == EACCES || code == EPERM || code == ELOOP ||
+           code == ENAMETOOLONG || code == EISDIR || code == EROFS;
+}
+
+bool file_read_at(int handle, void *data, uint64_t bytes, uint64_t offset) {
+    char *next = data;
+    while (bytes > 0) {
+        ssize_t got = pread(handle, next, bytes, (off_t)offset);
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got <= 0) {
+            errno = got == 0 ? EIO : errno;
+            return false;
+        }
+        next += got;
+        offset += (uint64_t)got;
+        bytes -= (uint64_t)got;
+    }
+    return true;
+}
+
+bool file_write_at(int handle, const void *data, uint64_t bytes, uint64_t offset) {
+    const char *next = data;
+    while (bytes > 0) {
+        ssize_t put = pwrite(handle, next, bytes, (off_t)offset);
+        if (put < 0 && errno == EINTR)
+            continue;
+        if (put <= 0) {
+            errno = put == 0 ? EIO : errno;
+            return false;
+        }
+        next += put;
+        offset += (uint64_t)put;
+        bytes -= (uint64_t)put;
+    }
+    return true;
+}

@@ -37,6 +37,15 @@ bool file_reserve(const char *path, uint64_t bytes, struct error *error);
 /* Writes "DIRECTORY/NAME" to path (FILE_PATH_MAX bytes). Fails (user) if it does not fit. */
 bool file_join(char *path, const char *directory, const char *name, struct error *error);
 
+/* Tells whether an errno of open says that there is no such file for this user: a wrong name, or no right to
+ * it. Everything else is a failure of the system. */
+bool file_is_missing(int code);
+
+/* Reads or writes exactly so many bytes at a place of an open file; false with errno where that fails or the
+ * file ends before (EIO). */
+bool file_read_at(int handle, void *data, uint64_t bytes, uint64_t offset);
+bool file_write_at(int handle, const void *data, uint64_t bytes, uint64_t offset);
+
 /* Size of a file in bytes, or -1 if it cannot be asked. */
 int64_t file_size(const char *path);
 

@@ -5,6 +5,7 @@
 
 #include "core/checksum.h"
 #include "core/memory.h"
+#include "formats/checkpoint_file.h"
 #include "files/file.h"
 
 #include <assert.h>
@@ -45,13 +46,13 @@ static bool enter(struct writing *w, const char *name, const struct h5_table *ro
     return comm_agree(w->comm, error);
 }
 
-static size_t bytes_of(enum field_type type) {
+size_t checkpoint_type_bytes(enum field_type type) {
     return type == FIELD_UINT8 ? 1 : type == FIELD_INT32 ? 4 : 8;
 }
 
 static bool put(struct writing *w, const char *name, const struct h5_table *rows, const void *data,
                 struct error *error) {
-    size_t row_bytes = bytes_of(rows->type) * (rows->width ? rows->width : 1);
+    size_t row_bytes = checkpoint_type_bytes(rows->type) * (rows->width ? rows->width : 1);
     return h5_write_table(&w->h5, name, rows, data, error) && enter(w, name, rows, row_bytes, data, error);
 }
 
@@ -385,7 +386,10 @@ bool checkpoint_write(const struct comm *comm, const char *directory, const char
 }
 
 bool checkpoint_verify(const struct comm *comm, const char *path, struct error *error) {
-    struct checkpoint_table table;
-    return checkpoint_table_read(&table, comm, path, error) &&
-           checkpoint_table_compare(&table, comm, path, false, error);
+    struct checkpoint_file file;
+    if (!checkpoint_file_open(&file, comm, path, error))
+        return false;
+    bool good = checkpoint_file_compare(&file, error);
+    checkpoint_file_close(&file);
+    return good;
 }

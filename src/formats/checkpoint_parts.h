@@ -35,4 +35,7 @@ enum { CHECKPOINT_SIDES = 10 };
 /* The name of the dataset of a particle field. */
 void checkpoint_field_name(const struct field *field, char name[OUTPUT_NAME_MAX]);
 
+/* Bytes of one value of a type. */
+size_t checkpoint_type_bytes(enum field_type type);
+
 #endif

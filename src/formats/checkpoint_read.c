@@ -1,8 +1,9 @@
-/* Reading. Nothing is given to HDF5 before the file's bytes have been compared with its table; what HDF5 then
- * finds is still checked for its shape, since a file may come from a program that differs. */
+/* Reading, by plain reads (checkpoint_file.h). The file's bytes have been compared with its table before; the
+ * shape of each dataset is still checked, since a file may come from a program that differs. */
 #include "formats/checkpoint_parts.h"
 
 #include "core/memory.h"
+#include "formats/checkpoint_file.h"
 #include "integrate/groups.h"
 
 #include <limits.h>
@@ -12,31 +13,42 @@
 
 struct reading {
     const struct comm *comm;
-    struct h5 h5;
+    struct checkpoint_file file;
     struct checkpoint_loaded *loaded;
     uint64_t first, count; /* particles of this rank */
 };
 
-/* Reads rows [first, first + count) of a table that must have `rows` rows of `width` values (0: one, no
- * dimension). */
-static bool get(const struct reading *r, const char *name, const struct h5_table *table, void *data,
+/* The bytes of a row of `width` values (0: one). */
+static size_t row_bytes(enum field_type type, uint64_t width) {
+    return checkpoint_type_bytes(type) * (width ? width : 1);
+}
+
+/* Reads rows [first, first + count) of a table; all ranks' rows together are the whole of it. */
+static bool get(struct reading *r, const char *name, const struct h5_table *table, void *data,
                 struct error *error) {
-    struct h5_shape shape;
-    if (!h5_get_shape(&r->h5, name, &shape, error))
-        return false;
-    int rank = table->width ? 2 : 1;
-    if (shape.rank != rank || shape.size[0] != table->rows || (rank == 2 && shape.size[1] != table->width))
-        return error_set(error, ERROR_USER, "%s: %s: has other dimensions than a checkpoint of this version",
-                         r->h5.path, name);
-    hsize_t start[2] = {table->first, 0}, count[2] = {table->count, table->width};
-    return h5_read_block(&r->h5, name, table->type, start, count, data, error);
+    struct checkpoint_rows rows = {.dataset = name,
+                                   .row_bytes = row_bytes(table->type, table->width),
+                                   .rows = table->rows,
+                                   .first = table->first,
+                                   .count = table->count};
+    return checkpoint_file_read(&r->file, &rows, data, error);
 }
 
 /* A table that every rank reads whole. */
-static bool get_common(const struct reading *r, const char *name, enum field_type type, uint64_t rows,
+static bool get_common(struct reading *r, const char *name, enum field_type type, uint64_t rows,
                        uint64_t width, void *data, struct error *error) {
-    struct h5_table table = {.type = type, .rows = rows, .width = width, .count = rows};
-    return get(r, name, &table, data, error);
+    return checkpoint_file_read_common(&r->file, name, row_bytes(type, width), rows, data, error);
+}
+
+/* A text that every rank reads; memory_free. NULL on failure. */
+static char *get_text(struct reading *r, const char *name, struct error *error) {
+    const struct checkpoint_entry *entry = checkpoint_file_find(&r->file, name);
+    uint64_t length = entry ? entry->bytes : 0;
+    char *text = memory_allocate_zero(length + 1, 1, "text of a file");
+    if (checkpoint_file_read_common(&r->file, name, length, 1, text, error))
+        return text;
+    memory_free(text);
+    return NULL;
 }
 
 static bool get_numbers(struct reading *r, struct error *error) {
@@ -61,7 +73,7 @@ static bool get_numbers(struct reading *r, struct error *error) {
     l->same_layout = l->ranks == r->comm->size;
     if (l->ranks < 1 || l->walls < 0 || l->walls > WALLS_MAX || l->history_components < 0 ||
         l->history_components > HISTORY_COMPONENTS_MAX)
-        return error_set(error, ERROR_USER, "%s: /run/integers: holds impossible numbers", r->h5.path);
+        return error_set(error, ERROR_USER, "%s: /run/integers: holds impossible numbers", r->file.path);
     return true;
 }
 
@@ -90,7 +102,7 @@ static bool get_tree(struct reading *r, struct error *error) {
     static const double lowest[3] = {-INFINITY, -INFINITY, -INFINITY},
                         highest[3] = {INFINITY, INFINITY, INFINITY};
     int ranks = r->loaded->ranks;
-    if (!r->loaded->same_layout || ranks < 2 || !h5_exists(&r->h5, CHECKPOINT_CUTS))
+    if (!r->loaded->same_layout || ranks < 2 || !checkpoint_file_find(&r->file, CHECKPOINT_CUTS))
         return true;
     size_t cuts = (size_t)ranks - 1;
     double(*row)[CHECKPOINT_CUT] = memory_allocate_zero(cuts, sizeof *row, "cuts of a bisection");
@@ -99,7 +111,8 @@ static bool get_tree(struct reading *r, struct error *error) {
     for (size_t k = 0; k < cuts; k++)
         cut[k] = (struct domain_cut){row[k][0], small_integer(row[k][1]), small_integer(row[k][2])};
     if (good && !(r->loaded->tree = domain_tree_from_cuts(ranks, cut, lowest, highest)))
-        good = error_set(error, ERROR_USER, "%s: %s: holds impossible numbers", r->h5.path, CHECKPOINT_CUTS);
+        good =
+            error_set(error, ERROR_USER, "%s: %s: holds impossible numbers", r->file.path, CHECKPOINT_CUTS);
     memory_free(row);
     memory_free(cut);
     return good;
@@ -120,7 +133,7 @@ static bool get_surroundings(struct reading *r, struct error *error) {
         l->box.leave[d][0] = (enum box_leave)sides[4 + 2 * d];
         l->box.leave[d][1] = (enum box_leave)sides[5 + 2 * d];
     }
-    l->scene = h5_read_string(&r->h5, "/scene", error);
+    l->scene = get_text(r, "/scene", error);
     return l->scene != NULL;
 }
 
@@ -160,7 +173,7 @@ static bool get_share(struct reading *r, struct error *error) {
     memory_free(owned);
     if (good && r->first + r->count > l->total)
         error_set(error, ERROR_USER, "%s: /run/particles_of_ranks: does not fit the number of particles",
-                  r->h5.path);
+                  r->file.path);
     return comm_agree(r->comm, error);
 }
 
@@ -229,13 +242,13 @@ static bool get_starts(struct reading *r, const char *counts, const char *rows, 
     for (uint64_t i = 0; i < r->count; i++)
         (*start)[i + 1] = (*start)[i] + (good && count[i] > 0 ? (size_t)count[i] : 0);
     memory_free(count);
-    struct h5_shape shape = {0};
-    good = good && h5_get_shape(&r->h5, rows, &shape, error);
+    const struct checkpoint_entry *entry = checkpoint_file_find(&r->file, rows);
     size_t mine = (*start)[r->count];
-    *place = (struct h5_table){
-        .rows = shape.size[0], .count = mine, .first = (uint64_t)comm_scan(r->comm, (int64_t)mine)};
+    *place = (struct h5_table){.rows = entry && entry->row_bytes > 0 ? entry->bytes / entry->row_bytes : 0,
+                               .count = mine,
+                               .first = (uint64_t)comm_scan(r->comm, (int64_t)mine)};
     if (good && place->first + place->count > place->rows)
-        error_set(error, ERROR_USER, "%s: %s: holds fewer rows than %s says", r->h5.path, rows, counts);
+        error_set(error, ERROR_USER, "%s: %s: holds fewer rows than %s says", r->file.path, rows, counts);
     return comm_agree(r->comm, error);
 }
 
@@ -291,14 +304,6 @@ static bool get_wall_history(struct reading *r, const struct particles *p, struc
     return good;
 }
 
-/* Compares the file with its table, then opens it. */
-static bool open_checked(struct reading *r, const char *path, bool head_only, struct error *error) {
-    struct checkpoint_table table;
-    return checkpoint_table_read(&table, r->comm, path, error) &&
-           checkpoint_table_compare(&table, r->comm, path, head_only, error) &&
-           h5_open(&r->h5, path, r->comm, false, error);
-}
-
 static bool get_head(struct reading *r, struct error *error) {
     return get_numbers(r, error) && get_sums(r, error) && get_tree(r, error) && get_surroundings(r, error) &&
            get_walls(r, error);
@@ -307,19 +312,19 @@ static bool get_head(struct reading *r, struct error *error) {
 static bool get_rest(struct reading *r, struct particles *particles, struct error *error) {
     if (!get_share(r, error) || !get_particles(r, particles, error))
         return false;
-    if (h5_exists(&r->h5, "/history") && !get_history(r, particles, error))
+    if (checkpoint_file_find(&r->file, "/history/count") && !get_history(r, particles, error))
         return false;
-    return !h5_exists(&r->h5, "/wall_history") || get_wall_history(r, particles, error);
+    return !checkpoint_file_find(&r->file, "/wall_history/count") || get_wall_history(r, particles, error);
 }
 
 bool checkpoint_read_head(const struct comm *comm, const char *path, struct checkpoint_loaded *loaded,
                           struct error *error) {
     *loaded = (struct checkpoint_loaded){0};
-    struct reading r = {.comm = comm, .h5 = {.file = -1}, .loaded = loaded};
-    if (!open_checked(&r, path, true, error))
+    struct reading r = {.comm = comm, .loaded = loaded};
+    if (!checkpoint_file_open(&r.file, comm, path, error))
         return false;
     bool good = get_head(&r, error);
-    good = h5_close(&r.h5, error) && good;
+    checkpoint_file_close(&r.file);
     if (!good)
         checkpoint_loaded_free(loaded);
     return good;
@@ -328,11 +333,12 @@ bool checkpoint_read_head(const struct comm *comm, const char *path, struct chec
 bool checkpoint_read(const struct comm *comm, const char *path, struct particles *particles,
                      struct checkpoint_loaded *loaded, struct error *error) {
     *loaded = (struct checkpoint_loaded){0};
-    struct reading r = {.comm = comm, .h5 = {.file = -1}, .loaded = loaded};
-    if (!open_checked(&r, path, false, error))
+    struct reading r = {.comm = comm, .loaded = loaded};
+    if (!checkpoint_file_open(&r.file, comm, path, error))
         return false;
-    bool good = get_head(&r, error) && get_rest(&r, particles, error);
-    good = h5_close(&r.h5, error) && good;
+    bool good =
+        get_head(&r, error) && get_rest(&r, particles, error) && checkpoint_file_compare(&r.file, error);
+    checkpoint_file_close(&r.file);
     if (!good)
         checkpoint_loaded_free(loaded);
     return good;

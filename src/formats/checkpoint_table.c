@@ -1,7 +1,7 @@
 #include "formats/checkpoint_table.h"
 
 #include "core/checksum.h"
-#include "core/memory.h"
+#include "files/file.h"
 
 #include <assert.h>
 #include <errno.h>
@@ -13,67 +13,17 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { PIECE = 1 << 20, REST_ROW = 4096 };
+enum { REST_ROW = 4096 };
 
 static const char magic[] = "scree checkpoint ";
-
-/* Reads exactly `bytes` bytes at `offset`; short files are errors. */
-static bool read_exactly(int handle, void *buffer, uint64_t bytes, uint64_t offset) {
-    char *next = buffer;
-    while (bytes > 0) {
-        ssize_t got = pread(handle, next, bytes, (off_t)offset);
-        if (got < 0 && errno == EINTR)
-            continue;
-        if (got <= 0) {
-            errno = got == 0 ? EIO : errno;
-            return false;
-        }
-        next += got;
-        offset += (uint64_t)got;
-        bytes -= (uint64_t)got;
-    }
-    return true;
-}
-
-static bool write_exactly(int handle, const void *buffer, uint64_t bytes, uint64_t offset) {
-    const char *next = buffer;
-    while (bytes > 0) {
-        ssize_t put = pwrite(handle, next, bytes, (off_t)offset);
-        if (put < 0 && errno == EINTR)
-            continue;
-        if (put <= 0)
-            return false;
-        next += put;
-        offset += (uint64_t)put;
-        bytes -= (uint64_t)put;
-    }
-    return true;
-}
-
-/* Checksum of rows [first, last) of `row_bytes` bytes that begin at `offset`. */
-static bool sum_rows(int handle, const struct checkpoint_entry *entry, uint64_t first, uint64_t last,
-                     uint64_t *sum) {
-    uint64_t rows_a_piece = entry->row_bytes < PIECE ? PIECE / entry->row_bytes : 1;
-    char *buffer = memory_allocate(rows_a_piece, entry->row_bytes, "piece of a file");
-    bool good = true;
-    *sum = 0;
-    for (uint64_t row = first; good && row < last; row += rows_a_piece) {
-        uint64_t rows = last - row < rows_a_piece ? last - row : rows_a_piece;
-        good = read_exactly(handle, buffer, rows * entry->row_bytes, entry->offset + row * entry->row_bytes);
-        if (good)
-            *sum += checksum_rows(row, buffer, rows, entry->row_bytes);
-    }
-    memory_free(buffer);
-    return good;
-}
 
 static int compare_offsets(const void *a, const void *b) {
     const struct checkpoint_entry *x = a, *y = b;
     return (x->offset > y->offset) - (x->offset < y->offset);
 }
 
-/* Checksum of what lies between the datasets: each gap in rows of REST_ROW bytes, keyed by their place. */
-static bool sum_rest(int handle, const struct checkpoint_table *table, uint64_t *sum) {
+/* Each gap in rows of REST_ROW bytes, keyed by their place. */
+bool checkpoint_table_sum_rest(const struct checkpoint_table *table, int handle, uint64_t *sum) {
     struct checkpoint_entry sorted[CHECKPOINT_DATASETS_MAX + 1];
     memcpy(sorted, table->entry, sizeof table->entry);
     qsort(sorted, (size_t)table->entries, sizeof sorted[0], compare_offsets);
@@ -86,7 +36,7 @@ static bool sum_rest(int handle, const struct checkpoint_table *table, uint64_t 
             continue;
         while (place < sorted[k].offset) {
             uint64_t left = sorted[k].offset - place, bytes = left < REST_ROW ? left : REST_ROW;
-            if (!read_exactly(handle, buffer, bytes, place))
+            if (!file_read_at(handle, buffer, bytes, place))
                 return false;
             *sum += checksum_row(place, buffer, bytes);
             place += bytes;
@@ -199,12 +149,13 @@ bool checkpoint_table_read(struct checkpoint_table *table, const struct comm *co
         struct stat status;
         int handle = open(path, O_RDONLY);
         if (handle < 0 || fstat(handle, &status) != 0) {
-            error_set(error, ERROR_USER, "%s: cannot be opened: %s", path, strerror(errno));
+            error_set(error, file_is_missing(errno) ? ERROR_USER : ERROR_SYSTEM, "%s: cannot be opened: %s",
+                      path, strerror(errno));
         } else if (!S_ISREG(status.st_mode)) {
             error_set(error, ERROR_USER, "%s: is not a file", path);
         } else {
             uint64_t size = (uint64_t)status.st_size, seen = size < sizeof block ? size : sizeof block;
-            if (!read_exactly(handle, block, seen, 0))
+            if (!file_read_at(handle, block, seen, 0))
                 error_set_errno(error, "%s: cannot be read", path);
             else
                 check_block(table, path, block, size, error);
@@ -228,9 +179,9 @@ bool checkpoint_table_write(struct checkpoint_table *table, const struct comm *c
             error_set_errno(error, "%s: cannot be opened again", path);
         } else {
             table->bytes = (uint64_t)status.st_size;
-            bool good = sum_rest(handle, table, &table->rest);
+            bool good = checkpoint_table_sum_rest(table, handle, &table->rest);
             format_table(table, block);
-            if (!good || !write_exactly(handle, block, sizeof block, 0))
+            if (!good || !file_write_at(handle, block, sizeof block, 0))
                 error_set_errno(error, "%s: its table of contents cannot be written", path);
         }
         if (handle >= 0 && close(handle) != 0)
@@ -240,54 +191,4 @@ bool checkpoint_table_write(struct checkpoint_table *table, const struct comm *c
         return false;
     comm_broadcast(comm, table, sizeof *table);
     return true;
-}
-
-static bool is_large(const struct checkpoint_entry *entry) {
-    return strncmp(entry->name, "/particles/", 11) == 0 || strncmp(entry->name, "/history/", 9) == 0 ||
-           strncmp(entry->name, "/wall_history/", 14) == 0;
-}
-
-/* The sums of all datasets to be compared, over all ranks. */
-static void sum_datasets(const struct checkpoint_table *table, const struct comm *comm, int handle,
-                         bool head_only, int64_t sums[CHECKPOINT_DATASETS_MAX], struct error *error) {
-    uint64_t size = (uint64_t)comm->size, rank = (uint64_t)comm->rank;
-    for (int k = 0; k < table->entries; k++) {
-        const struct checkpoint_entry *entry = &table->entry[k];
-        uint64_t rows = entry->row_bytes > 0 ? entry->bytes / entry->row_bytes : 0, sum = 0;
-        uint64_t first = rows / size * rank + (rank < rows % size ? rank : rows % size);
-        uint64_t mine = rows / size + (rank < rows % size);
-        if (!(head_only && is_large(entry)) && mine > 0 && error->kind == ERROR_NONE &&
-            !sum_rows(handle, entry, first, first + mine, &sum))
-            error_set_errno(error, "dataset %s cannot be read", entry->name);
-        sums[k] = (int64_t)sum;
-    }
-    comm_sum_int(comm, sums, table->entries);
-}
-
-bool checkpoint_table_compare(const struct checkpoint_table *table, const struct comm *comm, const char *path,
-                              bool head_only, struct error *error) {
-    int handle = open(path, O_RDONLY);
-    if (handle < 0)
-        error_set(error, ERROR_USER, "%s: cannot be opened: %s", path, strerror(errno));
-    if (!comm_agree(comm, error)) {
-        if (handle >= 0)
-            close(handle);
-        return false;
-    }
-    int64_t sums[CHECKPOINT_DATASETS_MAX] = {0};
-    sum_datasets(table, comm, handle, head_only, sums, error);
-    for (int k = 0; k < table->entries; k++)
-        if (!(head_only && is_large(&table->entry[k])) && (uint64_t)sums[k] != table->entry[k].checksum)
-            error_set(error, ERROR_USER, "%s: dataset %s is damaged: its bytes do not give its checksum",
-                      path, table->entry[k].name);
-    uint64_t rest = 0;
-    if (comm->rank == 0 && error->kind == ERROR_NONE) {
-        if (!sum_rest(handle, table, &rest))
-            error_set_errno(error, "%s: cannot be read", path);
-        else if (rest != table->rest)
-            error_set(error, ERROR_USER,
-                      "%s: is damaged between its datasets: the bytes do not give their checksum", path);
-    }
-    close(handle);
-    return comm_agree(comm, error);
 }

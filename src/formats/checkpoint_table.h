@@ -32,7 +32,7 @@ struct checkpoint_table {
     uint64_t rest;
 };
 
-/* Reads and checks the table of a file and its size. Collective. */
+/* Reads and checks the table of a file and its size; the first rank opens it. Collective. */
 bool checkpoint_table_read(struct checkpoint_table *table, const struct comm *comm, const char *path,
                            struct error *error);
 
@@ -40,9 +40,8 @@ bool checkpoint_table_read(struct checkpoint_table *table, const struct comm *co
 bool checkpoint_table_write(struct checkpoint_table *table, const struct comm *comm, const char *path,
                             struct error *error);
 
-/* Compares the bytes of the file with the table. `head_only`: not those of the large datasets, /particles,
- * /history and /wall_history. Collective. */
-bool checkpoint_table_compare(const struct checkpoint_table *table, const struct comm *comm, const char *path,
-                              bool head_only, struct error *error);
+/* The checksum of the bytes behind the table that are in no dataset, from an open file. False where it cannot
+ * be read (errno). One rank. */
+bool checkpoint_table_sum_rest(const struct checkpoint_table *table, int handle, uint64_t *sum);
 
 #endif

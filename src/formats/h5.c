@@ -6,6 +6,7 @@
 #include "formats/output.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -25,6 +26,10 @@ static herr_t keep_first(unsigned n, const H5E_error2_t *record, void *context) 
 bool h5_fail(const struct h5 *h5, enum error_kind kind, const char *object, const char *what,
              struct error *error) {
     struct said said = {"no further text"};
+    if (h5->comm && !h5_watch_take(error)) {
+        H5Eclear2(H5E_DEFAULT);
+        return false;
+    }
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, keep_first, &said);
     H5Eclear2(H5E_DEFAULT);
     for (char *c = said.text; *c; c++)
@@ -75,6 +80,31 @@ bool h5_agree(const struct h5 *h5, struct error *error) {
     return h5->comm ? comm_agree(h5->comm, error) : error->kind == ERROR_NONE;
 }
 
+/* As h5_agree, and a failure that the watch has seen on a rank is an error of all. */
+static bool agree_watch(const struct h5 *h5, struct error *error) {
+    if (h5->comm)
+        h5_watch_take(error);
+    return h5_agree(h5, error);
+}
+
+static void watch_opening(const struct h5 *h5, bool begins) {
+    if (h5->comm && h5->comm->size > 1 && begins)
+        h5_watch_opening();
+    else if (h5->comm)
+        h5_watch_opened();
+}
+
+/* Opens a file and closes it, before all ranks open it together. */
+static void try_open(const struct h5 *h5, bool write, struct error *error) {
+    int handle = open(h5->path, (write ? O_RDWR : O_RDONLY) | O_CLOEXEC);
+    if (handle >= 0)
+        close(handle);
+    else if (file_is_missing(errno))
+        error_set(error, ERROR_USER, "%s: cannot be opened: %s", h5->path, strerror(errno));
+    else
+        error_set_errno(error, "%s: cannot be opened on rank %d", h5->path, h5->comm ? h5->comm->rank : 0);
+}
+
 bool h5_create(struct h5 *h5, const char *path, const struct comm *comm, uint64_t user_block,
                struct error *error) {
     if (!begin(h5, path, comm, error))
@@ -82,8 +112,13 @@ bool h5_create(struct h5 *h5, const char *path, const struct comm *comm, uint64_
     hid_t list = access_list(comm), creation = H5Pcreate(H5P_FILE_CREATE);
     if (list < 0 || creation < 0 || H5Pset_userblock(creation, user_block) < 0)
         h5_fail(h5, ERROR_SYSTEM, "", "cannot be prepared", error);
-    if (h5_agree(h5, error) && (h5->file = H5Fcreate(path, H5F_ACC_TRUNC, creation, list)) < 0)
-        h5_fail(h5, ERROR_SYSTEM, "", "cannot be made", error);
+    if (h5_agree(h5, error)) {
+        watch_opening(h5, true);
+        h5->file = H5Fcreate(path, H5F_ACC_TRUNC, creation, list);
+        watch_opening(h5, false);
+        if (agree_watch(h5, error) && h5->file < 0)
+            h5_fail(h5, ERROR_SYSTEM, "", "cannot be made", error);
+    }
     H5Pclose(list);
     H5Pclose(creation);
     if (!h5_agree(h5, error)) {
@@ -99,11 +134,16 @@ bool h5_open(struct h5 *h5, const char *path, const struct comm *comm, bool writ
     hid_t list = access_list(comm);
     if (list < 0)
         h5_fail(h5, ERROR_SYSTEM, "", "cannot be prepared", error);
-    else if (access(path, write ? R_OK | W_OK : R_OK) != 0)
-        error_set(error, ERROR_USER, "%s: cannot be opened: %s", path, strerror(errno));
+    else
+        try_open(h5, write, error);
     /* all ranks open it, or none: the call is collective */
-    if (h5_agree(h5, error) && (h5->file = H5Fopen(path, write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, list)) < 0)
-        h5_fail(h5, ERROR_USER, "", "cannot be opened as an HDF5 file", error);
+    if (h5_agree(h5, error)) {
+        watch_opening(h5, true);
+        h5->file = H5Fopen(path, write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, list);
+        watch_opening(h5, false);
+        if (agree_watch(h5, error) && h5->file < 0)
+            h5_fail(h5, ERROR_USER, "", "cannot be opened as an HDF5 file", error);
+    }
     H5Pclose(list);
     if (!h5_agree(h5, error)) {
         h5_close(h5, error);
@@ -114,7 +154,7 @@ bool h5_open(struct h5 *h5, const char *path, const struct comm *comm, bool writ
 
 bool h5_close(struct h5 *h5, struct error *error) {
     /* after a failed write ranks no longer stand at one place inside HDF5: its calls would not return */
-    if (h5->file >= 0 && !h5_agree(h5, error) && error->kind == ERROR_SYSTEM)
+    if (h5->file >= 0 && !agree_watch(h5, error) && error->kind == ERROR_SYSTEM)
         h5->file = -1;
     if (h5->file >= 0) {
         if (H5Fflush(h5->file, H5F_SCOPE_GLOBAL) < 0)
@@ -126,7 +166,7 @@ bool h5_close(struct h5 *h5, struct error *error) {
     if (h5->transfer > 0 && h5->transfer != H5P_DEFAULT)
         H5Pclose(h5->transfer);
     h5->transfer = H5P_DEFAULT;
-    bool good = h5_agree(h5, error);
+    bool good = agree_watch(h5, error);
     if (h5->comm)
         h5_watch_end();
     return good;

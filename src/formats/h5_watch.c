@@ -1,42 +1,81 @@
 #include "formats/h5_watch.h"
 
-#include "comm/writes.h"
+#include "comm/files.h"
 #include "files/file.h"
 #include "formats/output.h"
 
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-/* Seconds from the failure to the end, and those that each further rank waits longer, so that one speaks. */
-enum { PATIENCE = 10, STEP = 2, STEPS_MAX = 20 };
+/* Seconds from the failure to the end, and those that each further rank waits longer, so that one speaks;
+ * seconds that opening may take on all ranks together. */
+enum { PATIENCE = 10, STEP = 2, STEPS_MAX = 20, OPENING = 300, HANDLES_MAX = 4096 };
+
+static const char program[] = "scree: ";
 
 static struct {
     int rank;
+    bool opening, asked; /* HDF5 opens the file; this rank has it open, and lets others speak first */
     char path[FILE_PATH_MAX];
     char message[FILE_PATH_MAX + 512];
     size_t length; /* of the message; 0: no failure yet */
 } watch;
 
-static void on_alarm(int signal) {
-    (void)signal;
+static _Noreturn void end(void) {
     ssize_t written = write(STDERR_FILENO, watch.message, watch.length);
     (void)written;
     _exit(1);
 }
 
-static void arm(void) {
-    if (watch.length > 0)
-        return;
-    int place = watch.rank < STEPS_MAX ? watch.rank : STEPS_MAX;
+/* Seconds by which this rank lets those before it speak first. */
+static unsigned turn(void) {
+    return (unsigned)(STEP * (watch.rank < STEPS_MAX ? watch.rank : STEPS_MAX));
+}
+
+static void describe(const char *what) {
     struct error room = {0};
     int64_t present = file_size(watch.path);
-    bool full = !file_check_room(watch.path, present > 0 ? (uint64_t)present : 0, 1 << 16, &room);
-    snprintf(watch.message, sizeof watch.message, "scree: %s: cannot be written on rank %d%s%s\n", watch.path,
-             watch.rank, full ? "; " : "", room.text);
+    bool writes = strcmp(what, "opened") != 0 && strcmp(what, "read") != 0;
+    bool full = writes && !file_check_room(watch.path, present > 0 ? (uint64_t)present : 0, 1 << 16, &room);
+    snprintf(watch.message, sizeof watch.message, "%s%s: cannot be %s on rank %d%s%s\n", program, watch.path,
+             what, watch.rank, full ? "; " : "", room.text);
     watch.length = strlen(watch.message);
-    alarm((unsigned)(PATIENCE + STEP * place));
+}
+
+/* True if this process has the file open. */
+static bool is_open(void) {
+    struct stat file, other;
+    if (stat(watch.path, &file) != 0)
+        return false;
+    for (int handle = 0; handle < HANDLES_MAX; handle++)
+        if (fstat(handle, &other) == 0 && other.st_dev == file.st_dev && other.st_ino == file.st_ino)
+            return true;
+    return false;
+}
+
+static void on_alarm(int signal) {
+    (void)signal;
+    if (watch.opening && !watch.asked && is_open()) {
+        watch.asked = true;
+        alarm(PATIENCE);
+        return;
+    }
+    end();
+}
+
+static void arm(const char *what) {
+    if (watch.length > 0 && !watch.opening)
+        return;
+    watch.opening = false;
+    describe(what);
+    if (strcmp(what, "read") == 0) { /* HDF5 1.10 crashes after some of them: it is not gone back to */
+        sleep(turn());
+        end();
+    }
+    alarm(PATIENCE + turn());
 }
 
 void h5_watch_begin(const struct comm *comm, const char *path) {
@@ -46,10 +85,35 @@ void h5_watch_begin(const struct comm *comm, const char *path) {
     snprintf(watch.path, sizeof watch.path, "%s", path);
     watch.rank = comm->rank;
     watch.length = 0;
-    writes_watch(arm);
+    watch.opening = false;
+    files_watch(arm);
+}
+
+void h5_watch_opening(void) {
+    describe("opened");
+    watch.opening = true;
+    watch.asked = false;
+    alarm(OPENING + turn());
+}
+
+void h5_watch_opened(void) {
+    if (!watch.opening)
+        return;
+    alarm(0);
+    watch.opening = false;
+    watch.length = 0;
 }
 
 void h5_watch_end(void) {
-    writes_watch(NULL);
+    files_watch(NULL);
     alarm(0);
+    watch.length = 0;
+    watch.opening = false;
+}
+
+bool h5_watch_take(struct error *error) {
+    size_t lead = strlen(program);
+    if (watch.length == 0)
+        return true;
+    return error_set(error, ERROR_SYSTEM, "%.*s", (int)(watch.length - lead - 1), watch.message + lead);
 }

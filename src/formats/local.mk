@@ -2,6 +2,8 @@ noinst_LTLIBRARIES += libformats.la
 libformats_la_SOURCES = \
 	src/formats/checkpoint.c \
 	src/formats/checkpoint.h \
+	src/formats/checkpoint_file.c \
+	src/formats/checkpoint_file.h \
 	src/formats/checkpoint_parts.h \
 	src/formats/checkpoint_read.c \
 	src/formats/checkpoint_table.c \

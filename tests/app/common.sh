@@ -88,6 +88,18 @@ wait_for() {
     return 1
 }
 
+# ranks_of PID: the processes of the program below a starter
+ranks_of() {
+    local child
+    for child in $(cat /proc/"$1"/task/*/children 2>/dev/null); do
+        if [ "$(cat /proc/"$child"/comm)" = "$(basename "$scree")" ]; then
+            echo "$child"
+        else
+            ranks_of "$child"
+        fi
+    done
+}
+
 # newest DIR: the last checkpoint's step
 newest() {
     find "$1" -name 'checkpoint-*.h5' | sed 's/.*checkpoint-\([0-9]*\)\.h5/\1/' | sort -n | tail -n 1

@@ -35,18 +35,6 @@ start() {
     starter=$!
 }
 
-# ranks_of PID: the processes of the program below a starter
-ranks_of() {
-    local child
-    for child in $(cat /proc/"$1"/task/*/children 2>/dev/null); do
-        if [ "$(cat /proc/"$child"/comm)" = "$(basename "$scree")" ]; then
-            echo "$child"
-        else
-            ranks_of "$child"
-        fi
-    done
-}
-
 # job COMMAND...: what it started is over afterwards, also where it gave up half-way
 job() {
     local good running

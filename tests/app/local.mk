@@ -22,6 +22,13 @@ tests_app_cut_write_la_LDFLAGS = $(AM_LDFLAGS) -module -avoid-version -shared -r
 tests_app_cut_write_la_LIBADD = $(MPI_LIBS) -ldl
 tests/app/faults.log: tests/app/cut_message.la tests/app/cut_write.la
 
+# unreadable.sh makes calls on files fail by a library that stands before the C library
+dist_check_SCRIPTS += tests/app/unreadable.sh
+check_LTLIBRARIES += tests/app/fail_call.la
+tests_app_fail_call_la_SOURCES = tests/app/fail_call.c
+tests_app_fail_call_la_LDFLAGS = $(AM_LDFLAGS) -module -avoid-version -shared -rpath /nowhere
+tests_app_fail_call_la_LIBADD = -ldl
+tests/app/unreadable.log: tests/app/fail_call.la
 
 # Random scenes: 12, or 200 by check-long
 dist_check_SCRIPTS += tests/app/random_scenes.sh
