@@ -62,7 +62,10 @@ static void put_rest(const struct checkpoint_loaded *loaded) {
     put_bytes("time", &numbers->time, sizeof numbers->time);
     put_bytes("dt", &numbers->dt, sizeof numbers->dt);
     put_bytes("next_id", &numbers->next_id, sizeof numbers->next_id);
-    put_bytes("counter", numbers->counter, sizeof numbers->counter);
+    for (int kind = 0; kind < RESTART_SUM; kind++)
+        for (size_t k = 0; k < loaded->restart.count[kind]; k++)
+            if (strncmp(loaded->restart.name[kind][k], "ranks", 5) != 0)
+                put_bytes(loaded->restart.name[kind][k], &loaded->restart.value[kind][k], sizeof(uint64_t));
     printf("\n");
 }
 

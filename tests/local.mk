@@ -83,6 +83,7 @@ check_PROGRAMS += \
 	tests/test_scene_allowed \
 	tests/test_scene_check \
 	tests/test_scene_large \
+	tests/test_scene_compare \
 	tests/test_schema \
 	tests/test_sizes \
 	tests/test_source \
@@ -113,6 +114,9 @@ tests_test_scene_check_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
 tests_test_scene_large_SOURCES = tests/test_scene_large.c
 tests_test_scene_large_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
 tests_test_scene_large_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
+tests_test_scene_compare_SOURCES = tests/test_scene_compare.c
+tests_test_scene_compare_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_scene_compare_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
 tests_test_schema_SOURCES = tests/test_schema.c
 tests_test_schema_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
 tests_test_schema_LDADD = $(SCENE_LIBS) $(TEST_LIBS)

@@ -269,16 +269,17 @@ static void test_wrap_refuses_full_counters(void **state) {
                  {-INT32_MAX, -0.5, false},  {-INT32_MAX + 1, -0.5, true}, {0, 4e15, false},
                  {0, -4e300, false},         {INT32_MAX, 3.5, true}};
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
-        struct particles *p = sample(PARTICLE_IMAGE, 3);
+        struct particles *p = sample(WITH_IMAGE, 3);
+        int32_t(*image)[3] = particles_images(p);
         for (size_t i = 0; i < 3; i++)
-            memset(p->image[i], 0, sizeof p->image[i]);
-        p->image[1][0] = cases[k].image;
+            memset(image[i], 0, sizeof image[i]);
+        image[1][0] = cases[k].image;
         p->state[1].x[0] = cases[k].x;
         assert_int_equal(particles_wrap(p, &box), cases[k].good);
         bool inside = p->state[1].x[0] >= 0 && p->state[1].x[0] < 4;
         assert_int_equal(inside, cases[k].good);
         if (!cases[k].good)
-            assert_true(p->image[1][0] == cases[k].image && p->state[1].x[0] == cases[k].x);
+            assert_true(image[1][0] == cases[k].image && p->state[1].x[0] == cases[k].x);
         particles_destroy(&p);
     }
 }

@@ -79,7 +79,7 @@ static void refuses_too_much(void **state) {
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
         const char *const set[] = {cases[k][0], NULL};
         struct scene *scene = good_scene(GOOD_SCENE, set);
-        struct particles *particles = particles_create(PARTICLE_FEATURES_ALL, 0);
+        struct particles *particles = particles_with(WITH_ALL, 0);
         struct scene_share share = {.size = 1};
         struct error error = {0};
         double began = seconds();
@@ -121,7 +121,7 @@ static void tells_progress(void **state) {
     (void)state;
     const char *const set[] = {SOURCE("random, volume_fraction: 0.05, sizes: 100 um"), NULL};
     struct scene *scene = good_scene(GOOD_SCENE, set);
-    struct particles *particles = particles_create(PARTICLE_FEATURES_ALL, 0);
+    struct particles *particles = particles_with(WITH_ALL, 0);
     struct told told = {0};
     struct scene_share share = {.size = 1, .context = &told, .progress = count_calls};
     struct error error = {0};

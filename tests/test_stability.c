@@ -26,7 +26,7 @@ static void put(struct particles *p, double x, double y, double z, double radius
 
 /* n^3 cells of a lattice, `count` places a cell; `layers` of them along z. */
 static struct packing crystal(const double (*place)[3], int count, const double cell[3], int n, int layers) {
-    struct packing packing = {particles_create(PARTICLE_SPIN, 1024), n * cell[0]};
+    struct packing packing = {particles_with(WITH_SPIN, 1024), n * cell[0]};
     for (int c = 0; c < n * n * layers; c++)
         for (int q = 0; q < count; q++)
             put(packing.particles, (c % n + place[q][0]) * cell[0], (c / n % n + place[q][1]) * cell[1],
@@ -43,7 +43,7 @@ enum { SC, BCC, FCC, HCP, HEXAGONAL, RANDOM, RATIO, PACKINGS };
 
 /* One of radius 50 under some hundred of radius 1, among which many touch each other. */
 static struct packing coated(void) {
-    struct packing packing = {particles_create(PARTICLE_SPIN, 512), 0.0};
+    struct packing packing = {particles_with(WITH_SPIN, 512), 0.0};
     put(packing.particles, 0, 0, 0, 50);
     for (int k = 0; k < 300; k++) { /* a spiral from the pole on */
         double z = 1 - 0.0004 * k, turn = 2.399963 * k, r = sqrt(1 - z * z);

@@ -314,7 +314,7 @@ static void print_all(const struct simulation *s, const struct notes *notes) {
 /* Refuses what a run would refuse before its first step although all its parts could be made. */
 static bool outputs_suit(const struct simulation *s, struct error *error) {
     struct outputs *outputs;
-    struct output_run run = outputs_run(s, NULL, NULL);
+    struct output_run run = outputs_run(s, NULL);
     return outputs_create(&outputs, s, &run, error) && outputs_close(&outputs, s->comm, error);
 }
 

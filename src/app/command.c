@@ -23,7 +23,8 @@ static const struct flag flags[] = {
      "out; may be repeated",
      NULL},
     {"resume", "FILE",
-     "goes on from a checkpoint, on any number of ranks and threads; 'last' is the newest in the directory; "
+     "goes on from a checkpoint, on any number of ranks and threads; 'last' is the newest whole one in the "
+     "directory; "
      "what a run wrote there after that step is replaced",
      NULL},
     {"overwrite", NULL,
@@ -33,7 +34,7 @@ static const struct flag flags[] = {
     {"overwrite", NULL,
      "a file that is there already is replaced; without it, it is kept, and nothing is written",
      "convert pack"},
-    {"quiet", NULL, "no notes, no progress and no report on the terminal", NULL},
+    {"quiet", NULL, "no notes, no progress, no report and no list of what a resume changes on the terminal", NULL},
     {"to", "FORMAT", "lammps-data, lammps-dump, h5md or xdmf; else by the output's name", NULL},
     {"frame", "N", "one frame only, from 0, negative from the end", NULL},
     {"index", "A,B,...", "the indexes to compare; default: all", NULL},
@@ -248,6 +249,33 @@ struct scene *command_scene(const struct comm *comm, const struct command_line *
     return scene;
 }
 
+/* The newest checkpoint in a directory that is whole, in `path`. Damaged ones are passed over with a message;
+ * if all are, the error is that of the newest. */
+static bool newest_whole(const struct comm *comm, const char *directory, char path[FILE_PATH_MAX],
+                         struct error *error) {
+    struct error first = {0};
+    for (size_t place = 0;; place++) {
+        struct error damage = {0};
+        int64_t found = comm->rank == 0 && checkpoint_find(directory, place, path);
+        comm_max_int(comm, &found, 1);
+        comm_broadcast(comm, path, FILE_PATH_MAX);
+        if (!found)
+            break;
+        if (checkpoint_verify(comm, path, &damage)) {
+            if (place > 0 && comm->rank == 0)
+                fprintf(stderr, "scree: %s; going on from %s instead\n", first.text, path);
+            return true;
+        }
+        if (damage.kind != ERROR_USER || place == 0)
+            first = damage;
+        if (damage.kind != ERROR_USER)
+            break;
+    }
+    *error = first;
+    return first.kind == ERROR_NONE &&
+           error_set(error, ERROR_USER, "%s: holds no checkpoint to resume from", directory);
+}
+
 static int run_run(const struct comm *comm, const struct command_line *line, struct error *error) {
     char newest[FILE_PATH_MAX] = "";
     if (line->directory == NULL) {
@@ -259,11 +287,8 @@ static int run_run(const struct comm *comm, const struct command_line *line, str
                                   .overwrite = line->overwrite,
                                   .quiet = line->quiet};
     if (line->resume && strcmp(line->resume, "last") == 0) {
-        if (comm->rank == 0 && !checkpoint_find_newest(line->directory, newest))
-            error_set(error, ERROR_USER, "%s: holds no checkpoint to resume from", line->directory);
-        if (!comm_agree(comm, error))
+        if (!newest_whole(comm, line->directory, newest, error))
             return error->kind;
-        comm_broadcast(comm, newest, sizeof newest);
         options.resume = newest;
     }
     struct scene *scene = command_scene(comm, line, NULL, 0, error);

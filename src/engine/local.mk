@@ -14,6 +14,8 @@ libengine_la_SOURCES = \
 	src/engine/outputs.h \
 	src/engine/rebuild.c \
 	src/engine/resume.c \
+	src/engine/resume.h \
+	src/engine/resume_check.c \
 	src/engine/run.c \
 	src/engine/run.h \
 	src/engine/run_report.c \

@@ -57,7 +57,7 @@ static bool files_open(struct outputs *o, const struct simulation *s, bool resum
     int64_t step = resumed ? (int64_t)s->step : -1;
     char path[FILE_PATH_MAX];
     if (h5md_wanted(o)) {
-        struct h5md_head head = {.scene = o->run->scene,
+        struct h5md_head head = {.lineage = o->run->lineage,
                                  .dimensionless = o->run->dimensionless,
                                  .varying = o->run->varying,
                                  .xdmf = o->options->trajectory.xdmf,
@@ -74,16 +74,17 @@ static bool files_open(struct outputs *o, const struct simulation *s, bool resum
     return true;
 }
 
-struct output_run outputs_run(const struct simulation *s, const char *directory, const char *scene_text) {
+struct output_run outputs_run(const struct simulation *s, const char *directory) {
     const struct scene *scene = s->scene;
-    return (struct output_run){.directory = directory,
-                               .scene = scene_text,
-                               .dimensionless = scene->units == SCENE_UNITS_NONE,
-                               .varying =
-                                   scene->insertions > 0 || scene->deletions > 0 || simulation_may_lose(s),
-                               .seed = scene->seed,
-                               .materials = scene->materials,
-                               .material = scene->material};
+    return (struct output_run){
+        .directory = directory,
+        .scene = s->lineage.count > 0 ? s->lineage.run[s->lineage.count - 1].scene : NULL,
+        .lineage = &s->lineage,
+        .dimensionless = scene->units == SCENE_UNITS_NONE,
+        .varying = scene->insertions > 0 || scene->deletions > 0 || simulation_may_lose(s),
+        .seed = scene->seed,
+        .materials = scene->materials,
+        .material = scene->material};
 }
 
 bool outputs_create(struct outputs **outputs, const struct simulation *s, const struct output_run *run,

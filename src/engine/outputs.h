@@ -8,10 +8,9 @@
 
 struct outputs;
 
-/* What stays the same for the writers of a run. Borrows its arguments' strings and the scene; `directory` and
- * `scene_text` (of scene_echo) may be NULL where nothing is written. */
-struct output_run outputs_run(const struct simulation *simulation, const char *directory,
-                              const char *scene_text);
+/* What stays the same for the writers of a run. Borrows the simulation and the directory, which may be NULL
+ * where nothing is written. */
+struct output_run outputs_run(const struct simulation *simulation, const char *directory);
 
 /* Checks what the scene asks for; writes nothing. `run` and its strings are borrowed until the end. Errors
  * (user) name the place in the scene. Collective. */

@@ -2,75 +2,65 @@
  * rebuild gives, and a resume on the same layout rebuilds into the same order: its trajectory is the
  * uninterrupted one's, bit for bit. */
 #include "engine/load.h"
-#include "engine/simulation.h"
+#include "engine/resume.h"
 #include "core/memory.h"
 #include "integrate/groups.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* What the counters of a checkpoint mean: the first ones, three of each insertion from COUNTER_INSERTION on,
- * and the last one. */
-enum { COUNTER_STEP_BASE, COUNTER_TIME_BASE, COUNTER_INSERTED, COUNTER_DELETED, COUNTER_INSERTION };
-enum { COUNTER_FRACTION = CHECKPOINT_COUNTERS - 1 }; /* of the stable step that was taken; 0: it was given */
-/* What belongs to the ranks: sums, and what a bisection knows of its load (load.h) if as many resume. */
-enum { SUM_TAKEN, SUM_WALL_WORK, SUM_LOAD_FRESH, SUM_LOAD_REACHED };
-enum { INSERTION_COUNTERS = 3 };
+/* Numbers of a run that do not lie in the simulation as they are written. What belongs to the ranks: work of
+ * walls, and what a bisection knows of its load (load.h) if as many resume. */
+struct resume_numbers {
+    double fraction; /* of the stable step that was taken; 0: it was given */
+    double wall_work, load_fresh, load_reached;
+};
 
-_Static_assert((int)COUNTER_INSERTION + INSERTION_COUNTERS * (int)INSERTIONS_MAX <= (int)COUNTER_FRACTION,
-               "a checkpoint has room for all insertion regions");
-
-static uint64_t bits_of(double value) {
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits;
+/* Numbers that a resume needs, under their names. */
+static void numbers_list(struct simulation *s, struct resume_numbers *own, struct restart *restart) {
+    restart_add(restart, RESTART_INTEGER, false, &s->step_base, "step base");
+    restart_add(restart, RESTART_REAL, false, &s->time_base, "time base");
+    restart_add(restart, RESTART_REAL, false, &own->fraction, "fraction of the stable step");
+    restart_add(restart, RESTART_INTEGER, false, &s->inserted, "inserted");
+    restart_add(restart, RESTART_INTEGER, false, &s->deleted, "deleted");
+    restart_add(restart, RESTART_SUM, false, &s->taken, "energy taken by contacts");
+    restart_add(restart, RESTART_SUM, false, &own->wall_work, "work of walls");
+    restart_add(restart, RESTART_SUM, false, &own->load_fresh, "load: imbalance not measured");
+    restart_add(restart, RESTART_SUM, false, &own->load_reached, "load: imbalance reached");
+    for (int k = 0; k < s->scene->insertions; k++) {
+        struct insertion_state *state = &s->insertion_state[k];
+        restart_add(restart, RESTART_INTEGER, true, &state->placed, "insertion %d: placed", k);
+        restart_add(restart, RESTART_INTEGER, true, &state->tried, "insertion %d: tried", k);
+        restart_add(restart, RESTART_REAL, true, &state->mass, "insertion %d: mass", k);
+    }
 }
 
-static double double_of(uint64_t bits) {
-    double value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-static void numbers_put(const struct simulation *s, struct checkpoint_numbers *n) {
+static void numbers_put(struct simulation *s, struct checkpoint_numbers *n, struct resume_numbers *own) {
     *n = (struct checkpoint_numbers){
         .step = s->step, .time = s->time, .dt = s->dt, .seed = s->scene->seed, .next_id = s->next_id};
-    n->counter[COUNTER_STEP_BASE] = s->step_base;
-    n->counter[COUNTER_TIME_BASE] = bits_of(s->time_base);
-    n->counter[COUNTER_INSERTED] = s->inserted;
-    n->counter[COUNTER_DELETED] = s->deleted;
-    n->counter[COUNTER_FRACTION] = bits_of(s->dt_fraction);
     domain_grid(s->domain, n->grid);
-    for (int k = 0; k < s->scene->insertions; k++) {
-        uint64_t *counter = &n->counter[COUNTER_INSERTION + INSERTION_COUNTERS * k];
-        counter[0] = s->insertion_state[k].placed;
-        counter[1] = s->insertion_state[k].tried;
-        counter[2] = bits_of(s->insertion_state[k].mass);
-    }
-    n->sum[SUM_LOAD_FRESH] = s->load.fresh;
-    n->sum[SUM_LOAD_REACHED] = s->load.reached;
-    n->sum[SUM_TAKEN] = s->taken;
-    n->sum[SUM_WALL_WORK] = s->walls ? walls_work(s->walls) : 0;
+    *own = (struct resume_numbers){.fraction = s->dt_fraction,
+                                   .wall_work = s->walls ? walls_work(s->walls) : 0,
+                                   .load_fresh = s->load.fresh,
+                                   .load_reached = s->load.reached};
 }
 
-static void numbers_take(struct simulation *s, const struct checkpoint_numbers *n) {
+static bool numbers_take(struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
+                         struct resume_numbers *own, struct error *error) {
+    const struct checkpoint_numbers *n = &loaded->numbers;
+    struct restart list = {0};
+    numbers_list(s, own, &list);
+    bool good = restart_take(&list, &loaded->restart, path, error);
+    restart_free(&list);
     s->step = s->sources_step = n->step;
     s->time = n->time;
     s->next_id = n->next_id;
-    s->step_base = n->counter[COUNTER_STEP_BASE];
-    s->time_base = double_of(n->counter[COUNTER_TIME_BASE]);
-    s->inserted = n->counter[COUNTER_INSERTED];
-    s->deleted = n->counter[COUNTER_DELETED];
     memcpy(s->resumed_grid, n->grid, sizeof s->resumed_grid);
-    for (int k = 0; k < s->scene->insertions; k++) {
-        const uint64_t *counter = &n->counter[COUNTER_INSERTION + INSERTION_COUNTERS * k];
-        s->insertion_state[k] = (struct insertion_state){counter[0], counter[1], double_of(counter[2])};
-    }
-    s->taken = n->sum[SUM_TAKEN];
     if (s->walls)
-        walls_set_work(s->walls, n->sum[SUM_WALL_WORK]);
+        walls_set_work(s->walls, own->wall_work);
     s->resumed_dt = n->dt;
-    s->resumed_fraction = double_of(n->counter[COUNTER_FRACTION]);
+    s->resumed_fraction = own->fraction;
+    return good;
 }
 
 static int row_compare(const void *a, const void *b) {
@@ -104,41 +94,33 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
     rows_sort(&rows.pairs, s->particles->owned);
     if (s->walls && !s->alone)
         wall_forces_gather(s);
-    struct checkpoint checkpoint = {.particles = s->particles,
+    struct resume_numbers own;
+    struct restart restart = {0};
+    const char *group[INTEGRATOR_GROUPS_MAX];
+    for (int k = 0; k < s->scene->groups; k++)
+        group[k] = s->scene->group[k].name;
+    struct checkpoint checkpoint = {.restart = &restart,
+                                    .particles = s->particles,
                                     .box = &s->scene->box,
                                     .tree = domain_tree(s->domain),
                                     .history_components = s->law.history_components,
                                     .history = rows.pairs.start ? &rows.pairs : NULL,
                                     .wall_history = rows.walls.start ? &rows.walls : NULL,
                                     .walls = s->walls,
-                                    .scene = run->scene};
-    numbers_put(s, &checkpoint.numbers);
+                                    .law = scene_law_name(s->scene->law.normal),
+                                    .materials = s->scene->materials,
+                                    .groups = s->scene->groups,
+                                    .material = s->scene->material,
+                                    .group = group,
+                                    .scene = run->scene,
+                                    .lineage = &s->lineage};
+    numbers_put(s, &checkpoint.numbers, &own);
+    numbers_list(s, &own, &restart);
     bool good = checkpoint_write(s->comm, run->directory, suffix, &checkpoint,
                                  s->scene->output.checkpoint.keep, error);
+    restart_free(&restart);
     rebuild_rows_free(&rows);
     return good;
-}
-
-/* The scene may change much between a checkpoint and its resume, but not what the particles live in. */
-static bool resume_matches(const struct simulation *s, const char *path,
-                           const struct checkpoint_loaded *loaded, struct error *error) {
-    const struct box *now = &s->scene->box, *then = &loaded->box;
-    for (int d = 0; d < 3; d++)
-        if (now->edge[d] != then->edge[d] || now->periodic[d] != then->periodic[d] ||
-            now->origin[d] != then->origin[d])
-            return error_set(error, ERROR_USER,
-                             "%s: it was written for a box with %c from %.9g, edge %.9g, %s; the scene's is "
-                             "from %.9g, edge %.9g, %s: "
-                             "a resume may change gravity, walls, motion, output and duration, not the box",
-                             path, 'x' + d, then->origin[d], then->edge[d],
-                             then->periodic[d] ? "periodic" : "open", now->origin[d], now->edge[d],
-                             now->periodic[d] ? "periodic" : "open");
-    if (loaded->history_components != s->law.history_components)
-        return error_set(error, ERROR_USER,
-                         "%s: its contacts have a history of %d numbers, the scene's law has %d: "
-                         "contact.law, friction and rolling must stay",
-                         path, loaded->history_components, s->law.history_components);
-    return true;
 }
 
 static void walls_restore(struct simulation *s, const struct checkpoint_loaded *loaded) {
@@ -159,27 +141,31 @@ static void wall_rows_rename(const struct simulation *s, const struct checkpoint
     }
 }
 
-/* Particles of groups whose motion is prescribed now and was not then, or the other way round, get the mass
- * that goes with it. */
-static void masses_follow(struct simulation *s, const char *path, struct error *error) {
-    struct particles *p = s->particles;
-    const uint8_t *group = groups_of(p);
-    const double *density = groups_densities(p);
-    for (size_t k = 0; group && k < p->owned; k++) {
-        if (group[k] >= s->motion.groups) {
-            error_set(error, ERROR_USER,
-                      "%s: particle %lld is in group %d; the scene has %d: a resume may change the "
-                      "motion of groups, not drop one",
-                      path, (long long)p->id[k], group[k], s->motion.groups - 1);
-            return;
-        }
-        bool held = s->motion.motion[group[k]].prescribed;
-        struct particle_state *state = &p->state[k];
-        if (held)
-            state->inverse_mass = 0;
-        else if (state->inverse_mass == 0)
-            state->inverse_mass = 1 / particles_sphere_mass(state->radius, density[k]);
+/* What was read becomes the simulation's. */
+static bool take(struct simulation *s, const char *path, struct checkpoint_loaded *loaded,
+                 struct rebuild_rows *rows, struct error *error) {
+    struct resume_numbers own = {0};
+    if (!numbers_take(s, path, loaded, &own, error))
+        return false;
+    s->total = loaded->total;
+    walls_restore(s, loaded);
+    wall_rows_rename(s, loaded);
+    resume_apply(s, loaded);
+    s->lineage = loaded->lineage;
+    loaded->lineage = (struct lineage){0};
+    if (loaded->tree && domain_bisects(s->domain)) {
+        load_restore(s, loaded->tree, own.load_fresh != 0, own.load_reached);
+        loaded->tree = NULL;
     }
+    if (s->history) {
+        rows->pairs = loaded->history;
+        loaded->history = (struct history_rows){0};
+    }
+    if (s->walls && s->law.history_components) {
+        rows->walls = loaded->wall_history;
+        loaded->wall_history = (struct wall_rows){0};
+    }
+    return true;
 }
 
 bool resume_read(struct simulation *s, const char *path, struct rebuild_rows *rows, struct error *error) {
@@ -187,30 +173,9 @@ bool resume_read(struct simulation *s, const char *path, struct rebuild_rows *ro
     bool good = checkpoint_read(s->comm, path, s->particles, &loaded, error);
     if (!comm_agree(s->comm, error) || !good)
         return false;
-    if (!resume_matches(s, path, &loaded, error)) {
-        checkpoint_loaded_free(&loaded);
-        return false;
-    }
-    s->total = loaded.total;
-    numbers_take(s, &loaded.numbers);
-    walls_restore(s, &loaded);
-    wall_rows_rename(s, &loaded);
-    masses_follow(s, path, error);
-    if (loaded.tree && domain_bisects(s->domain)) {
-        load_restore(s, loaded.tree, loaded.numbers.sum[SUM_LOAD_FRESH] != 0,
-                     loaded.numbers.sum[SUM_LOAD_REACHED]);
-        loaded.tree = NULL;
-    }
-    if (s->history) {
-        rows->pairs = loaded.history;
-        loaded.history = (struct history_rows){0};
-    }
-    if (s->walls && s->law.history_components) {
-        rows->walls = loaded.wall_history;
-        loaded.wall_history = (struct wall_rows){0};
-    }
+    good = resume_check(s, path, &loaded, error) && take(s, path, &loaded, rows, error);
     checkpoint_loaded_free(&loaded);
-    return comm_agree(s->comm, error);
+    return comm_agree(s->comm, error) && good;
 }
 
 void resume_begin(struct simulation *s, struct rebuild_rows *rows) {

@@ -4,6 +4,7 @@
 #include "engine/load.h"
 #include "engine/notes.h"
 #include "engine/outputs.h"
+#include "engine/resume.h"
 #include "engine/run_report.h"
 #include "core/memory.h"
 #include "formats/checkpoint.h"
@@ -296,8 +297,9 @@ int run_scene(const struct comm *comm, const struct scene *scene, const struct r
         simulation_destroy(&run.s);
         return error->kind;
     }
-    char *echo = scene_echo(scene);
-    run.output = outputs_run(run.s, options->directory, echo);
+    run.output = outputs_run(run.s, options->directory);
+    if (comm->rank == 0 && options->resume && !options->quiet)
+        resume_print(run.s, options->resume, stderr);
     run_signals_catch();
     if (run_open(&run, error) && watch_begin(&run, error)) {
         if (!options->quiet)
@@ -319,7 +321,6 @@ int run_scene(const struct comm *comm, const struct scene *scene, const struct r
     outputs_close(&run.outputs, comm, error);
     folder_unlock(&run.lock);
     simulation_destroy(&run.s);
-    memory_free(echo);
     if (error->kind != ERROR_NONE)
         return error->kind;
     return run.record.stopped ? ERROR_SIGNAL + run.record.stopped : 0;

@@ -375,6 +375,9 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
         return false;
     }
     bool begun = resume ? run_go_on(s, &rows, error) : run_begin(s, error);
+    char *echo = scene_echo(s->scene);
+    lineage_go_on(&s->lineage, s->step, echo);
+    memory_free(echo);
     step_plan(s);
     if (!begun || !guards_prepare(s, error))
         return false;
@@ -415,6 +418,8 @@ void simulation_destroy(struct simulation **simulation) {
     ghosts_destroy(&s->ghosts);
     domain_destroy(&s->domain);
     particles_destroy(&s->particles);
+    scene_changes_free(&s->resumed.changes);
+    lineage_free(&s->lineage);
     memory_free(s->speed);
     memory_free(s);
     *simulation = NULL;

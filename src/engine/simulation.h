@@ -30,6 +30,7 @@
 #include "pairs/sweep.h"
 #include "particles/classes.h"
 #include "particles/particles.h"
+#include "scene/compare.h"
 #include "scene/scene.h"
 
 enum { SIMULATION_PASSES_MAX = 16, TUNING_VARIANTS_MAX = 8 };
@@ -135,11 +136,16 @@ struct simulation {
     uint64_t step;      /* steps done */
     uint64_t step_base; /* time = time_base + (step - step_base) dt */
     double time, time_base, dt;
-    double dt_fraction;         /* of the stable step that dt is; 0: dt was given */
-    double resumed_dt;          /* step of the run that wrote the checkpoint; 0: not resumed */
-    double resumed_fraction;    /* and its fraction */
-    int resumed_grid[3];        /* its ranks per direction */
-    double (*speed)[CLASS_MAX]; /* [thread][class]: largest squared speed of the last drift */
+    double dt_fraction;      /* of the stable step that dt is; 0: dt was given */
+    double resumed_dt;       /* step of the run that wrote the checkpoint; 0: not resumed */
+    double resumed_fraction; /* and its fraction */
+    int resumed_grid[3];     /* its ranks per direction */
+    struct {
+        struct scene_changes changes; /* of the scene since the checkpoint */
+        uint64_t masses;              /* particles that got another mass */
+    } resumed;                        /* resume.h */
+    struct lineage lineage;           /* this run, and those that it goes on from */
+    double (*speed)[CLASS_MAX];       /* [thread][class]: largest squared speed of the last drift */
     double servo_force[WALLS_MAX][3];
 
     struct step_order plain, fused;

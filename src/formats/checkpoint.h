@@ -12,25 +12,21 @@
 #define SCREE_FORMATS_CHECKPOINT_H
 
 #include "comm/domain_tree.h"
+#include "formats/lineage.h"
 #include "formats/output.h"
+#include "formats/restart.h"
 #include "particles/fields.h"
-
-enum { CHECKPOINT_COUNTERS = 128 };
 
 /* Suffix of the state that a guard stopped at. */
 #define CHECKPOINT_STOPPED "-stopped"
 
-/* Numbers of the run that a resume needs. */
+/* Numbers of every run. Others come by name (restart.h). */
 struct checkpoint_numbers {
     uint64_t step;
     double time, dt;
     uint64_t seed;
     int64_t next_id; /* of the next particle inserted */
     int grid[3];     /* ranks per direction where the box is divided into bricks; else 0 */
-    uint64_t counter[CHECKPOINT_COUNTERS]; /* insertion attempts and the like; the caller's meaning, the same
-                                              on every rank */
-    double sum[CHECKPOINT_COUNTERS]; /* energies and the like, this rank's parts: on the same number of ranks
-                                        each gets its own back, else rank 0 gets the total */
 };
 
 /* The pose of a wall by name. */
@@ -43,6 +39,7 @@ struct checkpoint_wall {
  * rebuild). */
 struct checkpoint {
     struct checkpoint_numbers numbers;
+    const struct restart *restart;     /* NULL: none */
     const struct particles *particles; /* ghosts are ignored */
     const struct box *box;
     const struct domain_tree *tree;       /* of a bisection; NULL: bricks */
@@ -50,12 +47,25 @@ struct checkpoint {
     const struct history_rows *history;   /* NULL where there is none */
     const struct wall_rows *wall_history; /* NULL where there is none */
     const struct walls *walls;            /* NULL: none */
-    const char *scene;                    /* text of the effective scene */
+    const char *law;                      /* its name */
+    int materials, groups;
+    const struct law_material *material; /* names and densities */
+    const char *const *group;            /* names */
+    const char *scene;                   /* text of the effective scene */
+    const struct lineage *lineage;       /* NULL: nothing is known */
+};
+
+/* A material or a group as it was. */
+struct checkpoint_kind {
+    char name[OUTPUT_NAME_MAX];
+    double density;    /* of a material */
+    int64_t particles; /* of all ranks that are of it; not counted by checkpoint_read_head */
 };
 
 /* What was read; all owned, checkpoint_loaded_free releases (particles are the caller's set). */
 struct checkpoint_loaded {
     struct checkpoint_numbers numbers;
+    struct restart_values restart;
     struct box box;
     struct domain_tree *tree; /* of a bisection among as many ranks, else NULL */
     bool same_layout;         /* written on as many ranks: particles lie where they lay */
@@ -66,8 +76,11 @@ struct checkpoint_loaded {
     struct wall_rows wall_history;
     int walls;
     struct checkpoint_wall *wall;
-    char *scene;
     bool field_read[FIELDS_MAX]; /* by handle: the file has this field of the set */
+    int materials, groups;
+    struct checkpoint_kind *material, *group;
+    char *law, *scene;
+    struct lineage lineage;
 };
 
 /* Writes DIR/checkpoint-STEP.h5, then deletes all but the newest `keep` up to this step (keep = 0: deletes
@@ -80,8 +93,9 @@ bool checkpoint_write(const struct comm *comm, const char *directory, const char
 bool checkpoint_verify(const struct comm *comm, const char *path, struct error *error);
 
 /* Verifies, then reads. `particles` must be empty; its fields may differ from those written (what is
- * missing is at its fill; density is made from the mass). On as many ranks as wrote it each gets its own
- * particles back in order, else slices of equal size, which the caller hands to their owners. Collective. */
+ * missing is at its fill; density is made from the mass). The numbers of materials and groups are those of the
+ * checkpoint. On as many ranks as wrote it each gets its own particles
+ * back in order, else slices of equal size, which the caller hands to their owners. Collective. */
 bool checkpoint_read(const struct comm *comm, const char *path, struct particles *particles,
                      struct checkpoint_loaded *loaded, struct error *error);
 void checkpoint_loaded_free(struct checkpoint_loaded *loaded);
@@ -91,9 +105,9 @@ void checkpoint_loaded_free(struct checkpoint_loaded *loaded);
 bool checkpoint_read_head(const struct comm *comm, const char *path, struct checkpoint_loaded *loaded,
                           struct error *error);
 
-/* The path of the newest checkpoint in a directory (FILE_PATH_MAX bytes); false if there is none. One rank.
- */
-bool checkpoint_find_newest(const char *directory, char *path);
+/* The path of a checkpoint in a directory (FILE_PATH_MAX bytes) by its place, 0 being the newest; false if
+ * there are not so many. One rank. */
+bool checkpoint_find(const char *directory, size_t place, char *path);
 
 /* Deletes the checkpoints in a directory of steps after `step` (-1: all), also stopped and unfinished ones.
  * One rank. */

@@ -1,8 +1,10 @@
-/* What writing and reading checkpoints share: names of datasets, the form of the small tables. */
+/* What the files of checkpoints share: checkpoint.c writes, with checkpoint_head.c, checkpoint_read.c reads,
+ * with checkpoint_read_head.c; checkpoint_folder.c finds and deletes. */
 #ifndef SCREE_FORMATS_CHECKPOINT_PARTS_H
 #define SCREE_FORMATS_CHECKPOINT_PARTS_H
 
 #include "formats/checkpoint.h"
+#include "formats/checkpoint_file.h"
 #include "formats/checkpoint_table.h"
 #include "formats/h5.h"
 
@@ -11,19 +13,69 @@ enum {
     CHECKPOINT_HISTORY = HISTORY_COMPONENTS_MAX + 3 /* doubles of a history row: value, separation */
 };
 
-/* Places in /run/integers. */
-enum checkpoint_integer {
-    CHECKPOINT_STEP,
-    CHECKPOINT_SEED,
-    CHECKPOINT_NEXT_ID,
-    CHECKPOINT_RANKS,
-    CHECKPOINT_FIELDS, /* how many fields of particles were written; nobody reads it */
-    CHECKPOINT_HISTORY_COMPONENTS,
-    CHECKPOINT_WALLS,
-    CHECKPOINT_TOTAL,
-    CHECKPOINT_GRID, /* three of them */
-    CHECKPOINT_INTEGERS = CHECKPOINT_GRID + 3
+/* Names of datasets that are written and read. */
+#define CHECKPOINT_MATERIALS "/materials/name"
+#define CHECKPOINT_DENSITIES "/materials/density"
+#define CHECKPOINT_GROUPS "/groups/name"
+#define CHECKPOINT_RUN_STEPS "/runs/step"
+#define CHECKPOINT_RUN_PROGRAMS "/runs/version_revision"
+#define CHECKPOINT_RUN_SCENES "/runs/scene"
+
+/* Names and values of the numbers of each kind (restart.h). */
+extern const char *const checkpoint_name_datasets[RESTART_KINDS];
+extern const char *const checkpoint_value_datasets[RESTART_KINDS];
+
+/* The numbers that every checkpoint has. */
+struct checkpoint_core {
+    int64_t step, seed, next_id, ranks, history_components, particles, grid[3];
+    double time, dt;
 };
+
+/* Lists them under their names. */
+void checkpoint_core_list(struct checkpoint_core *core, struct restart *restart);
+
+/* A checkpoint on its way. */
+struct checkpoint_writing {
+    const struct comm *comm;
+    const struct checkpoint *checkpoint;
+    struct h5 h5;
+    struct checkpoint_table table;
+    uint64_t first, total; /* particles before this rank's, and of all */
+};
+
+/* Enters a dataset, just written, into the table. Collective, as the next ones. */
+bool checkpoint_enter(struct checkpoint_writing *w, const char *name, const struct h5_table *rows,
+                      size_t row_bytes, const void *data, struct error *error);
+
+/* Writes a table that every rank has: the first writes it. */
+bool checkpoint_put_common(struct checkpoint_writing *w, const char *name, enum field_type type,
+                           uint64_t rows, uint64_t width, const void *data, struct error *error);
+
+/* Writes one row of every rank. */
+bool checkpoint_put_of_ranks(struct checkpoint_writing *w, const char *name, enum field_type type,
+                             uint64_t width, const void *data, struct error *error);
+
+/* Writes all that is not a row of a particle. */
+bool checkpoint_put_head(struct checkpoint_writing *w, struct error *error);
+
+/* A checkpoint that is being read. */
+struct checkpoint_reading {
+    const struct comm *comm;
+    struct checkpoint_file file;
+    struct checkpoint_loaded *loaded;
+    uint64_t first, count; /* particles of this rank */
+};
+
+/* Reads a table that every rank gets whole: `rows` of `width` values (0: one). Collective, as the next one.
+ */
+bool checkpoint_get_common(struct checkpoint_reading *r, const char *name, enum field_type type,
+                           uint64_t rows, uint64_t width, void *data, struct error *error);
+
+/* Reads all that is not a row of a particle. */
+bool checkpoint_get_head(struct checkpoint_reading *r, struct error *error);
+
+/* Deletes all but the newest `keep` of the checkpoints up to step `newest`. One rank. */
+void checkpoint_delete_old(const char *directory, uint64_t newest, int keep);
 
 /* The cuts of a bisection, a row each: coordinate, first rank above, axis. */
 #define CHECKPOINT_CUTS "/run/cuts"

@@ -131,10 +131,13 @@ static bool check_block(struct checkpoint_table *table, const char *path, const 
         return error_set(error, ERROR_USER,
                          "%s: is cut off: %" PRIu64 " bytes, not even its table of contents is whole", path,
                          size);
-    if (strtol(block + mark, NULL, 10) > CHECKPOINT_VERSION)
+    long version = strtol(block + mark, NULL, 10);
+    if (version > CHECKPOINT_VERSION || version == 1)
         return error_set(error, ERROR_USER,
-                         "%s: was written by a newer version of scree (format %ld, here %d)", path,
-                         strtol(block + mark, NULL, 10), CHECKPOINT_VERSION);
+                         "%s: was written by %s version of scree (format %ld, here %d): only that version "
+                         "can go on from it",
+                         path, version > CHECKPOINT_VERSION ? "a newer" : "an older", version,
+                         CHECKPOINT_VERSION);
     if (!parse_table(table, block))
         return error_set(error, ERROR_USER, "%s: its table of contents (first %d bytes) is damaged", path,
                          CHECKPOINT_BLOCK);

@@ -1,6 +1,6 @@
 /* The table at the start of a checkpoint: text in the first CHECKPOINT_BLOCK bytes, which HDF5 leaves to us.
  *
- *   scree checkpoint 1
+ *   scree checkpoint 2
  *   bytes SIZE
  *   dataset NAME OFFSET BYTES ROW_BYTES CHECKSUM     (one line each)
  *   rest CHECKSUM                                    of every byte after the table that is in no dataset
@@ -17,7 +17,7 @@
 #include "core/error.h"
 #include "formats/output_options.h"
 
-enum { CHECKPOINT_BLOCK = 8192, CHECKPOINT_DATASETS_MAX = 48, CHECKPOINT_VERSION = 1 };
+enum { CHECKPOINT_BLOCK = 8192, CHECKPOINT_DATASETS_MAX = 48, CHECKPOINT_VERSION = 2 };
 
 struct checkpoint_entry {
     char name[OUTPUT_NAME_MAX];

@@ -234,6 +234,12 @@ bool h5_make_group(const struct h5 *h5, const char *group, struct error *error) 
     return id >= 0;
 }
 
+bool h5_remove(const struct h5 *h5, const char *object, struct error *error) {
+    if (h5_exists(h5, object) && H5Ldelete(h5->file, object, H5P_DEFAULT) < 0)
+        return h5_fail(h5, ERROR_SYSTEM, object, "cannot be taken out", error);
+    return true;
+}
+
 bool h5_link(const struct h5 *h5, const char *present, const char *added, struct error *error) {
     if (H5Lcreate_hard(h5->file, present, h5->file, added, H5P_DEFAULT, H5P_DEFAULT) < 0)
         return h5_fail(h5, ERROR_SYSTEM, added, "the hard link cannot be made", error);

@@ -70,6 +70,9 @@ bool h5_list(const struct h5 *h5, const char *group, struct h5_names *names, str
 /* Makes a group and those above it. */
 bool h5_make_group(const struct h5 *h5, const char *group, struct error *error);
 
+/* Takes an object, with what is below it, out of the file; none is fine. Its room is not used again. */
+bool h5_remove(const struct h5 *h5, const char *object, struct error *error);
+
 /* Gives an object a second name. */
 bool h5_link(const struct h5 *h5, const char *present, const char *added, struct error *error);
 

@@ -20,10 +20,7 @@ bool h5md_open(struct h5md **h5md, const struct comm *comm, const char *path, co
     made->seed = head->seed;
     snprintf(made->path, sizeof made->path, "%s", path);
     snprintf(made->xdmf_path, sizeof made->xdmf_path, "%.*s.xdmf", (int)(length - 3), path);
-    if (head->scene) {
-        made->scene = memory_allocate(strlen(head->scene) + 1, 1, "scene text");
-        strcpy(made->scene, head->scene);
-    }
+    made->lineage = head->lineage;
     *h5md = made;
     int64_t present = comm->rank == 0 && resume_step >= 0 && file_size(path) >= 0;
     comm_max_int(comm, &present, 1);
@@ -166,7 +163,6 @@ bool h5md_close(struct h5md **h5md, struct error *error) {
     if (!h)
         return true;
     bool good = h5md_flush(h, error) && h5md_update_xdmf(h, true, error);
-    memory_free(h->scene);
     memory_free(h->frame);
     memory_free(h->kept_step);
     memory_free(h->kept_time);

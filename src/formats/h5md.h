@@ -9,12 +9,13 @@
 
 #include "formats/contact_list.h"
 #include "formats/frame.h"
+#include "formats/lineage.h"
 
 struct h5md;
 
 /* What goes into the file's head. */
 struct h5md_head {
-    const char *scene; /* text for /parameters/scene, NULL: none */
+    const struct lineage *lineage; /* for /parameters/runs; borrowed; NULL: none */
     bool dimensionless;
     bool varying;
     bool xdmf;

@@ -3,6 +3,7 @@
 #include "core/version.h"
 #include "files/file.h"
 
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -84,13 +85,36 @@ static bool write_box(const struct h5md *h5md, const struct h5 *h5, const struct
            h5md_write_unit(h5md, h5, edges, "m", error);
 }
 
+static bool write_run(const struct h5 *h5, const struct lineage_run *run, char scene[FILE_PATH_MAX],
+                      struct error *error) {
+    char group[OUTPUT_NAME_MAX];
+    snprintf(group, sizeof group, "/parameters/runs/%" PRIu64, run->step);
+    snprintf(scene, FILE_PATH_MAX, "%s/scene", group);
+    return h5_make_group(h5, group, error) && h5_write_text(h5, group, "version", run->version, error) &&
+           h5_write_text(h5, group, "revision", run->revision, error) &&
+           h5_write_string(h5, scene, run->scene, error);
+}
+
+bool h5md_write_runs(const struct h5md *h5md, const struct h5 *h5, struct error *error) {
+    static const char runs[] = "/parameters/runs", last[] = "/parameters/scene";
+    char scene[FILE_PATH_MAX] = "";
+    const struct lineage *lineage = h5md->lineage;
+    if (!lineage || lineage->count == 0)
+        return true;
+    if (!h5_remove(h5, runs, error) || !h5_remove(h5, last, error))
+        return false;
+    for (size_t k = 0; k < lineage->count; k++)
+        if (!write_run(h5, &lineage->run[k], scene, error))
+            return false;
+    return h5_link(h5, scene, last, error);
+}
+
 static bool write_parameters(const struct h5md *h5md, const struct h5 *h5, struct error *error) {
     struct h5_table table = {.type = FIELD_INT64, .rows = 1, .count = h5md->comm->rank == 0};
     int64_t seed = (int64_t)h5md->seed;
     if (!h5_make_group(h5, "/parameters", error) || !h5_make_group(h5, "/observables", error))
         return false;
-    return (!h5md->scene || h5_write_string(h5, "/parameters/scene", h5md->scene, error)) &&
-           h5_write_table(h5, "/parameters/seed", &table, &seed, error);
+    return h5md_write_runs(h5md, h5, error) && h5_write_table(h5, "/parameters/seed", &table, &seed, error);
 }
 
 uint64_t h5md_room(const struct h5md_stored *stored, uint64_t rows) {

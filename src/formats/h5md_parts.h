@@ -21,8 +21,8 @@ struct h5md {
     char path[FILE_PATH_MAX], xdmf_path[FILE_PATH_MAX];
     bool dimensionless, varying, xdmf;
     uint64_t seed;
-    char *scene; /* owned */
-    bool made;   /* the file is there */
+    const struct lineage *lineage; /* borrowed; NULL: none */
+    bool made;                     /* the file is there */
 
     int elements;
     struct h5md_element element[XDMF_COLUMNS_MAX];
@@ -44,6 +44,10 @@ struct h5md {
 
 /* Makes the file with all but particles. */
 bool h5md_make_file(struct h5md *h5md, const struct box *box, struct error *error);
+
+/* Writes the runs that led here, /parameters/runs/STEP/scene with version and revision, in place of those
+ * that are there, and links /parameters/scene to the last one's. Collective. */
+bool h5md_write_runs(const struct h5md *h5md, const struct h5 *h5, struct error *error);
 
 /* Takes room for so many bytes more on the disk. Collective. */
 bool h5md_reserve(const struct h5md *h5md, uint64_t bytes, struct error *error);

@@ -178,7 +178,8 @@ bool h5md_resume(struct h5md *h5md, int64_t step, struct error *error) {
     bool good = check_varying(h5md, &h5, error);
     for (size_t k = 0; good && k < sizeof groups / sizeof groups[0]; k++)
         good = cut_group(&h5, groups[k], step, error);
-    good = good && h5md_recall(h5md, &h5, error) && recall_lists(h5md, &h5, error);
+    good = good && h5md_recall(h5md, &h5, error) && recall_lists(h5md, &h5, error) &&
+           h5md_write_runs(h5md, &h5, error);
     if (!h5_close(&h5, error) || !good)
         return false;
     h5md->made = true;

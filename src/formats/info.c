@@ -181,6 +181,11 @@ static bool print_checkpoint(const char *path, const struct comm *comm, FILE *fi
                 head.box.origin[d] + head.box.edge[d], head.box.periodic[d] ? ", periodic" : ", open");
     for (int w = 0; w < head.walls; w++)
         fprintf(file, "  wall       %s\n", head.wall[w].name);
+    for (int m = 0; m < head.materials; m++)
+        fprintf(file, "  material   %s, density %.9g\n", head.material[m].name, head.material[m].density);
+    for (size_t k = 0; k < head.lineage.count; k++)
+        fprintf(file, "  run        from step %" PRIu64 ", scree %s (%s)\n", head.lineage.run[k].step,
+                head.lineage.run[k].version, head.lineage.run[k].revision);
     fprintf(file, "  datasets\n");
     for (int k = 0; k < table.entries; k++)
         fprintf(file, "    %-28s %14" PRIu64 " bytes\n", table.entry[k].name, table.entry[k].bytes);

@@ -4,8 +4,13 @@ libformats_la_SOURCES = \
 	src/formats/checkpoint.h \
 	src/formats/checkpoint_file.c \
 	src/formats/checkpoint_file.h \
+	src/formats/checkpoint_folder.c \
+	src/formats/checkpoint_head.c \
 	src/formats/checkpoint_parts.h \
 	src/formats/checkpoint_read.c \
+	src/formats/checkpoint_read_head.c \
+	src/formats/restart.c \
+	src/formats/restart.h \
 	src/formats/checkpoint_table.c \
 	src/formats/checkpoint_table.h \
 	src/formats/contact_list.c \
@@ -34,6 +39,8 @@ libformats_la_SOURCES = \
 	src/formats/h5md_resume.c \
 	src/formats/info.c \
 	src/formats/info.h \
+	src/formats/lineage.c \
+	src/formats/lineage.h \
 	src/formats/lammps_data.c \
 	src/formats/lammps_data.h \
 	src/formats/output.h \

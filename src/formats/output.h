@@ -8,14 +8,16 @@
 #include "walls/wall.h"
 #include "core/error.h"
 #include "integrate/integrator.h"
+#include "formats/lineage.h"
 #include "formats/output_options.h"
 
 /* Fixed during a run. */
 struct output_run {
     const char *directory;
-    const char *scene;  /* text of the effective scene, for /parameters/scene and checkpoints */
-    bool dimensionless; /* no unit strings */
-    bool varying;       /* particles are inserted or deleted: everything is written time-dependent */
+    const char *scene;             /* text of the effective scene */
+    const struct lineage *lineage; /* this run and those before */
+    bool dimensionless;            /* no unit strings */
+    bool varying; /* particles are inserted or deleted: everything is written time-dependent */
     uint64_t seed;
     int materials;
     const struct law_material *material; /* `materials` rows: names */

@@ -1,5 +1,7 @@
 noinst_LTLIBRARIES += libscene.la
 libscene_la_SOURCES = \
+	src/scene/compare.c \
+	src/scene/compare.h \
 	src/scene/decimal.c \
 	src/scene/decimal.h \
 	src/scene/finish.c \

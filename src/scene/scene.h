@@ -50,6 +50,9 @@ enum scene_simd { SCENE_SIMD_AUTO, SCENE_SIMD_BASELINE, SCENE_SIMD_V3, SCENE_SIM
 /* Their names: those of the force loop's kernels. */
 const char *scene_simd_name(enum scene_simd simd);
 
+/* The name of a law. */
+const char *scene_law_name(enum law_normal law);
+
 enum scene_group_motion { SCENE_FREE, SCENE_FROZEN, SCENE_MOVING };
 
 /* A group: group 0 is "free" and always there. A particle belongs to the group that its source names, else to

@@ -399,3 +399,7 @@ const struct schema_table schema_root = TABLE(root_rows);
 const char *scene_simd_name(enum scene_simd simd) {
     return simd_names[simd].name;
 }
+
+const char *scene_law_name(enum law_normal law) {
+    return law_names[law].name;
+}

@@ -85,7 +85,7 @@ END
 
 # contents CHECKPOINT: name, bytes and checksum of each dataset but the scene's text
 contents() {
-    head -c 8192 "$1" | grep -a '^dataset ' | awk '$2 != "/scene" { print $2, $4, $6 } END { exit NR < 15 }'
+    head -c 8192 "$1" | grep -a '^dataset ' | awk '$2 != "/scene" && $2 !~ "^/runs/" { print $2, $4, $6 } END { exit NR < 15 }'
 }
 # same_bits FOLDER
 same_bits() {

@@ -212,21 +212,37 @@ fi
 
 echo '== checkpoints cut short'
 cut_short() {
-    local newest step refused=0
+    local newest refused=0
     run_scene 2 scene.yaml cut --set output.checkpoint.every=20 --set output.checkpoint.keep=2 || return 1
     newest=cut/checkpoint-40.h5
     cp "$newest" whole.h5
     for size in 3000 $(($(stat -c %s whole.h5) / 2)) $(($(stat -c %s whole.h5) - 1)); do
         head -c "$size" whole.h5 >"$newest"
-        run_scene 3 scene.yaml cut --resume last >/dev/null
+        run_scene 3 scene.yaml cut --resume "$newest" >/dev/null
         [ $? = 2 ] && says_once said "$newest" || { cat said; return 1; }
         "$scree" info "$newest" 2>/dev/null | grep -q 'checkpoint, whole' && return 1
         refused=$((refused + 1))
     done
-    rm "$newest"
-    [ $refused = 3 ] && goes_on cut 3
+    [ $refused = 3 ]
 }
-check 'three cuts are refused, and the one before serves' cut_short
+check 'three cuts are refused' cut_short
+# one_before: with the newest cut short the one before serves, and one message says so
+one_before() {
+    run_scene 3 scene.yaml cut --resume last --set step.count=30 &&
+        says_once said 'cut/checkpoint-40.h5: is cut off|going on from cut/checkpoint-20.h5 instead' &&
+        [ "$(number cut/report.json first_step)" = 20 ] && [ ! -e cut/checkpoint-40.h5 ] && goes_on cut 2
+}
+check 'the last one whole is the one before' one_before
+none_whole() {
+    local file
+    for file in cut/checkpoint-*.h5; do
+        head -c 3000 "$file" >part.h5
+        cp part.h5 "$file"
+    done
+    run_scene 2 scene.yaml cut --resume last >/dev/null
+    [ $? = 2 ] && says_once said "cut/checkpoint-$(newest cut).h5: is cut off" || { cat said; return 1; }
+}
+check 'none is whole: the newest is named' none_whole
 
 echo '== writes that end too early on one rank'
 # cut_one NUMBER WORDS: the NUMBERth write of rank 1; after some of them HDF5 never returns (h5_watch.h)

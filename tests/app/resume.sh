@@ -85,6 +85,85 @@ set_free() {
 }
 check 'a sphere that was frozen and is set free rests on the floor' set_free
 
+# Three materials, of which pairs feel different stiffness; the first and the last of them collide
+cat >kinds.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [10, 10, 10]}
+step: {dt: 0.001, count: 20}
+contact: {law: hooke}
+guards: {overlap: warn}
+materials: [{name: a, density: 1}, {name: b, density: 1}, {name: c, density: 2}]
+material_pairs: [{restitution: 1, friction: 0, k_n: 1000}, {between: [a, b], restitution: 0.5, friction: 0, k_n: 500}]
+groups: [{name: first, select: {ids: [1]}}, {name: second, select: {ids: [2]}}]
+particles: {sources: [{from: single, position: [3.1, 5, 5], radius: 1, material: a, velocity: [1, 0, 0]}, {from: single, position: [5.09, 5, 5], radius: 1, material: c}]}
+output: {checkpoint: {every: 10, keep: 9}, dump: {every: 10, fields: [id, material, mass, velocity]}, trajectory: {every: 10}}
+EOF
+# column DIR NAME ID: of the last frame of its dump
+column() {
+    awk -v name="$2" -v id="$3" '/^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; next } /^ITEM/ { next }
+        $at["id"] == id && NF > 3 { value = $at[name] } END { print value }' "$1/dump.lammpstrj"
+}
+check 'a run of three materials' run_scene 1 kinds.yaml kinds
+# refused WORDS FLAG...: such a resume, with a message of all words (separated by |)
+refused() {
+    local words=$1 word
+    local -a list
+    shift
+    rm -rf refused
+    "$scree" run kinds.yaml -o refused --quiet --resume kinds/checkpoint-10.h5 "$@" >said 2>&1
+    [ $? = 2 ] && [ "$(wc -l <said)" = 1 ] && [ ! -e refused ] || { cat said; return 1; }
+    IFS='|' read -ra list <<<"$words"
+    for word in "${list[@]}"; do
+        holds said "$word" || return 1
+    done
+}
+one='particles={from: single, position: [3, 5, 5], radius: 1, material: a}'
+check 'fewer materials are refused' refused "1 particles are made of 'c'|no material of this name" \
+    --set 'materials=[{name: a, density: 1}, {name: b, density: 1}]' --set "$one"
+check 'one material is refused' refused 'no material of this name' --set 'materials=[{name: a, density: 1}]' \
+    --set 'material_pairs=[{restitution: 1, friction: 0, k_n: 1000}]' --set "$one"
+check 'fewer groups are refused' refused "1 particles are in group 'second'" --set 'groups=[{name: first, select: {ids: [1]}}]'
+check 'another dimension is refused' refused 'in 3 dimensions, the scene has 2|box.dimension must stay' --set box.dimension=2
+elastic='young: 1000, poisson: 0.2'
+check 'another law is refused' refused 'contact.law hooke, the scene has hertz|contact.law must stay' --set contact.law=hertz \
+    --set "materials=[{name: a, density: 1, $elastic}, {name: b, density: 1, $elastic}, {name: c, density: 2, $elastic}]" \
+    --set 'material_pairs=[{restitution: 1, friction: 0}]'
+check 'other units are refused' refused 'units must stay' --set units=si
+by_name() { # FLAG...: the scene says the same in another order
+    local id
+    rm -rf by-name
+    run_scene 1 kinds.yaml by-name --resume kinds/checkpoint-10.h5 "$@" || return 1
+    for id in 1 2; do
+        [ -n "$(column kinds vx $id)" ] && [ "$(column by-name vx $id)" = "$(column kinds vx $id)" ] ||
+            { echo "  vx of $id: $(column by-name vx $id) and $(column kinds vx $id)"; return 1; }
+    done
+}
+check 'they touch' within "$(column kinds vx 2)" 0.1 0.0999
+check 'materials are known by their names' by_name --set 'materials=[{name: c, density: 2}, {name: b, density: 1}, {name: a, density: 1}]'
+check 'groups are known by their names' by_name \
+    --set 'groups=[{name: second, select: {ids: [2]}}, {name: first, select: {ids: [1]}}]'
+check 'a material that nothing is made of may go' by_name --set 'materials=[{name: a, density: 1}, {name: c, density: 2}]' \
+    --set 'material_pairs=[{restitution: 1, friction: 0, k_n: 1000}]'
+
+# Densities become masses, and the terminal shows what has changed
+denser() {
+    "$scree" run kinds.yaml -o denser --resume kinds/checkpoint-10.h5 --set materials[2].density=6 --set material_pairs[0].k_n=900 \
+        --set particles.sources[0].radius=0.5 "$@" >said 2>&1 || { cat said; return 1; }
+    within "$(column denser mass 2)" "$(awk 'BEGIN { print 8 * atan2(0, -1) }')" 1e-4 &&
+        [ "$(column denser mass 1)" = "$(column kinds mass 1)" ]
+}
+check 'a density that has changed gives other masses' denser
+for line in 'materials[c].density: 2 -> 6' 'material_pairs[0].k_n: 1000 -> 900' 'masses of 1 particles follow' \
+    'particles.sources[0].radius: 1 -> 0.5 (no effect: particles come from the checkpoint)'; do
+    check "the list of changes: $line" holds said "$line"
+done
+runs_known() { # the files name the scenes of both runs
+    [ "$("$scree" info denser/checkpoint-20.h5 | grep -c '^  run        from step')" = 2 ] &&
+        "$scree" info denser/checkpoint-20.h5 | grep -q 'from step 10, scree' &&
+        [ "$(grep -ac 'k_n: 900' denser/trajectory.h5)" -ge 1 ] && [ "$(grep -ac 'k_n: 1000' denser/trajectory.h5)" -ge 1 ]
+}
+check 'checkpoint and trajectory hold the scenes of both runs' runs_known
+
 # Rows of observables are in the trajectory by every checkpoint, and after a stop
 rows_of() {
     "$scree" info "$1/trajectory.h5" | awk '$1 == "observable" && $2 == "energy_kinetic" { print $3 }'

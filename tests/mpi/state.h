@@ -31,6 +31,10 @@ struct fixture {
     struct history_rows history;
     struct wall_rows wall_history;
     struct checkpoint checkpoint;
+    struct restart restart;
+    struct lineage lineage;
+    int64_t count; /* numbers under names */
+    double real, part;
 };
 
 /* Rows of history that follow from the ids: particle id has id % 4 rows, and id % 3 rows of walls. */
@@ -73,6 +77,27 @@ static inline int owner_of(size_t k, int size) {
     return (int)(k * k % (size_t)(2 * size - 1)) / 2 % size;
 }
 
+static inline void list_numbers(struct restart *restart, int64_t *count, double *real, double *part) {
+    restart_add(restart, RESTART_INTEGER, false, count, "count of %s", "something");
+    restart_add(restart, RESTART_SUM, false, part, "a sum");
+    restart_add(restart, RESTART_REAL, false, real, "a real");
+}
+
+/* As many materials and groups as the stamps of the cloud have numbers. */
+enum { MATERIALS = 32 };
+static struct law_material material[MATERIALS];
+static char material_name[MATERIALS][16];
+static const char *group[MATERIALS];
+
+static inline void make_names(void) {
+    for (int k = 0; k < MATERIALS; k++) {
+        snprintf(material_name[k], sizeof material_name[k], "kind %d", k);
+        snprintf(material[k].name, sizeof material[k].name, "%s", material_name[k]);
+        material[k].density = 1000 + k;
+        group[k] = material_name[k];
+    }
+}
+
 static inline void fixture_make(struct fixture *f, struct team *team, const struct comm *comm,
                                 unsigned features) {
     *f = (struct fixture){.team = team, .comm = *comm};
@@ -82,7 +107,15 @@ static inline void fixture_make(struct fixture *f, struct team *team, const stru
     for (size_t k = 0; k < f->cloud.n; k++)
         if (owner_of(k, comm->size) == comm->rank)
             cloud_append(&f->cloud, k, STAMP, f->particles);
+    for (size_t i = 0; i < f->particles->owned; i++) {
+        uint8_t *number = material_numbers(f->particles), *member = groups_of(f->particles);
+        if (number)
+            number[i] %= MATERIALS;
+        if (member)
+            member[i] %= MATERIALS;
+    }
     make_history(f);
+    make_names();
     f->checkpoint = (struct checkpoint){
         .numbers = {.step = 1200, .time = 0.1 + 0.2, .dt = 1e-6 / 3, .seed = UINT64_MAX - 5, .next_id = 777},
         .particles = f->particles,
@@ -90,14 +123,27 @@ static inline void fixture_make(struct fixture *f, struct team *team, const stru
         .history_components = COMPONENTS,
         .history = &f->history,
         .wall_history = &f->wall_history,
-        .scene = "title: a test\n"};
-    f->checkpoint.numbers.counter[3] = 1ull << 60;
-    f->checkpoint.numbers.sum[1] = 0.1 * (comm->rank + 1);
+        .law = "hooke",
+        .materials = MATERIALS,
+        .groups = MATERIALS,
+        .material = material,
+        .group = group,
+        .scene = "title: a test\n",
+        .restart = &f->restart,
+        .lineage = &f->lineage};
+    f->count = 1ll << 60;
+    f->real = 1e-300 / 3;
+    f->part = 0.1 * (comm->rank + 1);
+    list_numbers(&f->restart, &f->count, &f->real, &f->part);
+    lineage_add(&f->lineage, 0, "0.1", "abc", "title: the first\n");
+    lineage_add(&f->lineage, 700, "0.2", "def", "title: a test\n");
 }
 
 static inline void fixture_free(struct fixture *f) {
     history_rows_free(&f->history);
     wall_rows_free(&f->wall_history);
+    restart_free(&f->restart);
+    lineage_free(&f->lineage);
     particles_destroy(&f->particles);
     cloud_free(&f->cloud);
     folder_remove(&f->folder, &f->team->comm);
@@ -107,6 +153,27 @@ static inline char *path_of(const struct fixture *f, const char *name, char path
     return folder_file(&f->folder, name, path);
 }
 
+static inline void expect_names(struct fixture *f, const struct checkpoint_loaded *l) {
+    struct team *team = f->team;
+    team_expect(team, strcmp(l->law, "hooke") == 0, "law %s", l->law);
+    team_expect(team, l->materials == MATERIALS && l->groups == MATERIALS, "%d materials, %d groups",
+                l->materials, l->groups);
+    for (int k = 0; k < MATERIALS; k++)
+        team_expect(team,
+                    strcmp(l->material[k].name, group[k]) == 0 && l->material[k].density == 1000 + k &&
+                        strcmp(l->group[k].name, group[k]) == 0,
+                    "material or group %d", k);
+    if (!team_expect(team, l->lineage.count == 2, "%zu runs", l->lineage.count))
+        return;
+    for (size_t k = 0; k < 2; k++) {
+        const struct lineage_run *then = &f->lineage.run[k], *now = &l->lineage.run[k];
+        team_expect(team,
+                    then->step == now->step && strcmp(then->version, now->version) == 0 &&
+                        strcmp(then->revision, now->revision) == 0 && strcmp(then->scene, now->scene) == 0,
+                    "run %zu", k);
+    }
+}
+
 static inline void expect_numbers(struct fixture *f, const struct checkpoint_loaded *l,
                                   const struct comm *reader) {
     const struct checkpoint_numbers *n = &f->checkpoint.numbers;
@@ -114,7 +181,15 @@ static inline void expect_numbers(struct fixture *f, const struct checkpoint_loa
     team_expect(team, l->numbers.step == n->step && l->numbers.time == n->time && l->numbers.dt == n->dt,
                 "moment");
     team_expect(team, l->numbers.seed == n->seed && l->numbers.next_id == n->next_id, "seed and next id");
-    team_expect(team, l->numbers.counter[3] == 1ull << 60 && l->numbers.counter[0] == 0, "counters");
+    struct restart list = {0};
+    struct error error = {0};
+    int64_t count = 0;
+    double real = 0, part = 0;
+    list_numbers(&list, &count, &real, &part);
+    team_expect(team, restart_take(&list, &l->restart, "test", &error), "%s", error.text);
+    restart_free(&list);
+    team_expect(team, count == f->count && real == f->real, "numbers under names");
+    expect_names(f, l);
     team_expect(team, l->total == PARTICLES, "%d particles", (int)l->total);
     team_expect(team, l->history_components == COMPONENTS, "components");
     team_expect(team, strcmp(l->scene, "title: a test\n") == 0, "scene \"%s\"", l->scene);
@@ -123,15 +198,22 @@ static inline void expect_numbers(struct fixture *f, const struct checkpoint_loa
     team_expect(team, memcmp(l->box.periodic, box.periodic, sizeof box.periodic) == 0, "periodic");
     team_expect(team, memcmp(l->box.leave, box.leave, sizeof box.leave) == 0, "leave");
     if (l->same_layout) {
-        team_expect(team, l->numbers.sum[1] == n->sum[1], "own sum %g", l->numbers.sum[1]);
+        team_expect(team, part == f->part, "own sum %g", part);
         return;
     }
     double total = 0, expected = 0;
-    total = l->numbers.sum[1];
+    total = part;
     comm_sum(reader, &total, 1);
     for (int r = 0; r < l->ranks; r++)
         expected += 0.1 * (r + 1);
     team_expect(team, total > expected - 1e-12 && total < expected + 1e-12, "sum %g", total);
+}
+
+/* What the fixture gives a field: the stamp, which for materials and groups is a number that there is. */
+static inline double value_of(int64_t id, const struct field *field, int component) {
+    double value = cloud_value(id, cloud_code(field->name), component, STAMP);
+    bool number = strcmp(field->name, "material") == 0 || strcmp(field->name, "group") == 0;
+    return number ? (int)value % MATERIALS : value;
 }
 
 /* The fields and history of a particle that was read are those that the cloud gives its id. */
@@ -149,8 +231,8 @@ static inline void expect_particle(struct fixture *f, const struct particles *p,
         if (!cloud_stamped(field) || !(field->use & FIELD_RESTART))
             continue;
         for (int c = 0; c < field->components; c++)
-            team_expect(team, cloud_get(p, f, c, i) == cloud_value(id, cloud_code(field->name), c, STAMP),
-                        "%s of %d", field->name, (int)id);
+            team_expect(team, cloud_get(p, f, c, i) == value_of(id, field, c), "%s of %d", field->name,
+                        (int)id);
     }
     size_t rows = l->history.start[i + 1] - l->history.start[i];
     size_t wall_rows = l->wall_history.start[i + 1] - l->wall_history.start[i];

@@ -218,7 +218,7 @@ static void old_ones_are_deleted(void **state) {
     struct error error = {0};
     char path[FILE_PATH_MAX], expected[FOLDER_MAX + 64];
     fixture_make(&f, team, &team->comm, 0);
-    team_expect(team, !checkpoint_find_newest(f.folder.path, path), "there is one");
+    team_expect(team, !checkpoint_find(f.folder.path, 0, path), "there is one");
     static const uint64_t steps[] = {100, 90, 1000, 1100};
     for (int k = 0; k < 4; k++) {
         f.checkpoint.numbers.step = steps[k];
@@ -237,8 +237,13 @@ static void old_ones_are_deleted(void **state) {
         for (int k = 0; k < 5; k++)
             team_expect(team, (access(path_of(&f, names[k], expected), F_OK) == 0) == (k >= 2), "%s",
                         names[k]);
-        team_expect(team, checkpoint_find_newest(f.folder.path, path), "none is found");
+        team_expect(team, checkpoint_find(f.folder.path, 0, path), "none is found");
         team_expect(team, strcmp(path, expected) == 0, "the newest is %s", path);
+        team_expect(team,
+                    checkpoint_find(f.folder.path, 1, path) &&
+                        strcmp(path, path_of(&f, "checkpoint-1100.h5", expected)) == 0,
+                    "the one before is %s", path);
+        team_expect(team, !checkpoint_find(f.folder.path, 2, path), "there is a third");
     }
     fixture_free(&f);
     team_finish(team);

@@ -92,6 +92,49 @@ static void fixed_number_is_kept(void **state) {
     team_finish(team);
 }
 
+/* A string of the file is this text. */
+static void expect_scene(struct team *team, hid_t file, const char *name, const char *text) {
+    char found[64] = "";
+    hid_t dataset = H5Dopen2(file, name, H5P_DEFAULT);
+    if (!team_expect(team, dataset >= 0, "no %s", name))
+        return;
+    hid_t type = H5Dget_type(dataset);
+    if (team_expect(team, H5Tget_size(type) < sizeof found, "length of %s", name))
+        H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, found);
+    team_expect(team, strcmp(found, text) == 0, "%s is '%s'", name, found);
+    H5Tclose(type);
+    H5Dclose(dataset);
+}
+
+/* The file names the scene of each run with the step from which it holds; the run of step 10 was given up. */
+static void runs_are_named(void **state) {
+    struct team *team = *state;
+    struct fixture f;
+    fixture_make(&f, team, &box_3d, 0);
+    write_file(&f, false, -1, 0, 50);
+    lineage_add(&f.lineage, 10, "0.2", "def", "scene: given up\n");
+    write_file(&f, false, 10, 10, 50);
+    lineage_free(&f.lineage);
+    lineage_add(&f.lineage, 0, "0.1", "abc", "scene: test\n");
+    lineage_add(&f.lineage, 25, "0.2", "def", "scene: other\n");
+    write_file(&f, false, 25, 20, 70);
+    if (team->comm.rank == 0) {
+        hid_t file = H5Fopen(f.path, H5F_ACC_RDONLY, H5P_DEFAULT);
+        expect_scene(team, file, "/parameters/runs/0/scene", "scene: test\n");
+        expect_scene(team, file, "/parameters/runs/25/scene", "scene: other\n");
+        expect_scene(team, file, "/parameters/scene", "scene: other\n");
+        team_expect(team, H5Lexists(file, "/parameters/runs/10", H5P_DEFAULT) == 0,
+                    "a run that was given up");
+        team_expect(team,
+                    H5Aexists_by_name(file, "/parameters/runs/25", "version", H5P_DEFAULT) > 0 &&
+                        H5Aexists_by_name(file, "/parameters/runs/25", "revision", H5P_DEFAULT) > 0,
+                    "no version");
+        H5Fclose(file);
+    }
+    fixture_free(&f);
+    team_finish(team);
+}
+
 /* Stop at 50, resume from 25: frames 30 and 40 are written a second time. */
 static void resume_goes_on(void **state) {
     struct team *team = *state;
@@ -371,6 +414,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(number_may_change, &team),
         cmocka_unit_test_prestate(fixed_number_is_kept, &team),
         cmocka_unit_test_prestate(resume_goes_on, &team),
+        cmocka_unit_test_prestate(runs_are_named, &team),
         cmocka_unit_test_prestate(fixed_file_is_kept, &team),
         cmocka_unit_test_prestate(contacts_are_listed, &team),
         cmocka_unit_test_prestate(observables_come_along, &team),

@@ -31,6 +31,7 @@ struct fixture {
     struct integrator_context motion;
     struct output_view view;
     struct output_run run;
+    struct lineage lineage;
 };
 
 static inline void fixture_make(struct fixture *f, struct team *team, const struct box *box,
@@ -52,17 +53,20 @@ static inline void fixture_make(struct fixture *f, struct team *team, const stru
         .dt = 0.25, .gravity = {0, 0, -2}, .dimension = box->dimension, .groups = 1};
     f->view = (struct output_view){
         .comm = &team->comm, .particles = f->particles, .box = &f->cloud.box, .motion = &f->motion};
-    f->run = (struct output_run){.directory = f->folder.path, .scene = "scene: test\n", .seed = 42};
+    f->run = (struct output_run){.directory = f->folder.path, .lineage = &f->lineage, .seed = 42};
+    lineage_add(&f->lineage, 0, "0.1", "abc", "scene: test\n");
 }
 
 static inline void fixture_free(struct fixture *f) {
+    lineage_free(&f->lineage);
     particles_destroy(&f->particles);
     cloud_free(&f->cloud);
     folder_remove(&f->folder, &f->team->comm);
 }
 
 static inline struct h5md_head head_of(const struct fixture *f, bool varying) {
-    return (struct h5md_head){.scene = f->run.scene, .varying = varying, .xdmf = true, .seed = f->run.seed};
+    return (struct h5md_head){
+        .lineage = f->run.lineage, .varying = varying, .xdmf = true, .seed = f->run.seed};
 }
 
 /* Writes frames at steps first, first + 10, ... below last; each shows the same state at another time. */

@@ -1,0 +1,183 @@
+/* What a scene may change between a checkpoint and its resume, and what it must not. */
+#include "engine/resume.h"
+#include "contact/material.h"
+#include "core/memory.h"
+#include "integrate/groups.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* A density counts as that of its material if it differs by rounding alone. */
+static const double same_density = 1e-9;
+
+static bool check_box(const struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
+                      struct error *error) {
+    const struct box *now = &s->scene->box, *then = &loaded->box;
+    if (now->dimension != then->dimension)
+        return error_set(error, ERROR_USER,
+                         "%s: it was written in %d dimensions, the scene has %d: box.dimension must stay",
+                         path, then->dimension, now->dimension);
+    for (int d = 0; d < 3; d++)
+        if (now->edge[d] != then->edge[d] || now->periodic[d] != then->periodic[d] ||
+            now->origin[d] != then->origin[d])
+            return error_set(error, ERROR_USER,
+                             "%s: it was written for a box with %c from %.9g, edge %.9g, %s; the scene's is "
+                             "from %.9g, edge %.9g, %s: "
+                             "a resume may change gravity, walls, motion, output and duration, not the box",
+                             path, 'x' + d, then->origin[d], then->edge[d],
+                             then->periodic[d] ? "periodic" : "open", now->origin[d], now->edge[d],
+                             now->periodic[d] ? "periodic" : "open");
+    return true;
+}
+
+static bool check_law(const struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
+                      struct error *error) {
+    const char *law = scene_law_name(s->scene->law.normal);
+    if (strcmp(loaded->law, law) != 0)
+        return error_set(error, ERROR_USER,
+                         "%s: it was written with contact.law %s, the scene has %s: "
+                         "contact.law must stay",
+                         path, loaded->law, law);
+    if (loaded->history_components != s->law.history_components)
+        return error_set(error, ERROR_USER,
+                         "%s: its contacts have a history of %d numbers, the scene's law has %d: "
+                         "contact.law, friction and rolling must stay",
+                         path, loaded->history_components, s->law.history_components);
+    return true;
+}
+
+static int group_find(const struct scene *scene, const char *name) {
+    for (int k = 0; k < scene->groups; k++)
+        if (strcmp(scene->group[k].name, name) == 0)
+            return k;
+    return -1;
+}
+
+/* Every material and group that particles are of must still be there. */
+static bool check_names(const struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
+                        struct error *error) {
+    for (int k = 0; k < loaded->materials; k++)
+        if (loaded->material[k].particles > 0 && scene_material(s->scene, loaded->material[k].name) < 0)
+            return error_set(
+                error, ERROR_USER,
+                "%s: %lld particles are made of '%s', and the scene has no material of this name: "
+                "a resume may change what materials are, not drop or rename one",
+                path, (long long)loaded->material[k].particles, loaded->material[k].name);
+    for (int k = 0; k < loaded->groups; k++)
+        if (loaded->group[k].particles > 0 && group_find(s->scene, loaded->group[k].name) < 0)
+            return error_set(error, ERROR_USER,
+                             "%s: %lld particles are in group '%s', and the scene has no group of this name: "
+                             "a resume may change the motion of groups, not drop or rename one",
+                             path, (long long)loaded->group[k].particles, loaded->group[k].name);
+    return true;
+}
+
+/* Lists the keys that differ; some must not. */
+static bool check_scene(struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
+                        struct error *error) {
+    char *now = scene_echo(s->scene);
+    bool good = scene_compare(path, loaded->scene, now, &s->resumed.changes, error);
+    memory_free(now);
+    for (size_t k = 0; good && k < s->resumed.changes.count; k++) {
+        const struct scene_change *change = &s->resumed.changes.change[k];
+        if (strcmp(change->key, "units") == 0)
+            return error_set(error, ERROR_USER,
+                             "%s: it was written with units: %s, the scene has %s: units must stay", path,
+                             change->then ? change->then : "si", change->now ? change->now : "si");
+    }
+    return good;
+}
+
+bool resume_check(struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
+                  struct error *error) {
+    return check_box(s, path, loaded, error) && check_law(s, path, loaded, error) &&
+           check_names(s, path, loaded, error) && check_scene(s, path, loaded, error);
+}
+
+/* The first that has particles: that of all where the set has no numbers. */
+static int only(const struct checkpoint_kind *kind, int kinds) {
+    for (int k = 0; k < kinds; k++)
+        if (kind[k].particles > 0)
+            return k;
+    return 0;
+}
+
+/* The density of a particle as it was read; `density` of all where they are kept. */
+static double density_of(const struct particles *p, const double *density, size_t i) {
+    return density ? density[i]
+                   : 1 / (p->state[i].inverse_mass * particles_sphere_mass(p->state[i].radius, 1));
+}
+
+/* Masses of particles of material `then`, where its density has changed to `density`. */
+static bool change_mass(struct particles *p, size_t i, const struct checkpoint_kind *then, double density) {
+    double *kept = groups_densities(p);
+    if (density == then->density ||
+        !(fabs(density_of(p, kept, i) - then->density) <= same_density * then->density))
+        return false;
+    if (kept)
+        kept[i] = density;
+    if (p->state[i].inverse_mass > 0)
+        p->state[i].inverse_mass = 1 / particles_sphere_mass(p->state[i].radius, density);
+    return true;
+}
+
+static void apply_materials(struct simulation *s, const struct checkpoint_loaded *loaded) {
+    struct particles *p = s->particles;
+    uint8_t *material = material_numbers(p);
+    bool written = material && loaded->field_read[fields_find(p, "material")];
+    int first = only(loaded->material, loaded->materials), place[LAW_MATERIALS_MAX] = {0};
+    int64_t changed = 0;
+    for (int k = 0; k < loaded->materials; k++)
+        place[k] = scene_material(s->scene, loaded->material[k].name);
+    for (size_t i = 0; i < p->owned; i++) {
+        int then = written ? material[i] : first;
+        changed += change_mass(p, i, &loaded->material[then], s->scene->material[place[then]].density);
+        if (material)
+            material[i] = (uint8_t)place[then];
+    }
+    comm_sum_int(s->comm, &changed, 1);
+    s->resumed.masses = (uint64_t)changed;
+}
+
+/* Particles of groups whose motion is prescribed now and was not then, or the other way round, get the mass
+ * that goes with it. */
+static void apply_groups(struct simulation *s, const struct checkpoint_loaded *loaded) {
+    struct particles *p = s->particles;
+    uint8_t *group = groups_of(p);
+    const double *density = groups_densities(p);
+    bool written = group && loaded->field_read[fields_find(p, "group")];
+    int first = only(loaded->group, loaded->groups), place[INTEGRATOR_GROUPS_MAX] = {0};
+    for (int k = 0; k < loaded->groups; k++)
+        place[k] = group_find(s->scene, loaded->group[k].name);
+    for (size_t i = 0; group && i < p->owned; i++) {
+        struct particle_state *state = &p->state[i];
+        group[i] = (uint8_t)place[written ? group[i] : first];
+        if (s->motion.motion[group[i]].prescribed)
+            state->inverse_mass = 0;
+        else if (state->inverse_mass == 0)
+            state->inverse_mass = 1 / particles_sphere_mass(state->radius, density[i]);
+    }
+}
+
+void resume_apply(struct simulation *s, const struct checkpoint_loaded *loaded) {
+    apply_materials(s, loaded);
+    apply_groups(s, loaded);
+}
+
+void resume_print(const struct simulation *s, const char *path, FILE *out) {
+    static const char sources[] = "particles.";
+    const struct scene_changes *changes = &s->resumed.changes;
+    if (changes->count == 0)
+        return;
+    fprintf(out, "%s, step %llu: the scene has changed since:\n", path, (unsigned long long)s->step);
+    for (size_t k = 0; k < changes->count; k++) {
+        const struct scene_change *change = &changes->change[k];
+        bool idle = strncmp(change->key, sources, strlen(sources)) == 0;
+        fprintf(out, "  %s: %s -> %s%s\n", change->key, change->then ? change->then : "(none)",
+                change->now ? change->now : "(none)",
+                idle ? " (no effect: particles come from the checkpoint)" : "");
+    }
+    if (s->resumed.masses > 0)
+        fprintf(out, "  masses of %llu particles follow from the new densities\n",
+                (unsigned long long)s->resumed.masses);
+}
