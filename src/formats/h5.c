@@ -1,6 +1,7 @@
 #include "formats/h5.h"
 
 #include "core/memory.h"
+#include "core/timer.h"
 #include "files/file.h"
 #include "formats/h5_watch.h"
 #include "formats/output.h"
@@ -87,14 +88,7 @@ static bool agree_watch(const struct h5 *h5, struct error *error) {
     return h5_agree(h5, error);
 }
 
-static void watch_opening(const struct h5 *h5, bool begins) {
-    if (h5->comm && h5->comm->size > 1 && begins)
-        h5_watch_opening();
-    else if (h5->comm)
-        h5_watch_opened();
-}
-
-/* Opens a file and closes it, before all ranks open it together. */
+/* Opens a file and closes it. */
 static void try_open(const struct h5 *h5, bool write, struct error *error) {
     int handle = open(h5->path, (write ? O_RDWR : O_RDONLY) | O_CLOEXEC);
     if (handle >= 0)
@@ -105,6 +99,37 @@ static void try_open(const struct h5 *h5, bool write, struct error *error) {
         error_set_errno(error, "%s: cannot be opened on rank %d", h5->path, h5->comm ? h5->comm->rank : 0);
 }
 
+/* Before all ranks open a file together each does so by itself, and all agree: MPI waits for ever where it
+ * cannot be opened on one. Then the watch begins, with patience after the time that this took. */
+static bool open_begin(const struct h5 *h5, bool write, struct error *error) {
+    double began = timer_now();
+    if (error->kind == ERROR_NONE)
+        try_open(h5, write, error);
+    if (!h5_agree(h5, error))
+        return false;
+    if (h5->comm && h5->comm->size > 1)
+        h5_watch_opening(timer_now() - began);
+    return true;
+}
+
+/* HDF5 has opened the file, or says that it cannot. */
+static bool open_end(const struct h5 *h5, struct error *error) {
+    if (h5->comm)
+        h5_watch_opened();
+    return agree_watch(h5, error);
+}
+
+/* The first rank makes an empty file. */
+static void make_empty(const struct h5 *h5, struct error *error) {
+    if (h5->comm && h5->comm->rank > 0)
+        return;
+    int handle = open(h5->path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (handle < 0)
+        error_set_errno(error, "%s: cannot be made", h5->path);
+    else
+        close(handle);
+}
+
 bool h5_create(struct h5 *h5, const char *path, const struct comm *comm, uint64_t user_block,
                struct error *error) {
     if (!begin(h5, path, comm, error))
@@ -112,11 +137,11 @@ bool h5_create(struct h5 *h5, const char *path, const struct comm *comm, uint64_
     hid_t list = access_list(comm), creation = H5Pcreate(H5P_FILE_CREATE);
     if (list < 0 || creation < 0 || H5Pset_userblock(creation, user_block) < 0)
         h5_fail(h5, ERROR_SYSTEM, "", "cannot be prepared", error);
-    if (h5_agree(h5, error)) {
-        watch_opening(h5, true);
+    else
+        make_empty(h5, error);
+    if (h5_agree(h5, error) && open_begin(h5, true, error)) {
         h5->file = H5Fcreate(path, H5F_ACC_TRUNC, creation, list);
-        watch_opening(h5, false);
-        if (agree_watch(h5, error) && h5->file < 0)
+        if (open_end(h5, error) && h5->file < 0)
             h5_fail(h5, ERROR_SYSTEM, "", "cannot be made", error);
     }
     H5Pclose(list);
@@ -134,14 +159,9 @@ bool h5_open(struct h5 *h5, const char *path, const struct comm *comm, bool writ
     hid_t list = access_list(comm);
     if (list < 0)
         h5_fail(h5, ERROR_SYSTEM, "", "cannot be prepared", error);
-    else
-        try_open(h5, write, error);
-    /* all ranks open it, or none: the call is collective */
-    if (h5_agree(h5, error)) {
-        watch_opening(h5, true);
+    if (open_begin(h5, write, error)) {
         h5->file = H5Fopen(path, write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, list);
-        watch_opening(h5, false);
-        if (agree_watch(h5, error) && h5->file < 0)
+        if (open_end(h5, error) && h5->file < 0)
             h5_fail(h5, ERROR_USER, "", "cannot be opened as an HDF5 file", error);
     }
     H5Pclose(list);

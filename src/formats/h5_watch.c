@@ -10,9 +10,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Seconds from the failure to the end, and those that each further rank waits longer, so that one speaks;
- * seconds that opening may take on all ranks together. */
-enum { PATIENCE = 10, STEP = 2, STEPS_MAX = 20, OPENING = 300, HANDLES_MAX = 4096 };
+/* Seconds from the failure to the end, and those that each further rank waits longer, so that one speaks.
+ * Opening on all ranks together may take OPENING seconds and OPENING_TIMES what it took each by itself. */
+enum { PATIENCE = 10, STEP = 2, STEPS_MAX = 20, OPENING = 20, OPENING_TIMES = 10, HANDLES_MAX = 4096 };
 
 static const char program[] = "scree: ";
 
@@ -89,11 +89,11 @@ void h5_watch_begin(const struct comm *comm, const char *path) {
     files_watch(arm);
 }
 
-void h5_watch_opening(void) {
+void h5_watch_opening(double alone) {
     describe("opened");
     watch.opening = true;
     watch.asked = false;
-    alarm(OPENING + turn());
+    alarm(OPENING + (unsigned)(OPENING_TIMES * alone) + turn());
 }
 
 void h5_watch_opened(void) {

@@ -7,8 +7,9 @@
  *   and ends the job;
  * - a read that is not whole ends the job at once, with the same message: MPI hides it from HDF5, which takes
  *   what was in memory for data, or crashes;
- * - opening has five minutes on several ranks together: MPI closes a file, together, that one rank could not
- * open. Then a rank that does not have the file open says so and ends the job.
+ * - opening has twenty seconds on several ranks together, and ten times what it took each by itself: MPI
+ *   closes a file, together, that one rank could not open. Then a rank that does not have the file open says
+ *   so and ends the job.
  *
  * What a signal handler needs is static: one file at a time, main thread. */
 #ifndef SCREE_FORMATS_H5_WATCH_H
@@ -19,8 +20,8 @@
 /* From now on calls that are not whole are those on this file. Nothing is sent. */
 void h5_watch_begin(const struct comm *comm, const char *path);
 
-/* Around the call by which all ranks open the file together. */
-void h5_watch_opening(void);
+/* Around the call by which all ranks open the file together; `alone`: seconds that it took each by itself. */
+void h5_watch_opening(double alone);
 void h5_watch_opened(void);
 
 /* All calls on the file have returned. */
