@@ -161,3 +161,18 @@ bool file_write_at(int handle, const void *data, uint64_t bytes, uint64_t offset
     }
     return true;
 }
+
+bool file_shorten(const char *path, char name[FILE_PATH_MAX], int *folder, struct error *error) {
+    char directory[FILE_PATH_MAX];
+    *folder = -1;
+    snprintf(name, FILE_PATH_MAX, "%s", path);
+    if (strlen(path) <= FILE_SHORT_MAX)
+        return true;
+    directory_of(path, directory);
+    const char *slash = strrchr(path, '/');
+    *folder = open(directory, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (*folder < 0)
+        return error_set_errno(error, "%s: cannot be opened", directory);
+    snprintf(name, FILE_PATH_MAX, "/proc/self/fd/%d/%s", *folder, slash ? slash + 1 : path);
+    return true;
+}

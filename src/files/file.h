@@ -46,6 +46,12 @@ bool file_is_missing(int code);
 bool file_read_at(int handle, void *data, uint64_t bytes, uint64_t offset);
 bool file_write_at(int handle, const void *data, uint64_t bytes, uint64_t offset);
 
+/* A name for libraries that keep names in short buffers (Open MPI's shared file pointers have 256 bytes for
+ * theirs): the path itself, or where it is longer than FILE_SHORT_MAX "/proc/self/fd/N/NAME", with N a handle
+ * of its folder, which must stay open as long as the name is used; else it is -1. */
+enum { FILE_SHORT_MAX = 160 };
+bool file_shorten(const char *path, char name[FILE_PATH_MAX], int *folder, struct error *error);
+
 /* Size of a file in bytes, or -1 if it cannot be asked. */
 int64_t file_size(const char *path);
 

@@ -27,7 +27,7 @@ static herr_t keep_first(unsigned n, const H5E_error2_t *record, void *context) 
 bool h5_fail(const struct h5 *h5, enum error_kind kind, const char *object, const char *what,
              struct error *error) {
     struct said said = {"no further text"};
-    if (h5->comm && !h5_watch_take(error)) {
+    if (kind == ERROR_USER && h5->comm && !h5_watch_take(error)) {
         H5Eclear2(H5E_DEFAULT);
         return false;
     }
@@ -46,7 +46,7 @@ bool h5_fail(const struct h5 *h5, enum error_kind kind, const char *object, cons
 }
 
 static bool begin(struct h5 *h5, const char *path, const struct comm *comm, struct error *error) {
-    *h5 = (struct h5){.file = -1, .transfer = H5P_DEFAULT, .comm = comm};
+    *h5 = (struct h5){.file = -1, .transfer = H5P_DEFAULT, .comm = comm, .folder = -1};
     if (strlen(path) >= sizeof h5->path)
         return error_set(error, ERROR_USER, "%.100s...: the path is longer than %d characters", path,
                          FILE_PATH_MAX - 1);
@@ -100,10 +100,11 @@ static void try_open(const struct h5 *h5, bool write, struct error *error) {
 }
 
 /* Before all ranks open a file together each does so by itself, and all agree: MPI waits for ever where it
- * cannot be opened on one. Then the watch begins, with patience after the time that this took. */
-static bool open_begin(const struct h5 *h5, bool write, struct error *error) {
+ * cannot be opened on one. `name` is what MPI opens it by. Then the watch begins, with patience after the
+ * time that this took. */
+static bool open_begin(struct h5 *h5, bool write, char name[FILE_PATH_MAX], struct error *error) {
     double began = timer_now();
-    if (error->kind == ERROR_NONE)
+    if (error->kind == ERROR_NONE && file_shorten(h5->path, name, &h5->folder, error))
         try_open(h5, write, error);
     if (!h5_agree(h5, error))
         return false;
@@ -132,6 +133,7 @@ static void make_empty(const struct h5 *h5, struct error *error) {
 
 bool h5_create(struct h5 *h5, const char *path, const struct comm *comm, uint64_t user_block,
                struct error *error) {
+    char name[FILE_PATH_MAX];
     if (!begin(h5, path, comm, error))
         return false;
     hid_t list = access_list(comm), creation = H5Pcreate(H5P_FILE_CREATE);
@@ -139,8 +141,8 @@ bool h5_create(struct h5 *h5, const char *path, const struct comm *comm, uint64_
         h5_fail(h5, ERROR_SYSTEM, "", "cannot be prepared", error);
     else
         make_empty(h5, error);
-    if (h5_agree(h5, error) && open_begin(h5, true, error)) {
-        h5->file = H5Fcreate(path, H5F_ACC_TRUNC, creation, list);
+    if (h5_agree(h5, error) && open_begin(h5, true, name, error)) {
+        h5->file = H5Fcreate(name, H5F_ACC_TRUNC, creation, list);
         if (open_end(h5, error) && h5->file < 0)
             h5_fail(h5, ERROR_SYSTEM, "", "cannot be made", error);
     }
@@ -154,13 +156,14 @@ bool h5_create(struct h5 *h5, const char *path, const struct comm *comm, uint64_
 }
 
 bool h5_open(struct h5 *h5, const char *path, const struct comm *comm, bool write, struct error *error) {
+    char name[FILE_PATH_MAX];
     if (!begin(h5, path, comm, error))
         return false;
     hid_t list = access_list(comm);
     if (list < 0)
         h5_fail(h5, ERROR_SYSTEM, "", "cannot be prepared", error);
-    if (open_begin(h5, write, error)) {
-        h5->file = H5Fopen(path, write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, list);
+    if (open_begin(h5, write, name, error)) {
+        h5->file = H5Fopen(name, write ? H5F_ACC_RDWR : H5F_ACC_RDONLY, list);
         if (open_end(h5, error) && h5->file < 0)
             h5_fail(h5, ERROR_USER, "", "cannot be opened as an HDF5 file", error);
     }
@@ -186,6 +189,9 @@ bool h5_close(struct h5 *h5, struct error *error) {
     if (h5->transfer > 0 && h5->transfer != H5P_DEFAULT)
         H5Pclose(h5->transfer);
     h5->transfer = H5P_DEFAULT;
+    if (h5->folder >= 0)
+        close(h5->folder);
+    h5->folder = -1;
     bool good = agree_watch(h5, error);
     if (h5->comm)
         h5_watch_end();

@@ -18,6 +18,7 @@ struct h5 {
     hid_t file;              /* < 0: closed */
     hid_t transfer;          /* how data moves: collective or alone */
     const struct comm *comm; /* borrowed; NULL: one rank alone */
+    int folder;              /* handle of its folder where that has a long name (file_shorten); -1: none */
     char path[FILE_PATH_MAX];
 };
 

@@ -230,7 +230,7 @@ check 'three cuts are refused' cut_short
 one_before() {
     run_scene 3 scene.yaml cut --resume last --set step.count=30 &&
         says_once said 'cut/checkpoint-40.h5: is cut off|going on from cut/checkpoint-20.h5 instead' &&
-        [ "$(number cut/report.json first_step)" = 20 ] && [ ! -e cut/checkpoint-40.h5 ] && goes_on cut 2
+        [ "$(number cut/report.json steps)" = 10 ] && [ ! -e cut/checkpoint-40.h5 ] && goes_on cut 2
 }
 check 'the last one whole is the one before' one_before
 none_whole() {
