@@ -38,7 +38,7 @@ columns() {
 check 'a row a variant, some on the front' columns
 converges() {
     less "$(field one/speed_error.csv 'dt x 0.5' trajectory_error)" "$(field one/speed_error.csv 'as it is' trajectory_error)" &&
-        less "$(field one/speed_error.csv 'as it is' trajectory_error)" "$(field one/speed_error.csv 'dt x 2' trajectory_error)"
+        less "$(field one/speed_error.csv 'as it is' trajectory_error)" "$(field one/speed_error.csv 'dt x 1.5' trajectory_error)"
 }
 check 'the error grows with the step' converges
 exact() { # skins and indexes change no more than rounding
@@ -86,8 +86,8 @@ labelled() { # labels neither overlap nor leave the picture; each of the front h
 }
 if command -v gnuplot >/dev/null; then check 'a plot is made' plotted; check 'whose labels can be read' labelled; else skip 'plots: no gnuplot here'; fi
 kept() { # the processor's seconds are those that count for one thread alone; what was said is kept
-    less 0 "$(field one/speed_error.csv 'dt x 2' cpu_seconds)" &&
-        within "$(field one/speed_error.csv 'dt x 2' cpu_seconds)" "$(field one/speed_error.csv 'dt x 2' seconds)" 1e-9 &&
+    less 0 "$(field one/speed_error.csv 'dt x 1.5' cpu_seconds)" &&
+        within "$(field one/speed_error.csv 'dt x 1.5' cpu_seconds)" "$(field one/speed_error.csv 'dt x 1.5' seconds)" 1e-9 &&
         cmp said one/speed_error.txt && grep -q '^measured on .*: 1 rank, 1 thread each' said
 }
 check 'what was said and measured on is kept' kept
@@ -96,7 +96,7 @@ check 'there is advice on each kind of setting' each_kind
 
 same_on_ranks() {
     study 2 two --duration 0.05 --judge heap_z && study 1 three --duration 0.05 --judge heap_z &&
-        within "$(field two/speed_error.csv 'dt x 2' trajectory_error)" "$(field three/speed_error.csv 'dt x 2' trajectory_error)" 1e-8
+        within "$(field two/speed_error.csv 'dt x 1.5' trajectory_error)" "$(field three/speed_error.csv 'dt x 1.5' trajectory_error)" 1e-8
 }
 check 'two ranks find the same error' same_on_ranks
 

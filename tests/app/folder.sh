@@ -58,9 +58,9 @@ check 'no folder is made for it' over none --resume dir/checkpoint-8.h5 --set st
 check 'so that there is none' [ ! -e none ]
 
 echo '== standard output that cannot be written'
-mute() { # COMMAND...: status 1 and one line that says so
+mute() { # COMMAND...: status 1 and one line that says so, beside notes on the scene
     "$scree" "$@" >/dev/full 2>said
-    [ $? = 1 ] && [ "$(wc -l <said)" = 1 ] && holds said 'scree: standard output cannot be written'
+    [ $? = 1 ] && [ "$(grep -vcE 'NOTE: |warning: other programs' said)" = 1 ] && holds said 'scree: standard output cannot be written'
 }
 check 'help' mute help
 check 'help of a key' mute help index.name

@@ -65,7 +65,7 @@ EOF
     echo "$common"
     cat <<'EOF'
 box: {lower: [0, 0, 0], upper: [8, 8, 8], periodic: true}
-step: {dt: 0.0005, count: 40, rebuild_every: 10}
+step: {dt: 0.00045, count: 40, rebuild_every: 10}
 skin: {length: 0.6}
 particles:
   sources:

@@ -11,7 +11,7 @@ fail_call=$top_builddir/tests/app/.libs/fail_call.so
 cat >scene.yaml <<'YAML'
 units: none
 box: {lower: [0, 0, 0], upper: [6, 6, 6], periodic: [true, true, false], leave: error}
-step: {dt: 0.001, count: 20}
+step: {dt: 0.0007, count: 20}
 contact: {law: hooke}
 guards: {overlap_bound: 1.5}
 materials: [{name: soft, density: 1}]
