@@ -14,7 +14,7 @@ cut_message=$top_builddir/tests/app/.libs/cut_message.so cut_write=$top_builddir
 cat >scene.yaml <<'EOF'
 units: none
 box: {lower: [0, 0, 0], upper: [9, 6, 6], periodic: true}
-step: {dt: 0.001, count: 40, rebuild_every: 10}
+step: {dt: 0.0007, count: 40, rebuild_every: 10}
 contact: {law: hooke}
 guards: {overlap_bound: 1.5}
 materials: [{name: soft, density: 1}]
