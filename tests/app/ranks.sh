@@ -22,7 +22,7 @@ contact: {law: hooke}
 output: {dump: {every: 40}, checkpoint: {at_end: false}}
 observables: {every: 40, list: [{name: momentum}, {name: overlap_max}, {name: load}]}
 box: {lower: [0, 0, 0], upper: [$edge, $edge, $edge], periodic: true}
-step: {dt: 0.0002, count: 40, rebuild_every: 10}
+step: {dt: 0.00017, count: 40, rebuild_every: 10}
 skin: {length: 0.05}
 domain: {name: brick}
 particles:

@@ -41,7 +41,7 @@ END
     echo "$common"
     cat <<'END'
 box: {lower: [0, 0, 0], upper: [8, 8, 8], periodic: true}
-step: {dt: 0.0005, count: 40}
+step: {dt: 0.00045, count: 40}
 materials: [{name: soft, density: 1}, {name: hard, density: 2}]
 contact: {law: hooke}
 material_pairs: [{restitution: 0.7, friction: 0.4, k_n: 1000}]

@@ -219,6 +219,7 @@ static void checkpoint_is_converted(void **state) {
         struct checkpoint checkpoint = {.numbers = {.step = 70, .time = 0.25},
                                         .particles = f.particles,
                                         .box = &f.cloud.box,
+                                        .law = "hertz",
                                         .scene = "title: a test\n"};
         team_expect(team,
                     checkpoint_write(&team->comm, f.folder.path, CHECKPOINT_STOPPED, &checkpoint, 0, &error),
