@@ -45,17 +45,17 @@ static void assert_opposite(struct law_vector a, struct law_vector b) {
 /* Options number k of all that a law can have. */
 static struct law_options options_of(int k) {
     struct law_options o = law_options_default();
-    o.normal = k % 3 == 2 ? LAW_HERTZ : LAW_HOOKE;
-    o.damping = k % 3 == 0 ? LAW_DAMPING_COEFFICIENT : LAW_DAMPING_RESTITUTION;
-    o.end = k / 3 % 2 ? LAW_END_FORCE : LAW_END_OVERLAP;
-    o.rolling = k / 6 % 2 ? LAW_ROLLING_SPRING : LAW_ROLLING_NONE;
-    o.synchronised = k / 12 % 2;
-    o.lammps_hooke = k / 24 % 2 && o.normal == LAW_HOOKE && !o.synchronised;
-    o.sliding = k / 24 % 2 ? LAW_SLIDING_TOTAL : LAW_SLIDING_SERIES;
+    o.damping = k % 2 ? LAW_DAMPING_COEFFICIENT : LAW_DAMPING_RESTITUTION;
+    o.end = k / 2 % 2 ? LAW_END_FORCE : LAW_END_OVERLAP;
+    o.rolling = k / 4 % 2 ? LAW_ROLLING_SPRING : LAW_ROLLING_NONE;
+    o.synchronised = k / 8 % 2;
+    o.lammps_history = k / 16 % 2 && !o.synchronised;
+    o.sliding = k / 16 % 2 ? LAW_SLIDING_TOTAL : LAW_SLIDING_SERIES;
+    o.normal = (enum law_normal)(k / 32);
     return o;
 }
 
-enum { OPTIONS = 48 };
+enum { OPTIONS = 32 * LAW_COUNT };
 
 static struct law random_law(int k) {
     struct law_pair pair = {.restitution = 0.6,
@@ -91,13 +91,13 @@ static void test_mirror(void **state) {
 
 /* What the springs of a contact hold before the step, by its stiffness now. */
 static double held_before(const struct law *law, const struct law_contact *in) {
-    double scale = law->options.normal == LAW_HERTZ ? sqrt(in->radius * in->overlap) : 1.0;
+    struct law_springs springs = law_springs(law->options.normal, &in->coefficients, in->radius, in->overlap);
     double squares = law_dot(in->spring, in->spring);
     if (law->options.tangential == LAW_FRICTIONLESS)
         return 0.0;
     if (law->options.rolling != LAW_ROLLING_NONE)
         squares += law_dot(in->roll, in->roll);
-    return 0.5 * in->coefficients.k_t * scale * squares;
+    return 0.5 * springs.tangential * squares;
 }
 
 /* The tangential force stays in the tangent plane and within the Coulomb limit, the rolling torque within its
@@ -142,7 +142,7 @@ static void test_empty_spring(void **state) {
                              .velocity = {1e3, 0.0, 0.0},
                              .coefficients = law.pair[0][1]};
     for (int lammps = 0; lammps < 2; lammps++) {
-        law.options.lammps_hooke = lammps;
+        law.options.lammps_history = lammps;
         struct law_response out =
             law_respond(law_case_of(&law.options, false), law_step_of(&law.options, 0.0), &in);
         assert_near(out.force.z, 1e4, 1e-9);
@@ -238,11 +238,12 @@ static void test_refused(void **state) {
     REFUSED("young", material.young = 0.0);
     REFUSED("poisson", material.poisson = 0.6);
     REFUSED("density", material.density = -1.0);
-    REFUSED("hooke", options.damping = LAW_DAMPING_COEFFICIENT);
-    REFUSED("hooke", options.lammps_hooke = true);
+    REFUSED("k_n", options.damping = LAW_DAMPING_COEFFICIENT; row[rows].pair.k_n = 0.0);
+    REFUSED("gamma_n", options.damping = LAW_DAMPING_COEFFICIENT; row[rows].pair.gamma_n = -1.0);
     REFUSED("tangential_damping_ratio", options.tangential_damping_ratio = -1.0);
     REFUSED("rolling", options = ((struct law_options){.rolling = LAW_ROLLING_SPRING}));
-    REFUSED("velocity_verlet", options = ((struct law_options){.lammps_hooke = true, .synchronised = true}));
+    REFUSED("velocity_verlet",
+            options = ((struct law_options){.lammps_history = true, .synchronised = true}));
     REFUSED("k_n", options = ((struct law_options){.normal = LAW_HOOKE}); row[rows].pair.k_n = 0.0);
     REFUSED("k_t", options.normal = LAW_HOOKE; row[rows].pair.k_t = 0.0);
 #undef REFUSED
@@ -255,6 +256,97 @@ static void test_refused(void **state) {
         if (strstr(error.text, row[k].word) == NULL)
             fail_msg("case %zu: \"%s\" does not name %s", k, error.text, row[k].word);
     }
+}
+
+/* Time and largest overlap of an elastic impact by a law's springs, integrated in small steps. */
+static void impact_of(enum law_normal normal, const struct law_coefficients *c, double mass, double radius,
+                      double speed, double *overlap, double *duration) {
+    double dt = *duration / 200000.0, x = 0.0, v = speed, t = 0.0;
+    *overlap = 0.0;
+    do {
+        v -= 0.5 * dt / mass * law_springs(normal, c, radius, x).force;
+        x += dt * v;
+        v -= 0.5 * dt / mass * law_springs(normal, c, radius, x).force;
+        *overlap = fmax(*overlap, x);
+        t += dt;
+    } while (x > 0.0);
+    *duration = t;
+}
+
+/* Each row of the table says of its springs what they do: the energy is the integral of the force, the tangent
+ * its derivative, the stiffness its share of the overlap, and impacts reach and last as long as stated. */
+static void test_rows(void **state) {
+    (void)state;
+    struct law_pair pair = {.restitution = 0.6, .friction = 0.4, .k_n = 1e7, .k_t = 3e6};
+    for (int k = 0; k < LAW_COUNT; k++) {
+        struct law_options options = law_options_default();
+        options.normal = (enum law_normal)k;
+        struct law law = law_for(options, glass, pair);
+        const struct law_coefficients *c = &law.pair[0][1];
+        const struct law_form *form = law_row_get(options.normal)->form;
+        double radius = 0.7, overlap = 1e-3, small = 1e-4 * overlap;
+        struct law_springs s = law_springs(options.normal, c, radius, overlap);
+        struct law_springs less = law_springs(options.normal, c, radius, overlap - small);
+        struct law_springs more = law_springs(options.normal, c, radius, overlap + small);
+        assert_near((more.energy - less.energy) / (2.0 * small) / s.force, 1.0, 1e-7);
+        assert_near((more.force - less.force) / (2.0 * small) / s.tangent, 1.0, 1e-7);
+        assert_near(s.stiffness * overlap / s.force, 1.0, 1e-14);
+        s = law_springs(options.normal, c, radius, 1e-9);
+        assert_near(s.tangent / (form->tangent * s.stiffness), 1.0, 1e-12);
+        double reached, lasted, mass = 1.3, speed = 0.2;
+        double expected = form->impact(c, mass, radius, speed);
+        double duration = form->duration(c, mass, radius, expected);
+        lasted = duration;
+        impact_of(options.normal, c, mass, radius, speed, &reached, &lasted);
+        assert_near(reached / expected, 1.0, 1e-6);
+        assert_near(lasted / duration, 1.0, 2e-5);
+        assert_true(form->linear || k != (int)law_linear());
+    }
+}
+
+/* LAMMPS's gran/hooke/history and gran/hertz/history, by the formulas of its manual: F_n = f (k_n d - m* gamma_n
+ * v_n), F_t = -f (k_t xi + m* gamma_t v_t) with f = 1 or sqrt(d R*), cut to mu |F_n|, where the spring takes
+ * what the damper leaves. */
+static void test_lammps(void **state) {
+    (void)state;
+    struct random_sequence r = random_sequence(11, RANDOM_TEST, 0);
+    struct law_pair pair = {.friction = 0.4, .k_n = 2e7, .k_t = 5e6, .gamma_n = 300.0, .gamma_t = 100.0};
+    int cut = 0;
+    for (int k = 0; k < 400; k++) {
+        struct law_options options = law_options_default();
+        options.normal = k % 2 ? LAW_HERTZ : LAW_HOOKE;
+        options.damping = LAW_DAMPING_COEFFICIENT;
+        options.end = LAW_END_OVERLAP;
+        options.lammps_history = true;
+        options.synchronised = false;
+        struct law law = law_for(options, glass, pair);
+        struct law_contact in = random_contact(&r, law.pair[0][1]);
+        struct law_step step = law_step_of(&options, 1e-5);
+        struct law_response out = law_respond(law_case_of(&options, false), step, &in);
+        double f = k % 2 ? sqrt(in.overlap * in.radius) : 1.0;
+        double rate = law_dot(in.velocity, in.normal);
+        double normal = f * (pair.k_n * in.overlap - in.mass * pair.gamma_n * rate);
+        struct law_vector slip =
+            law_add(law_add(in.velocity, -rate, in.normal), -1.0, law_cross(in.surface, in.normal));
+        struct law_vector spring = law_add(in.spring, -law_dot(in.spring, in.normal), in.normal);
+        spring = law_add(spring, step.dt, slip);
+        struct law_vector damper = law_scale(in.mass * pair.gamma_t, slip);
+        struct law_vector force = law_scale(-f, law_add(damper, pair.k_t, spring));
+        double size = sqrt(law_dot(force, force)), limit = pair.friction * fabs(normal);
+        if (size > limit) {
+            struct law_vector whole = law_add(spring, 1.0 / pair.k_t, damper);
+            spring = law_add(law_scale(limit / size, whole), -1.0 / pair.k_t, damper);
+            force = law_scale(limit / size, force);
+            cut++;
+        }
+        force = law_add(force, normal, in.normal);
+        assert_near(out.force.x, force.x, 1e-10 * fabs(normal));
+        assert_near(out.force.y, force.y, 1e-10 * fabs(normal));
+        assert_near(out.force.z, force.z, 1e-10 * fabs(normal));
+        struct law_vector left = law_add(out.spring, -1.0, spring);
+        assert_near(sqrt(law_dot(left, left)), 0.0, 1e-12);
+    }
+    assert_true(cut > 40 && cut < 360);
 }
 
 /* What a scene needs follows from the options. */
@@ -290,6 +382,7 @@ int main(void) {
         cmocka_unit_test(test_mirror),         cmocka_unit_test(test_limits),
         cmocka_unit_test(test_empty_spring),   cmocka_unit_test(test_rigid_rotation),
         cmocka_unit_test(test_energy_balance), cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_rows),           cmocka_unit_test(test_lammps),
         cmocka_unit_test(test_needs)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

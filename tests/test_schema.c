@@ -23,7 +23,7 @@ static void row_is_sound(void *context, const struct schema_row *row, const char
     if (row->main && !schema_row_find(row->sub, row->main, strlen(row->main)))
         fail_msg("%s: no main key %s", key, row->main);
     char full[SCHEMA_KEY_MAX];
-    if (schema_find(key, full) != row || strcmp(full, key) != 0)
+    if (strcmp(schema_find(key, full)->key, row->key) != 0 || strcmp(full, key) != 0)
         fail_msg("%s does not find itself", key);
     char allowed[512];
     schema_allowed(row, allowed, sizeof(allowed));
@@ -37,11 +37,15 @@ static void rows_are_sound(void **state) {
     assert_true(rows > 150);
 }
 
-/* Every key of a table is there once. */
+/* Rows of one key stand side by side, and each has a condition. */
 static void table_is_unique(const struct schema_table *table) {
     for (int a = 0; a < table->count; a++) {
-        for (int b = 0; b < a; b++)
-            assert_string_not_equal(table->rows[a].key, table->rows[b].key);
+        for (int b = 0; b < a; b++) {
+            if (strcmp(table->rows[a].key, table->rows[b].key) != 0)
+                continue;
+            assert_string_equal(table->rows[a].key, table->rows[a - 1].key);
+            assert_true(table->rows[a].when && table->rows[b].when);
+        }
         if (table->rows[a].sub)
             table_is_unique(table->rows[a].sub);
     }
@@ -52,7 +56,21 @@ static void keys_are_unique(void **state) {
     table_is_unique(&schema_root);
 }
 
-/* Each condition "key=a|b" names a key that stands before, and values that it has. */
+/* A trait that some value has and some has not. */
+static void trait_is_sound(const struct schema_row *row, const char *trait) {
+    size_t length = strcspn(trait, " ");
+    int with = 0, without = 0;
+    assert_int_equal(row->type, SCHEMA_NAME);
+    for (int k = 0; row->names[k].name; k++) {
+        const char *traits = row->traits(row->names[k].value);
+        bool has = strlen(traits) == length && memcmp(traits, trait, length) == 0;
+        with += has;
+        without += !has;
+    }
+    assert_true(with > 0 && without > 0);
+}
+
+/* Each condition "key=a|b" or "key:trait" names a key that stands before, and values that it has. */
 static void condition_is_sound(const struct schema_table *table, const char *condition) {
     if (*condition == '/') {
         table = &schema_root;
@@ -60,12 +78,16 @@ static void condition_is_sound(const struct schema_table *table, const char *con
     }
     const struct schema_row *row = NULL;
     for (;;) {
-        size_t part = strcspn(condition, ".=");
+        size_t part = strcspn(condition, ".=:");
         row = schema_row_find(table, condition, part);
         assert_non_null(row);
-        bool last = condition[part] == '=';
+        char mark = condition[part];
         condition += part + 1;
-        if (last)
+        if (mark == ':') {
+            trait_is_sound(row, condition);
+            return;
+        }
+        if (mark == '=')
             break;
         table = row->sub;
     }

@@ -3,6 +3,7 @@
 #include "engine/notes.h"
 #include "engine/outputs.h"
 #include "engine/simulation.h"
+#include "contact/law_restitution.h"
 #include "core/memory.h"
 #include "formats/frame.h"
 #include "particles/fields.h"
@@ -79,8 +80,8 @@ static void print_end(const struct simulation *s) {
         printf("; at restitution %g damping ratio %.3g, friction of sliding impacts %.3f of Coulomb's (%s: "
                "%.3g, "
                "%.3f)",
-               e, law_hooke_damping_ratio(e, end), 1.0 + law_end_friction(e, end),
-               end == LAW_END_FORCE ? "overlap" : "force", law_hooke_damping_ratio(e, other),
+               e, law_damping_ratio(e, end), 1.0 + law_end_friction(e, end),
+               end == LAW_END_FORCE ? "overlap" : "force", law_damping_ratio(e, other),
                1.0 + law_end_friction(e, other));
     printf("\n");
 }
@@ -89,8 +90,9 @@ static void print_terms(const struct simulation *s) {
     const struct scene *scene = s->scene;
     char text[WHY_MAX] = "";
     printf("\nwhat is modelled, and why\n");
-    print_term("normal force",
-               s->law.options.normal == LAW_HERTZ ? "contact.law: hertz" : "contact.law: hooke", "");
+    snprintf(text, sizeof text, "contact.law: %s", law_row_get(s->law.options.normal)->name);
+    print_term("normal force", text, "");
+    text[0] = '\0';
     print_end(s);
     pairs_with(scene, offsetof(struct law_pair, friction), text, sizeof text);
     print_term("friction, spin, history", s->law.spin ? text[0] ? text : "contact.tangential: history" : "",
@@ -291,7 +293,7 @@ static void print_all(const struct simulation *s, const struct notes *notes) {
     printf("%s: valid\n", scene->file);
     printf("  %llu particles, %d materials, %d walls, %d groups, %s, %s, %s\n", (unsigned long long)s->total,
            scene->materials, scene->walls, scene->groups, scene->box.dimension == 2 ? "2D" : "3D",
-           scene->integrator, s->law.options.normal == LAW_HERTZ ? "hertz" : "hooke");
+           scene->integrator, law_row_get(s->law.options.normal)->name);
     printf("  %d rank%s, %d thread%s each, newton %s; %zu pairs and %zu contacts at the start on rank 0\n",
            s->comm->size, s->comm->size == 1 ? "" : "s", s->threads, s->threads == 1 ? "" : "s",
            s->view.newton ? "on" : "off", s->list->primary_count, s->sums.contacts);

@@ -42,10 +42,8 @@ bool variant_probe(const struct comm *comm, const struct scene *scene, struct va
                                     .materials = scene->materials};
     means_take(s, facts);
     for (int a = 0; a < scene->materials; a++)
-        for (int b = 0; b < scene->materials; b++) {
-            facts->stiffness[a][b][0] = s->law.pair[a][b].k_n;
-            facts->stiffness[a][b][1] = s->law.pair[a][b].k_t;
-        }
+        for (int b = 0; b < scene->materials; b++)
+            facts->coefficients[a][b] = s->law.pair[a][b];
     simulation_destroy(&s);
     return true;
 }
@@ -76,11 +74,15 @@ static void put_steps(struct list *list, const struct variant_facts *facts) {
 }
 
 static void put_laws(struct list *list, const struct scene *scene) {
-    if (scene->law.normal == LAW_HERTZ)
-        put(list, "law", VARIANT_HOOKE, 0, "hooke for hertz");
+    const struct law_row *row = law_row_get(scene->law.normal);
+    char text[VARIANT_TEXT_MAX];
+    if (!row->form->linear && scene->law.damping == LAW_DAMPING_RESTITUTION) {
+        snprintf(text, sizeof text, "%s for %s", law_row_get(law_linear())->name, row->name);
+        put(list, "law", VARIANT_LINEAR, 0, text);
+    }
     if (scene->law.tangential != LAW_FRICTIONLESS)
         put(list, "law", VARIANT_FRICTIONLESS, 0, "no friction");
-    if (scene->law.tangential == LAW_TANGENTIAL_HISTORY && !scene->law.lammps_hooke)
+    if (scene->law.tangential == LAW_TANGENTIAL_HISTORY && !scene->law.lammps_history)
         put(list, "law", VARIANT_SLIDING,
             scene->law.sliding == LAW_SLIDING_SERIES ? LAW_SLIDING_TOTAL : LAW_SLIDING_SERIES,
             scene->law.sliding == LAW_SLIDING_SERIES ? "sliding total" : "sliding series");
@@ -136,21 +138,28 @@ void variant_add(struct variant *to, const struct variant *from) {
     snprintf(to->settings + used, sizeof to->settings - used, "%s%s", used ? "; " : "", from->settings);
 }
 
-/* Hooke's stiffness that stores as much energy as Hertz's at the overlap that the largest speed reaches:
- * with F = K d^(3/2), d = (5 m* v^2 / (4 K))^(2/5), that is k = 4/5 K sqrt(d). The tangential one keeps
- * Mindlin's ratio to the tangent stiffness, 3/2 K sqrt(d). */
-static void hooke_set(const struct variant_facts *facts, int a, int b, struct law_pair *pair) {
+/* Linear springs that store the energy of the present law at the overlap of an impact at the speed met. */
+static void pair_linear(const struct variant_facts *facts, enum law_normal normal, int a, int b,
+                        struct law_pair *pair) {
+    const struct law_coefficients *c = &facts->coefficients[a][b];
+    const struct law_form *form = law_row_get(normal)->form;
     double radius = 1 / (1 / facts->radius[a] + 1 / facts->radius[b]);
     double mass = 1 / (1 / facts->mass[a] + 1 / facts->mass[b]);
     if (!isfinite(radius) || !isfinite(mass)) { /* two materials of walls never touch */
         radius = 1;
         mass = 1;
     }
-    double hertz = facts->stiffness[a][b][0] * sqrt(radius);
-    double overlap = pow(1.25 * mass * facts->speed * facts->speed / hertz, 0.4);
-    overlap = fmax(overlap, 1e-6 * radius);
-    pair->k_n = 0.8 * hertz * sqrt(overlap);
-    pair->k_t = pair->k_n * facts->stiffness[a][b][1] / (1.5 * facts->stiffness[a][b][0]);
+    double overlap = fmax(form->impact(c, mass, radius, facts->speed), 1e-6 * radius);
+    struct law_springs springs = law_springs(normal, c, radius, overlap);
+    pair->k_n = 2 * springs.energy / (overlap * overlap);
+    pair->k_t = pair->k_n * springs.tangential / springs.tangent;
+}
+
+static void linear_set(const struct variant_facts *facts, struct scene *scene) {
+    for (int a = 0; a < scene->materials; a++)
+        for (int b = a; b < scene->materials; b++)
+            pair_linear(facts, scene->law.normal, a, b, &scene->law_pair[a][b]);
+    scene->law.normal = law_linear();
 }
 
 static void soften(struct scene *scene, double factor) {
@@ -182,11 +191,8 @@ static double change_apply(const struct variant_change *change, const struct var
     case VARIANT_INTEGRATOR:
         snprintf(scene->integrator, sizeof scene->integrator, "%s", integrator_get((int)change->value)->name);
         break;
-    case VARIANT_HOOKE:
-        scene->law.normal = LAW_HOOKE;
-        for (int a = 0; a < scene->materials; a++)
-            for (int b = a; b < scene->materials; b++)
-                hooke_set(facts, a, b, &scene->law_pair[a][b]);
+    case VARIANT_LINEAR:
+        linear_set(facts, scene);
         break;
     case VARIANT_SOFT:
         soften(scene, change->value);
@@ -230,7 +236,7 @@ double variant_apply(const struct variant *variant, const struct variant_facts *
 
 bool variant_scales_step(const struct variant *variant) {
     for (int k = 0; k < variant->changes; k++)
-        if (variant->change[k].kind == VARIANT_HOOKE || variant->change[k].kind == VARIANT_SOFT)
+        if (variant->change[k].kind == VARIANT_LINEAR || variant->change[k].kind == VARIANT_SOFT)
             return true;
     return false;
 }

@@ -1,7 +1,6 @@
 /* The variants that `scree ablate --error` tries: a scene with one setting changed, or a few. Settings are
- * changed in the scene as read, so that a scene needs no new keys for them (stiffnesses for Hooke's law,
- * say).
- */
+ * changed in the scene as read, so that a scene needs no new keys for them (stiffnesses for another
+ * law, say). */
 #ifndef SCREE_APP_VARIANT_H
 #define SCREE_APP_VARIANT_H
 
@@ -12,7 +11,7 @@ enum { VARIANTS_MAX = 64, VARIANT_CHANGES_MAX = 8, VARIANT_TEXT_MAX = 200 };
 enum variant_kind {
     VARIANT_STEP,         /* the time step times `value` */
     VARIANT_INTEGRATOR,   /* integrator number `value` of those known */
-    VARIANT_HOOKE,        /* Hooke for Hertz */
+    VARIANT_LINEAR,       /* the law with linear springs that store as much energy */
     VARIANT_SOFT,         /* stiffnesses times `value`, the step the same part of the stable one */
     VARIANT_FRICTIONLESS, /* no tangential force */
     VARIANT_NO_ROLLING,   /* no rolling resistance */
@@ -45,7 +44,7 @@ struct variant_facts {
     int materials;
     double radius[LAW_MATERIALS_MAX]; /* mean, of free particles; infinite where there are none */
     double mass[LAW_MATERIALS_MAX];
-    double stiffness[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX][2]; /* hertz: k_n and k_t of the law's table */
+    struct law_coefficients coefficients[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
 };
 
 /* Finds the facts by creating the simulation of a scene and destroying it. Collective. */

@@ -30,7 +30,7 @@ LAW_INLINE void force_measure(struct law_case law, struct force_batch *b, int k,
     b->mass[k] = force_ratio(1.0, record[7]);
     force_set(b->normal, k, law_scale(force_ratio(1.0, distance), d));
     force_set(b->velocity, k, v);
-    if (law.hertz || law.rolling)
+    if (law.radius)
         b->effective[k] = ri * rj / record[3];
     if (!law.friction)
         return;
@@ -58,9 +58,8 @@ LAW_INLINE void force_respond(struct law_case law, struct force_batch *b, int k,
                              .velocity = force_vector(b->velocity, k),
                              .coefficients = {b->coefficient[0][k], b->coefficient[1][k],
                                               b->coefficient[2][k], b->coefficient[3][k],
-                                              b->coefficient[4][k], b->coefficient[5][k]}};
-    if (law.hertz || law.rolling)
-        in.radius = b->effective[k];
+                                              b->coefficient[4][k], b->coefficient[5][k]},
+                             .radius = b->effective[k]};
     if (law.friction) {
         in.surface = force_vector(b->surface, k);
         in.spring = force_vector(b->walk.history, k);
@@ -117,8 +116,8 @@ LAW_INLINE void force_respond_all(struct law_case law, struct force_batch *restr
     }
 }
 
-/* The specialisations: of the geometry force_measure_table[normal and lever][friction], of the law
- * force_respond_table[normal and damper][friction][energies]. */
+/* The specialisations: of the geometry force_measure_table[radius and lever][friction], of the laws of the table
+ * force_respond_table[law][damper][energies][friction]. */
 #define FORCE_PHYSICS(phase, name, ...)                                                                      \
     static void name(struct force_batch *b, struct law_step step) {                                          \
         phase((struct law_case){__VA_ARGS__}, b, step);                                                      \
@@ -133,23 +132,25 @@ LAW_INLINE void force_respond_all(struct law_case law, struct force_batch *restr
 #define FORCE_PHYSICS_ROW(name)                                                                              \
     { name##_smooth, name##_rough, name##_rough_half, name##_rolling, name##_rolling_half }
 
-FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_lammps, .lever_radius = true)
-FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_hooke, .hertz = false)
-FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_hertz, .hertz = true)
-FORCE_PHYSICS_FAMILY(force_respond_all, force_given, .coefficient = true)
-FORCE_PHYSICS_FAMILY(force_respond_all, force_given_energies, .coefficient = true, .energies = true)
-FORCE_PHYSICS_FAMILY(force_respond_all, force_hooke, .coefficient = false)
-FORCE_PHYSICS_FAMILY(force_respond_all, force_hooke_energies, .coefficient = false, .energies = true)
-FORCE_PHYSICS_FAMILY(force_respond_all, force_hertz, .hertz = true)
-FORCE_PHYSICS_FAMILY(force_respond_all, force_hertz_energies, .hertz = true, .energies = true)
+FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_plain, .radius = false)
+FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_radius, .radius = true)
+FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_lever, .lever_radius = true)
+FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_both, .radius = true, .lever_radius = true)
+#define FORCE_LAW(NAME, name, traits, summary)                                                               \
+    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name, .normal = LAW_##NAME)                              \
+    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_energies, .normal = LAW_##NAME, .energies = true) \
+    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_given, .normal = LAW_##NAME, .coefficient = true) \
+    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_given_energies, .normal = LAW_##NAME,             \
+                         .coefficient = true, .energies = true)
+LAW_TABLE(FORCE_LAW)
 
-static force_physics *const force_measure_table[3][5] = {FORCE_PHYSICS_ROW(force_measure_lammps),
-                                                         FORCE_PHYSICS_ROW(force_measure_hooke),
-                                                         FORCE_PHYSICS_ROW(force_measure_hertz)};
-static force_physics *const force_respond_table[3][2][5] = {
-    {FORCE_PHYSICS_ROW(force_given), FORCE_PHYSICS_ROW(force_given_energies)},
-    {FORCE_PHYSICS_ROW(force_hooke), FORCE_PHYSICS_ROW(force_hooke_energies)},
-    {FORCE_PHYSICS_ROW(force_hertz), FORCE_PHYSICS_ROW(force_hertz_energies)}};
+static force_physics *const force_measure_table[2][2][5] = {
+    {FORCE_PHYSICS_ROW(force_measure_plain), FORCE_PHYSICS_ROW(force_measure_lever)},
+    {FORCE_PHYSICS_ROW(force_measure_radius), FORCE_PHYSICS_ROW(force_measure_both)}};
+#define FORCE_LAW_ROW(NAME, name, traits, summary)                                                           \
+    {{FORCE_PHYSICS_ROW(force_##name), FORCE_PHYSICS_ROW(force_##name##_energies)},                          \
+     {FORCE_PHYSICS_ROW(force_##name##_given), FORCE_PHYSICS_ROW(force_##name##_given_energies)}},
+static force_physics *const force_respond_table[LAW_COUNT][2][2][5] = {LAW_TABLE(FORCE_LAW_ROW)};
 
 static inline int force_friction_of(struct law_case law) {
     return !law.friction ? 0 : 1 + 2 * law.rolling + law.synchronised;
@@ -157,14 +158,12 @@ static inline int force_friction_of(struct law_case law) {
 
 static inline force_physics *force_measure_find(const struct law_options *options) {
     struct law_case law = law_case_of(options, false);
-    int geometry = law.hertz ? 2 : law.lever_radius ? 0 : 1;
-    return force_measure_table[geometry][force_friction_of(law)];
+    return force_measure_table[law.radius][law.lever_radius][force_friction_of(law)];
 }
 
 static inline force_physics *force_respond_find(const struct law_options *options, bool energies) {
     struct law_case law = law_case_of(options, energies);
-    int normal = law.hertz ? 2 : law.coefficient ? 0 : 1;
-    return force_respond_table[normal][energies][force_friction_of(law)];
+    return force_respond_table[law.normal][law.coefficient][energies][force_friction_of(law)];
 }
 
 #endif

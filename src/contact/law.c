@@ -1,10 +1,11 @@
+/* From a scene's options and materials to the coefficients of each pair of materials. */
 #include "contact/law.h"
-#include <float.h>
+#include "contact/law_restitution.h"
 #include <math.h>
 #include <string.h>
 
 struct law_options law_options_default(void) {
-    return (struct law_options){.normal = LAW_HERTZ,
+    return (struct law_options){.normal = LAW_NORMAL_DEFAULT,
                                 .damping = LAW_DAMPING_RESTITUTION,
                                 .end = LAW_END_FORCE,
                                 .tangential = LAW_TANGENTIAL_HISTORY,
@@ -13,57 +14,14 @@ struct law_options law_options_default(void) {
                                 .synchronised = true};
 }
 
-/* Restitution of a linear spring-dashpot that ends at zero force (Schwager and Poeschel 2007, their three
- * cases written as one with acos and acosh). */
-static double law_restitution_end_force(double zeta) {
-    if (zeta < 1.0)
-        return exp(-2.0 * zeta * acos(zeta) / sqrt(1.0 - zeta * zeta));
-    if (zeta > 1.0)
-        return exp(-2.0 * zeta * acosh(zeta) / sqrt(zeta * zeta - 1.0));
-    return exp(-2.0);
-}
-
-double law_hooke_damping_ratio(double restitution, enum law_end end) {
-    if (end == LAW_END_OVERLAP) {
-        double logarithm = log(restitution);
-        return restitution > 0.0 ? -logarithm / hypot(M_PI, logarithm) : 1.0;
-    }
-    double target = fmax(restitution, LAW_RESTITUTION_LEAST);
-    double low = 0.0, high = 100.0;
-    while (high - low > 4.0 * DBL_EPSILON * high) {
-        double middle = 0.5 * (low + high);
-        if (law_restitution_end_force(middle) > target)
-            low = middle;
-        else
-            high = middle;
-    }
-    return restitution >= 1.0 ? 0.0 : 0.5 * (low + high);
-}
-
-double law_end_friction(double restitution, enum law_end end) {
-    if (end == LAW_END_FORCE)
-        return 0.0;
-    double left = law_restitution_end_force(law_hooke_damping_ratio(restitution, LAW_END_OVERLAP));
-    return 2.0 * (left - restitution) / (1.0 + restitution);
-}
-
-double law_hertz_alpha(double restitution, enum law_end end) {
-    return sqrt(5.0) * law_hooke_damping_ratio(restitution, end);
-}
-
 /* Refuses options that do not go together. */
 static bool law_check_options(const struct law_options *o, int materials, struct error *error) {
     if (materials < 1 || materials > LAW_MATERIALS_MAX)
         return error_set(error, ERROR_USER, "materials: %d given; allowed are 1 to %d", materials,
                          LAW_MATERIALS_MAX);
-    if (o->normal == LAW_HERTZ && o->damping == LAW_DAMPING_COEFFICIENT)
+    if (o->lammps_history && o->synchronised)
         return error_set(error, ERROR_USER,
-                         "contact: damping by coefficients goes with hooke only; hertz takes a restitution");
-    if (o->normal == LAW_HERTZ && o->lammps_hooke)
-        return error_set(error, ERROR_USER, "contact: lammps_hooke goes with hooke only");
-    if (o->lammps_hooke && o->synchronised)
-        return error_set(error, ERROR_USER,
-                         "contact: lammps_hooke goes with the integrator velocity_verlet only");
+                         "contact: lammps_history goes with the integrator velocity_verlet only");
     if (o->tangential == LAW_FRICTIONLESS && o->rolling != LAW_ROLLING_NONE)
         return error_set(error, ERROR_USER,
                          "contact: rolling resistance needs a tangential spring with history");
@@ -78,12 +36,17 @@ static bool law_within(double value, double least, bool open) {
     return isfinite(value) && (open ? value > least : value >= least);
 }
 
+/* Springs come from young and poisson of the materials, not from k_n and k_t of the pair. */
+static bool law_has_moduli(const struct law_options *o) {
+    return law_row_get(o->normal)->form->moduli && o->damping == LAW_DAMPING_RESTITUTION;
+}
+
 static bool law_check_material(const struct law_material *m, const struct law_options *o,
                                struct error *error) {
     if (!law_within(m->density, 0.0, true))
         return error_set(error, ERROR_USER, "material %s: density is %g; allowed is more than 0", m->name,
                          m->density);
-    if (o->normal != LAW_HERTZ)
+    if (!law_has_moduli(o))
         return true;
     if (!law_within(m->young, 0.0, true))
         return error_set(error, ERROR_USER, "material %s: young is %g; allowed is more than 0", m->name,
@@ -97,14 +60,14 @@ static bool law_check_material(const struct law_material *m, const struct law_op
 /* Refuses coefficients of a pair that are out of range; each key only where the options use it. */
 static bool law_check_pair(const struct law_pair *p, const struct law_options *o, const char *a,
                            const char *b, struct error *error) {
-    bool hooke = o->normal == LAW_HOOKE, friction = o->tangential != LAW_FRICTIONLESS;
+    bool springs = !law_has_moduli(o), friction = o->tangential != LAW_FRICTIONLESS;
     bool given = o->damping == LAW_DAMPING_COEFFICIENT, rolling = o->rolling != LAW_ROLLING_NONE;
     const struct {
         const char *key;
         double value;
         bool used, open;
-    } rows[] = {{"k_n", p->k_n, hooke, true},
-                {"k_t", p->k_t, hooke && friction, true},
+    } rows[] = {{"k_n", p->k_n, springs, true},
+                {"k_t", p->k_t, springs && friction, true},
                 {"gamma_n", p->gamma_n, given, false},
                 {"gamma_t", p->gamma_t, given && friction, false},
                 {"friction", p->friction, friction, false},
@@ -119,32 +82,24 @@ static bool law_check_pair(const struct law_pair *p, const struct law_options *o
     return true;
 }
 
-/* E* and G* of two materials: 1/E* = sum (1 - nu^2)/E, 1/G* = sum (2 - nu)/G with G = E/(2 (1 + nu)). */
-static double law_young_effective(const struct law_material *a, const struct law_material *b) {
-    return 1.0 / ((1.0 - a->poisson * a->poisson) / a->young + (1.0 - b->poisson * b->poisson) / b->young);
-}
-
-static double law_shear_effective(const struct law_material *a, const struct law_material *b) {
-    return 1.0 / ((2.0 - a->poisson) * 2.0 * (1.0 + a->poisson) / a->young +
-                  (2.0 - b->poisson) * 2.0 * (1.0 + b->poisson) / b->young);
-}
-
 static struct law_coefficients law_combine(const struct law_options *o, const struct law_material *a,
                                            const struct law_material *b, const struct law_pair *p) {
-    bool hertz = o->normal == LAW_HERTZ, friction = o->tangential != LAW_FRICTIONLESS;
-    struct law_coefficients c = {.friction = friction ? p->friction : 0.0,
+    const struct law_form *form = law_row_get(o->normal)->form;
+    bool friction = o->tangential != LAW_FRICTIONLESS;
+    struct law_coefficients c = {.k_n = p->k_n,
+                                 .k_t = p->k_t,
+                                 .friction = friction ? p->friction : 0.0,
                                  .rolling_friction = o->rolling ? p->rolling_friction : 0.0};
-    c.k_n = hertz ? 4.0 / 3.0 * law_young_effective(a, b) : p->k_n;
-    if (friction)
-        c.k_t = hertz ? 8.0 * law_shear_effective(a, b) : p->k_t;
+    if (law_has_moduli(o))
+        form->moduli(a, b, &c);
+    if (!friction)
+        c.k_t = 0.0;
     if (o->damping == LAW_DAMPING_COEFFICIENT) {
         c.c_n = p->gamma_n;
         c.c_t = p->gamma_t;
     } else {
-        double tangent = hertz ? 1.5 * c.k_n : c.k_n;
-        c.c_n = hertz ? law_hertz_alpha(p->restitution, o->end)
-                      : 2.0 * law_hooke_damping_ratio(p->restitution, o->end);
-        c.c_t = o->tangential_damping_ratio * c.c_n * sqrt(c.k_t / tangent);
+        c.c_n = form->damper * law_damping_ratio(p->restitution, o->end);
+        c.c_t = o->tangential_damping_ratio * c.c_n * sqrt(c.k_t / (form->tangent * c.k_n));
     }
     if (o->tangential_damping_equal)
         c.c_t = c.c_n;
@@ -171,6 +126,7 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
         }
     law->options = *options;
     law->materials = materials;
+    law->moduli = law_has_moduli(options);
     law->uniform = true;
     for (int a = 0; a < materials; a++)
         for (int b = 0; b < materials; b++)

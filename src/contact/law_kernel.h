@@ -17,7 +17,7 @@
  * Spheres: velocity = v_j - v_i of the centres, surface = lever_i omega_i + lever_j omega_j (levers of the
  * half step where springs advance in its plane), spin = omega_j - omega_i, mass and radius the effective
  * ones. The lever is r - overlap / 2: the contact point lies in the middle of the overlap whatever the radii,
- * so that the levers add up to the distance and angular momentum is conserved; with lammps_hooke it is r.
+ * so that the levers add up to the distance and angular momentum is conserved; with lammps_history it is r.
  * Walls: velocity = that of the wall's material point at the contact point - v of the sphere's centre,
  * surface = lever_i omega_i, spin = omega of the wall - omega_i, mass and radius those of the sphere. */
 #ifndef SCREE_CONTACT_LAW_KERNEL_H
@@ -25,10 +25,6 @@
 
 #include "contact/law.h"
 #include <float.h>
-#include <math.h>
-
-/* A loop over contacts vectorises only if nothing in it stays a call. */
-#define LAW_INLINE static inline __attribute__((always_inline))
 
 struct law_vector {
     double x, y, z;
@@ -36,14 +32,15 @@ struct law_vector {
 
 /* What a specialised loop knows beforehand: compile-time constants there. */
 struct law_case {
-    bool hertz;        /* else hooke */
-    bool coefficient;  /* the damper is a coefficient times the effective mass (hooke); else it comes from the
+    enum law_normal normal; /* the law of the table */
+    bool coefficient;       /* the damper is a coefficient times the effective mass; else it comes from the
                           restitution */
-    bool friction;     /* a tangential spring with history */
-    bool rolling;      /* and a rolling one */
-    bool synchronised; /* springs advance in the half-step tangent plane */
-    bool lever_radius; /* the lever is r (LAMMPS's gran/hooke), else r - overlap / 2 */
-    bool energies;     /* fill the three energies of the response */
+    bool friction;          /* a tangential spring with history */
+    bool rolling;           /* and a rolling one */
+    bool synchronised;      /* springs advance in the half-step tangent plane */
+    bool radius;            /* the effective radius matters */
+    bool lever_radius;      /* the lever is r (LAMMPS's), else r - overlap / 2 */
+    bool energies;          /* fill the three energies of the response */
 };
 
 /* What is the same for all contacts of one evaluation; from law_step_of. */
@@ -51,7 +48,7 @@ struct law_step {
     double dt;           /* by which springs advance, time; 0: they stay */
     double force_least;  /* the normal force is never less: 0, or -DBL_MAX where it may attract */
     double spring_least; /* an over-limit spring of this square length or less gives no force; -1: never, 0:
-                            empty ones (LAMMPS's gran/hooke) */
+                            empty ones (LAMMPS) */
     double rescale;      /* 1: a turned spring keeps its length; 0: it is projected only */
     double relaxation;   /* 1 / dt where a sliding spring relaxes against its damper; 0: it is cut at once */
 };
@@ -125,28 +122,30 @@ LAW_INLINE struct law_vector law_transport(struct law_vector a, struct law_vecto
 
 /* The numbers of one evaluation of a law with time step dt. */
 LAW_INLINE struct law_step law_step_of(const struct law_options *options, double dt) {
-    bool series = options->sliding == LAW_SLIDING_SERIES && !options->lammps_hooke;
+    bool series = options->sliding == LAW_SLIDING_SERIES && !options->lammps_history;
     return (struct law_step){.dt = dt,
                              .force_least = options->end == LAW_END_FORCE ? 0.0 : -DBL_MAX,
-                             .spring_least = options->lammps_hooke ? 0.0 : -1.0,
-                             .rescale = options->lammps_hooke ? 0.0 : 1.0,
+                             .spring_least = options->lammps_history ? 0.0 : -1.0,
+                             .rescale = options->lammps_history ? 0.0 : 1.0,
                              .relaxation = !series ? 0.0 : 1.0 / law_max(dt, 1e-30)};
 }
 
 /* The case of a law's options, for callers that do not specialise. */
 LAW_INLINE struct law_case law_case_of(const struct law_options *options, bool energies) {
     bool friction = options->tangential != LAW_FRICTIONLESS;
-    return (struct law_case){.hertz = options->normal == LAW_HERTZ,
+    bool rolling = friction && options->rolling != LAW_ROLLING_NONE;
+    return (struct law_case){.normal = options->normal,
                              .coefficient = options->damping == LAW_DAMPING_COEFFICIENT,
                              .friction = friction,
-                             .rolling = friction && options->rolling != LAW_ROLLING_NONE,
+                             .rolling = rolling,
                              .synchronised = options->synchronised,
-                             .lever_radius = options->lammps_hooke,
+                             .radius = rolling || law_row_get(options->normal)->form->radius,
+                             .lever_radius = options->lammps_history,
                              .energies = energies};
 }
 
 /* The lever arm of a sphere (length) against another or a wall: from its centre to the middle of the overlap,
- * or its radius (gran/hooke). */
+ * or its radius (LAMMPS). */
 LAW_INLINE double law_lever(struct law_case law, double radius, double overlap) {
     return law.lever_radius ? radius : radius - 0.5 * overlap;
 }
@@ -187,12 +186,12 @@ LAW_INLINE struct law_vector law_slide(struct law_case law, struct law_step step
     return force;
 }
 
-/* Tangential and rolling part of law_respond; normal_force, stiffness and damping are those found there. */
+/* Tangential and rolling part of law_respond; normal_force, stiffness and base are those found there. */
 LAW_INLINE void law_rub(struct law_case law, struct law_step step, const struct law_contact *in,
-                        double normal_force, double scale, double base, struct law_response *out) {
+                        double normal_force, double stiffness, double base, struct law_response *out) {
     struct law_vector plane = law.synchronised ? in->half_normal : in->normal;
     struct law_vector rate = law_add(law_project(in->velocity, plane), -1.0, law_cross(in->surface, plane));
-    double stiffness = in->coefficients.k_t * scale, damping = in->coefficients.c_t * base;
+    double damping = in->coefficients.c_t * base;
     double pressure = fabs(normal_force);
 
     out->spring = in->spring;
@@ -213,20 +212,18 @@ LAW_INLINE void law_rub(struct law_case law, struct law_step step, const struct 
 LAW_INLINE struct law_response law_respond(struct law_case law, struct law_step step,
                                            const struct law_contact *in) {
     struct law_response out = {0};
-    double scale = law.hertz ? sqrt(in->radius * in->overlap) : 1.0;
-    double stiffness = in->coefficients.k_n * scale; /* elastic force / overlap */
-    double base = law.coefficient ? in->mass : sqrt(in->mass * stiffness);
-    double elastic = stiffness * in->overlap;
+    struct law_springs springs = law_springs(law.normal, &in->coefficients, in->radius, in->overlap);
+    double base = law.coefficient ? in->mass * springs.contact : sqrt(in->mass * springs.stiffness);
     double rate = law_dot(in->velocity, in->normal);
-    double force = elastic - in->coefficients.c_n * base * rate;
+    double force = springs.force - in->coefficients.c_n * base * rate;
     force = force > step.force_least ? force : step.force_least;
     out.force = law_scale(force, in->normal);
     if (law.energies) {
-        out.normal_energy = (law.hertz ? 0.4 : 0.5) * elastic * in->overlap;
-        out.taken = (elastic - force) * rate * step.dt;
+        out.normal_energy = springs.energy;
+        out.taken = (springs.force - force) * rate * step.dt;
     }
     if (law.friction)
-        law_rub(law, step, in, force, scale, base, &out);
+        law_rub(law, step, in, force, springs.tangential, base, &out);
     return out;
 }
 

@@ -8,7 +8,14 @@ libcontact_la_SOURCES = \
 	src/contact/force_physics.h \
 	src/contact/law.c \
 	src/contact/law.h \
+	src/contact/law_form.h \
+	src/contact/law_hertz.h \
+	src/contact/law_hooke.h \
 	src/contact/law_kernel.h \
+	src/contact/law_restitution.c \
+	src/contact/law_restitution.h \
+	src/contact/law_table.c \
+	src/contact/law_table.h \
 	src/contact/material.c \
 	src/contact/material.h \
 	src/contact/spin.c \

@@ -140,6 +140,8 @@ static void look_at_output(const struct simulation *s, struct notes *notes) {
 void notes_take(const struct simulation *s, struct notes *notes) {
     *notes = (struct notes){0};
     notes->particles = particles_extent(s, &notes->outside);
+    if (s->scene->note[0])
+        add(notes, false, "%s", s->scene->note);
     look_at_places(s, notes);
     look_at_output(s, notes);
     look_at_guards(s, notes);

@@ -134,7 +134,7 @@ void run_report_fill(const struct simulation *s, const struct run_record *run, s
     snprintf(report->simd, sizeof report->simd, "%s", force_loop_kernel(s->loop));
     report->reproducible = s->scene->reproducible;
     snprintf(report->index, sizeof report->index, "%s", s->scene->index.name);
-    snprintf(report->law, sizeof report->law, "%s", s->law.options.normal == LAW_HERTZ ? "hertz" : "hooke");
+    snprintf(report->law, sizeof report->law, "%s", law_row_get(s->law.options.normal)->name);
     snprintf(report->integrator, sizeof report->integrator, "%s", s->scene->integrator);
     report_levels(s, report);
     report_sync(s, &ghosts, report);

@@ -94,8 +94,8 @@ static double speed_expected(const struct simulation *s) {
     return sqrt(fmax(fall, fastest));
 }
 
-/* Overlap over the smaller radius when the largest particles of two kinds meet at a speed, without damping:
- * v sqrt(m* / k), or (5 m* v^2 / (4 K))^(2/5). */
+/* Overlap over the smaller radius when the largest particles of two kinds meet at a speed, without damping.
+ */
 static double overlap_of(const struct law *law, const struct timestep_kind *a, const struct timestep_kind *b,
                          const double heaviest[2], double speed) {
     double mass[2] = {INFINITY, INFINITY}, radius[2] = {INFINITY, INFINITY};
@@ -106,10 +106,8 @@ static double overlap_of(const struct law *law, const struct timestep_kind *a, c
             mass[k] = heaviest[k] * cube(radius[k]);
         }
     double m = 1 / (1 / mass[0] + 1 / mass[1]), r = 1 / (1 / radius[0] + 1 / radius[1]);
-    double stiffness = law->pair[a->material][b->material].k_n;
-    double overlap = law->options.normal == LAW_HERTZ
-                         ? pow(1.25 * m * speed * speed / (stiffness * sqrt(r)), 0.4)
-                         : speed * sqrt(m / stiffness);
+    const struct law_form *form = law_row_get(law->options.normal)->form;
+    double overlap = form->impact(&law->pair[a->material][b->material], m, r, speed);
     return overlap / fmin(radius[0], radius[1]);
 }
 

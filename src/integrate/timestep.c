@@ -38,16 +38,16 @@ struct timestep_springs timestep_springs(const struct law *law, int a, int b, do
                                          double overlap) {
     const struct law_options *options = &law->options;
     const struct law_coefficients *c = &law->pair[a][b];
-    bool hertz = options->normal == LAW_HERTZ;
-    double scale = hertz ? sqrt(radius * overlap) : 1.0;
-    double base = options->damping == LAW_DAMPING_COEFFICIENT ? mass : sqrt(mass * c->k_n * scale);
-    struct timestep_springs s = {.k_n = (hertz ? 1.5 : 1.0) * c->k_n * scale, .c_n = c->c_n * base};
+    struct law_springs springs = law_springs(options->normal, c, radius, overlap);
+    bool given = options->damping == LAW_DAMPING_COEFFICIENT;
+    double base = given ? mass * springs.contact : sqrt(mass * springs.stiffness);
+    struct timestep_springs s = {.k_n = springs.tangent, .c_n = c->c_n * base};
     if (law->spin && c->friction > 0.0) {
-        s.k_t = c->k_t * scale;
+        s.k_t = springs.tangential;
         s.c_t = c->c_t * base;
     }
     if (law->spin && options->rolling != LAW_ROLLING_NONE && c->rolling_friction > 0.0) {
-        s.k_r = c->k_t * scale;
+        s.k_r = springs.tangential;
         s.c_r = c->c_t * base;
     }
     return s;
@@ -59,12 +59,10 @@ static struct timestep_meeting timestep_meet(const struct timestep_input *input,
     struct timestep_meeting m = {.mass = 1.0 / (a->inverse_mass + b->inverse_mass),
                                  .radius = 1.0 / (1.0 / a->radius + 1.0 / b->radius)};
     int p = a->kind->material, q = b->kind->material;
-    if (law->options.normal == LAW_HERTZ) {
-        double least = input->overlap_relative > 0.0 ? input->overlap_relative : timestep_overlap_relative;
-        double stiffness = law->pair[p][q].k_n * sqrt(m.radius); /* F = this x overlap^(3/2) */
-        double reached = pow(1.25 * m.mass * input->speed_max * input->speed_max / stiffness, 0.4);
-        m.overlap = fmax(reached, least * fmin(a->radius, b->radius));
-    }
+    double least = input->overlap_relative > 0.0 ? input->overlap_relative : timestep_overlap_relative;
+    double reached =
+        law_row_get(law->options.normal)->form->impact(&law->pair[p][q], m.mass, m.radius, input->speed_max);
+    m.overlap = fmax(reached, least * fmin(a->radius, b->radius));
     m.springs = timestep_springs(law, p, q, m.mass, m.radius, m.overlap);
     return m;
 }
@@ -114,14 +112,6 @@ static void timestep_surround(const struct timestep_input *input, struct timeste
     a->partner = b->kind->material;
 }
 
-/* Duration of an elastic contact. */
-static double timestep_duration(const struct law *law, const struct timestep_meeting *m) {
-    if (law->options.normal != LAW_HERTZ)
-        return M_PI * sqrt(m->mass / m->springs.k_n);
-    double stiffness = m->springs.k_n / (1.5 * sqrt(m->overlap));
-    return 2.94328 * m->overlap / sqrt(0.8 * stiffness * pow(m->overlap, 2.5) / m->mass);
-}
-
 /* The extremes of each kind's sizes decide, as stiffness and mass are monotonic in the radii. */
 static int timestep_sides(const struct timestep_input *input, struct timestep_side *side) {
     int n = 0;
@@ -167,6 +157,7 @@ static bool timestep_meets(const struct timestep_side *a, const struct timestep_
 }
 
 void timestep_limits(struct timestep_limits *limits, const struct timestep_input *input) {
+    const struct law_form *form = law_row_get(input->law->options.normal)->form;
     struct timestep_side side[TIMESTEP_SIDES_MAX];
     int n = timestep_sides(input, side);
     double rayleigh = INFINITY;
@@ -179,14 +170,17 @@ void timestep_limits(struct timestep_limits *limits, const struct timestep_input
             timestep_surround(input, &side[a], &side[b], &meeting);
             if (a != b)
                 timestep_surround(input, &side[b], &side[a], &meeting);
-            limits->contact_time = fmin(limits->contact_time, timestep_duration(input->law, &meeting));
+            limits->contact_time =
+                fmin(limits->contact_time,
+                     form->duration(&input->law->pair[side[a].kind->material][side[b].kind->material],
+                                    meeting.mass, meeting.radius, meeting.overlap));
         }
     for (int a = 0; a < n; a++)
         for (int b = a; b < n; b++)
             if (timestep_meets(&side[a], &side[b]))
                 timestep_consider(limits, &side[a], &side[b]);
     for (int k = 0; k < input->kinds; k++)
-        if (input->law->options.normal == LAW_HERTZ && !input->kind[k].wall)
+        if (input->law->moduli && !input->kind[k].wall)
             rayleigh = fmin(rayleigh, timestep_rayleigh(&input->material[input->kind[k].material],
                                                         input->kind[k].radius_min));
     limits->rayleigh = isfinite(rayleigh) ? rayleigh : 0.0;

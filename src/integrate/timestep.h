@@ -10,8 +10,8 @@
  * of two particles that touch, and the same for dampers (docs/physics.md derives it). Here L is that of an
  * assumed number of contacts with like partners; stability.h finds it for the contacts that there are.
  *
- *   Hertz: tangent stiffness at the overlap that the expected speed reaches, or at the stated one, whichever
- * is larger. */
+ *   A law that stiffens counts with its tangent stiffness at the overlap that the expected speed reaches, or at
+ * the stated one, whichever is larger. */
 #ifndef SCREE_INTEGRATE_TIMESTEP_H
 #define SCREE_INTEGRATE_TIMESTEP_H
 
@@ -32,8 +32,8 @@ struct timestep_input {
     int kinds;
     const struct timestep_kind *kind;
     const struct law_material *material;
-    double speed_max;        /* largest impact speed expected, length/time; hertz stiffness grows with it */
-    double overlap_relative; /* hertz: overlap counted with at least, relative to the smaller radius; 0:
+    double speed_max;        /* largest impact speed expected, length/time */
+    double overlap_relative; /* overlap counted with at least, relative to the smaller radius; 0:
                                 default (0.001) */
     int contacts;            /* N, simultaneous contacts counted on a particle with its like; 0: default, 12,
                                 or 6 in two dimensions */
@@ -44,7 +44,7 @@ struct timestep_limits {
     double stable; /* largest stable step, damping included, also when overdamped; time; infinite without
                       kinds */
     double contact_time;        /* duration of the shortest elastic contact */
-    double rayleigh;            /* smallest Rayleigh time over the materials (hertz), or 0 */
+    double rayleigh;            /* smallest Rayleigh time over the materials; 0 where the law takes no moduli */
     double frequency;           /* sqrt(k_n/m*) of the one contact that sets the limit, rad/time */
     double damping_ratio;       /* zeta of its normal mode, for one contact */
     int material_a, material_b; /* its materials */

@@ -68,6 +68,7 @@ static bool read_scene(struct scene *scene, const char *text, const struct scene
                                    .root = (char *)scene,
                                    .units = true,
                                    .dimension = &scene->box.dimension,
+                                   .note = scene->note,
                                    .error = error};
     scene->tree->root = tree_parse(scene->file, text, 1, error);
     if (!scene->tree->root || !schema_normalise(&reader, scene->tree->root))

@@ -28,7 +28,7 @@
 #include "scene/source.h"
 #include <stdio.h>
 
-enum { SCENE_PATH_MAX = 1024, SCENE_NAME_MAX = 64, SCENE_IDS_MAX = 1024, SCENE_PAIRS_MAX = 528 };
+enum { SCENE_PATH_MAX = 1024, SCENE_NOTE_MAX = 256, SCENE_NAME_MAX = 64, SCENE_IDS_MAX = 1024, SCENE_PAIRS_MAX = 528 };
 
 enum scene_units { SCENE_UNITS_SI, SCENE_UNITS_NONE };
 
@@ -101,6 +101,7 @@ struct tree; /* the parsed text, for places in messages */
 
 struct scene {
     char file[SCENE_PATH_MAX];   /* as named in messages */
+    char note[SCENE_NOTE_MAX];   /* what the reader has to tell; "" if nothing */
     char folder[SCENE_PATH_MAX]; /* what relative paths start from, ends with '/' or is empty */
     struct tree *tree;           /* owned */
     char title[256];

@@ -308,15 +308,12 @@ static bool check_law(const struct scene *scene, struct error *error) {
     if (scene->law.tangential_damping_equal && scene->law.tangential_damping_ratio != 1)
         return finish_fail(scene, error, "contact.tangential_damping_equal",
                            "beside tangential_damping_ratio; %s", one_of_two);
-    if (scene->law.lammps_hooke && scene->law.damping != LAW_DAMPING_COEFFICIENT)
-        return finish_fail(scene, error, "contact.lammps_hooke", "needs contact.damping: coefficient");
-    if (scene->law.lammps_hooke && scene->law.end != LAW_END_OVERLAP)
-        return finish_fail(scene, error, "contact.lammps_hooke", "needs contact.end: overlap");
-    if (scene->law.lammps_hooke && scene->law.rolling != LAW_ROLLING_NONE)
-        return finish_fail(scene, error, "contact.lammps_hooke", "has no rolling resistance");
-    if (scene->law.damping == LAW_DAMPING_COEFFICIENT && scene->law.normal != LAW_HOOKE)
-        return finish_fail(scene, error, "contact.damping",
-                           "coefficient is for contact.law: hooke; hertz takes restitution");
+    if (scene->law.lammps_history && scene->law.damping != LAW_DAMPING_COEFFICIENT)
+        return finish_fail(scene, error, "contact.lammps_history", "needs contact.damping: coefficient");
+    if (scene->law.lammps_history && scene->law.end != LAW_END_OVERLAP)
+        return finish_fail(scene, error, "contact.lammps_history", "needs contact.end: overlap");
+    if (scene->law.lammps_history && scene->law.rolling != LAW_ROLLING_NONE)
+        return finish_fail(scene, error, "contact.lammps_history", "has no rolling resistance");
     return true;
 }
 

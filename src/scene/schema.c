@@ -5,9 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+static bool is_word(const char *word, const char *text, size_t length) {
+    return strlen(word) == length && memcmp(word, text, length) == 0;
+}
+
 const struct schema_row *schema_row_find(const struct schema_table *table, const char *key, size_t length) {
     for (int k = 0; k < table->count; k++)
-        if (strlen(table->rows[k].key) == length && memcmp(table->rows[k].key, key, length) == 0)
+        if (is_word(table->rows[k].key, key, length) ||
+            (table->rows[k].alias && is_word(table->rows[k].alias, key, length)))
             return &table->rows[k];
     return NULL;
 }
@@ -194,7 +199,18 @@ static bool name_is(const struct schema_row *row, const char *value, const char 
     return false;
 }
 
-/* One condition "key=a|b" of `length` bytes. */
+/* True if the value of a row has a trait. */
+static bool trait_is(const struct schema_row *row, int value, const char *trait, size_t length) {
+    for (const char *t = row->traits ? row->traits(value) : ""; *t; t += strspn(t, " ")) {
+        size_t word = strcspn(t, " ");
+        if (word == length && memcmp(t, trait, length) == 0)
+            return true;
+        t += word;
+    }
+    return false;
+}
+
+/* One condition "key=a|b" or "key:trait" of `length` bytes. */
 static bool holds(const char *condition, size_t length, const struct schema_table *table, const char *base,
                   const char *root) {
     if (*condition == '/') {
@@ -204,16 +220,18 @@ static bool holds(const char *condition, size_t length, const struct schema_tabl
         length--;
     }
     for (;;) {
-        size_t part = strcspn(condition, ".=");
+        size_t part = strcspn(condition, ".=:");
         const struct schema_row *row = schema_row_find(table, condition, part);
         if (!row)
             return false;
-        bool last = condition[part] == '=';
+        char mark = condition[part];
         condition += part + 1;
         length -= part + 1;
         base += row->offset;
-        if (last)
+        if (mark == '=')
             return name_is(row, base, condition, length);
+        if (mark == ':')
+            return trait_is(row, *(const int *)base, condition, length);
         table = row->sub;
     }
 }
@@ -228,6 +246,42 @@ bool schema_applies(const struct schema_row *row, const struct schema_table *tab
         condition = end ? end + 3 : NULL;
     }
     return true;
+}
+
+/* Appends one condition of `length` bytes to a text: a trait as the names that have it. */
+static void condition_words(const char *condition, size_t length, char *text, size_t room) {
+    const struct schema_table *table = &schema_root;
+    const struct schema_row *row = NULL;
+    if (*condition == '/') {
+        condition++;
+        length--;
+    }
+    const char *colon = memchr(condition, ':', length), *separator = "=";
+    size_t used = strlen(text), key = colon ? (size_t)(colon - condition) : length;
+    snprintf(text + used, room - used, "%.*s", (int)key, condition);
+    for (const char *part = condition; colon && part < colon; part += strcspn(part, ".:") + 1) {
+        row = schema_row_find(table, part, strcspn(part, ".:"));
+        table = row->sub;
+    }
+    for (int k = 0; row && row->names[k].name; k++) {
+        if (!trait_is(row, row->names[k].value, colon + 1, length - key - 1))
+            continue;
+        used = strlen(text);
+        snprintf(text + used, room - used, "%s%s", separator, row->names[k].name);
+        separator = "|";
+    }
+}
+
+void schema_condition(const struct schema_row *row, char *text, size_t room) {
+    const char *condition = row->when;
+    text[0] = '\0';
+    while (condition) {
+        const char *end = strstr(condition, " & ");
+        condition_words(condition, end ? (size_t)(end - condition) : strlen(condition), text, room);
+        size_t used = strlen(text);
+        snprintf(text + used, room - used, "%s", end ? " & " : "");
+        condition = end ? end + 3 : NULL;
+    }
 }
 
 const char *schema_target_name(const char *root, const char *target, int k) {

@@ -3,7 +3,8 @@
  *
  * A table lists the keys of one section (a mapping); sections and lists name the table of what they hold. A
  * row says where in the section's struct its value lies, as offset and size. Rows are read in order: a row
- * may depend (`when`) on those before it. */
+ * may depend (`when`) on those before it. A key may have several rows, side by side, of whose conditions at most
+ * one holds (its unit depends on a law, say). */
 #ifndef SCREE_SCENE_SCHEMA_H
 #define SCREE_SCENE_SCHEMA_H
 
@@ -47,6 +48,7 @@ struct schema_table {
 
 struct schema_row {
     const char *key;
+    const char *alias; /* an older name of the key, still read, with a note; NULL: none */
     enum schema_type type;
     const char *unit;     /* in SI ("m/s2"); NULL or "" for a pure number */
     const char *fallback; /* default, as YAML; NULL: none, the key may be left out */
@@ -54,9 +56,11 @@ struct schema_row {
     const char *range;                               /* interval, "(0, inf)" or "[0, 1]"; NULL: any */
     const struct schema_name *names;                 /* NAME: ended by a NULL name */
     const char *(*choice)(int k, const char **help); /* CHOICE: the k-th name, NULL after the last */
-    const char *target;                              /* REF, REFS: a list at the top level */
+    const char *(*traits)(int value); /* NAME: words "a b" that conditions may ask for; NULL: none */
+    const char *target;               /* REF, REFS: a list at the top level */
     bool in_column;   /* TEXT: part of a column's name in observables.csv, so without what would break that */
-    const char *when; /* "shape=cylinder|plane": the key exists only then; "/contact.law=hooke" from the top;
+    const char *when; /* "shape=cylinder|plane": the key exists only then; "/contact.damping=restitution" from
+                         the top; "/contact.law:moduli" (from the top alone): with all names that have the trait;
                          "a=b & c=d" */
     const struct schema_table *sub; /* SECTION, LIST */
     const char *main;               /* SECTION: a bare value instead of a mapping means this key of it */
@@ -83,11 +87,12 @@ struct schema_reader {
     char *root;           /* the struct that schema_root describes */
     bool units;           /* units may be given */
     const int *dimension; /* 2: vectors may have two components */
+    char *note;           /* SCHEMA_NOTE_MAX bytes: what to tell the user of an older name; "" if nothing */
     struct error *error;
 };
 
 /* Bytes that a full key ("walls[12].motion[3].direction") may have. */
-enum { SCHEMA_KEY_MAX = 256 };
+enum { SCHEMA_KEY_MAX = 256, SCHEMA_NOTE_MAX = 256 };
 
 /* Puts short forms into their full form: a bare value into its section's main key, `particles.file` into
  * particles.sources[0].file. */
@@ -129,7 +134,10 @@ void schema_write(FILE *out, const void *root, const char *working);
 bool schema_applies(const struct schema_row *row, const struct schema_table *table, const char *base,
                     const char *root);
 
-/* The row of a key in a table, or NULL; `length` bytes of `key` count. */
+/* The condition of a row in words: "contact.law=hertz & contact.damping=restitution"; empty without. */
+void schema_condition(const struct schema_row *row, char *text, size_t room);
+
+/* The first row of a key, or of its alias, in a table, or NULL; `length` bytes of `key` count. */
 const struct schema_row *schema_row_find(const struct schema_table *table, const char *key, size_t length);
 
 /* The list whose element a section may hold directly (`short_form`), or NULL. */
@@ -147,7 +155,7 @@ bool schema_suggest(const char *section, const char *key, char nearest[SCHEMA_KE
 void schema_walk(void (*visit)(void *context, const struct schema_row *row, const char *key, int depth),
                  void *context);
 
-/* What is allowed, in words: "a number > 0 with a unit of length (m)", "one of hooke, hertz". */
+/* What is allowed, in words: "a number > 0 with a unit of length (m)", "one of a, b, c". */
 void schema_allowed(const struct schema_row *row, char *text, size_t room);
 
 #endif

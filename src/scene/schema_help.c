@@ -19,13 +19,6 @@ static bool is_group(const struct schema_row *row) {
     return row->type == SCHEMA_SECTION || row->type == SCHEMA_LIST;
 }
 
-/* "/contact.law=hooke & damping=x" without the leading slash of a path from the top. */
-static void print_condition(FILE *out, const char *when) {
-    for (const char *c = when; *c; c++)
-        if (*c != '/')
-            fputc(*c, out);
-}
-
 static void print_line(void *context, const struct schema_row *row, const char *key, int depth) {
     FILE *out = context;
     if (is_group(row) && depth == 0)
@@ -61,11 +54,12 @@ static void print_row(FILE *out, const struct schema_row *row, const char *key) 
     print_brief(out, row);
     fprintf(out, "\n");
     print_names(out, row);
-    if (row->when) {
-        fprintf(out, "  only with ");
-        print_condition(out, row->when);
-        fprintf(out, "\n");
-    }
+    char condition[SCHEMA_NOTE_MAX];
+    schema_condition(row, condition, sizeof(condition));
+    if (condition[0])
+        fprintf(out, "  only with %s\n", condition);
+    if (row->alias)
+        fprintf(out, "  older name: %s\n", row->alias);
     if (row->main)
         fprintf(out, "  a bare value stands for %s.%s\n", key, row->main);
     if (row->example)
@@ -73,6 +67,14 @@ static void print_row(FILE *out, const struct schema_row *row, const char *key) 
     struct listing listing = {.out = out, .prefix = key};
     if (row->sub)
         schema_walk(print_below, &listing);
+}
+
+/* All rows of the key that is asked for. */
+static void print_found(void *context, const struct schema_row *row, const char *key, int depth) {
+    const struct listing *listing = context;
+    (void)depth;
+    if (strcmp(key, listing->prefix) == 0)
+        print_row(listing->out, row, key);
 }
 
 bool scene_help(FILE *out, const char *key) {
@@ -85,7 +87,8 @@ bool scene_help(FILE *out, const char *key) {
     char full[SCHEMA_KEY_MAX];
     const struct schema_row *row = schema_find(key, full);
     if (row) {
-        print_row(out, row, full);
+        struct listing listing = {.out = out, .prefix = full};
+        schema_walk(print_found, &listing);
         return true;
     }
     const char *last = strrchr(key, '.');
@@ -103,6 +106,15 @@ bool scene_help(FILE *out, const char *key) {
 static void print_cell(FILE *out, const char *text) {
     for (; *text; text++)
         fprintf(out, *text == '|' ? "\\|" : "%c", *text);
+}
+
+static void print_table_condition(FILE *out, const struct schema_row *row) {
+    char condition[SCHEMA_NOTE_MAX];
+    schema_condition(row, condition, sizeof(condition));
+    fprintf(out, ". Only with `");
+    for (const char *c = condition; *c; c++)
+        fprintf(out, *c == '|' ? " or " : "%c", *c);
+    fprintf(out, "`");
 }
 
 static void print_table_row(FILE *out, const struct schema_row *row) {
@@ -129,13 +141,8 @@ static void print_table_row(FILE *out, const struct schema_row *row) {
             print_cell(out, help);
         }
     }
-    if (row->when) {
-        fprintf(out, ". Only with `");
-        for (const char *c = row->when; *c; c++)
-            if (*c != '/')
-                fprintf(out, *c == '|' ? " or " : "%c", *c);
-        fprintf(out, "`");
-    }
+    if (row->when)
+        print_table_condition(out, row);
     if (row->main)
         fprintf(out, ". A bare value stands for `%s`", row->main);
     if (row->example) {

@@ -6,6 +6,7 @@
  *
  * Rows that do not apply are left as they are (the struct comes zeroed): two keys may share a place. */
 #include "scene/schema.h"
+#include "core/memory.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -75,12 +76,28 @@ static bool normalise_row(struct schema_reader *reader, const struct schema_row 
     return true;
 }
 
+/* Gives child k, which stands under an older name, the name of its row. */
+static bool rename_key(struct schema_reader *reader, const struct schema_row *row, struct tree_node *node,
+                       size_t k, const char *key) {
+    if (tree_get(node, row->key))
+        return schema_fail(reader, node->child[k], key, "is an older name of %s, which is given, too",
+                           row->key);
+    snprintf(reader->note, SCHEMA_NOTE_MAX, "%.120s is an older name of %.60s", key, row->key);
+    char *name = memory_allocate(strlen(row->key) + 1, 1, "key of a scene");
+    strcpy(name, row->key);
+    memory_free(node->key[k]);
+    node->key[k] = name;
+    return true;
+}
+
 static bool normalise_table(struct schema_reader *reader, const struct schema_table *table,
                             struct tree_node *node, const char *prefix) {
     for (size_t k = 0; node->kind == TREE_MAP && k < node->children; k++) {
         const struct schema_row *row = schema_row_find(table, node->key[k], strlen(node->key[k]));
         char key[SCHEMA_KEY_MAX];
         snprintf(key, sizeof(key), "%.120s%s%.120s", prefix, prefix[0] ? "." : "", node->key[k]);
+        if (row && strcmp(row->key, node->key[k]) != 0 && !rename_key(reader, row, node, k, key))
+            return false;
         if (row && !normalise_row(reader, row, node->child[k], key))
             return false;
     }
@@ -216,6 +233,11 @@ static bool put_setting(struct descent *descent, const char *key, struct tree_no
         const struct schema_row *row = schema_row_find(descent->table, key, length);
         char name[SCHEMA_KEY_MAX];
         snprintf(name, sizeof(name), "%.*s", (int)length, key);
+        if (row && strcmp(row->key, name) != 0) {
+            snprintf(descent->reader->note, SCHEMA_NOTE_MAX, "%.120s is an older name of %.60s",
+                     descent->whole, row->key);
+            snprintf(name, sizeof(name), "%s", row->key);
+        }
         if (!row || descent->node->kind != TREE_MAP) {
             char section[SCHEMA_KEY_MAX];
             snprintf(section, sizeof(section), "%.*s", (int)(key - descent->whole), descent->whole);
@@ -347,6 +369,30 @@ static bool read_row(struct schema_reader *reader, const struct schema_row *row,
     return schema_value(reader, row, node, key, base);
 }
 
+/* True if any row of this row's key exists. */
+static bool key_applies(const struct schema_row *row, const struct schema_table *table, const char *base,
+                        const char *root) {
+    for (int k = 0; k < table->count; k++)
+        if (strcmp(table->rows[k].key, row->key) == 0 && schema_applies(&table->rows[k], table, base, root))
+            return true;
+    return false;
+}
+
+/* Refuses a key no row of which exists. */
+static bool misplaced(struct schema_reader *reader, const struct schema_row *row,
+                      const struct schema_table *table, const struct tree_node *node, const char *key) {
+    char conditions[512] = "";
+    for (int k = 0; k < table->count; k++) {
+        if (strcmp(table->rows[k].key, row->key) != 0)
+            continue;
+        size_t used = strlen(conditions);
+        snprintf(conditions + used, sizeof(conditions) - used, "%s", used ? ", or with " : "");
+        schema_condition(&table->rows[k], conditions + strlen(conditions),
+                         sizeof(conditions) - strlen(conditions));
+    }
+    return schema_fail(reader, node, key, "exists only with %s (--set %s=~ takes it out)", conditions, key);
+}
+
 static bool read_table(struct schema_reader *reader, const struct schema_table *table,
                        const struct tree_node *node, const char *prefix, char *base) {
     if (node->kind != TREE_MAP) {
@@ -364,9 +410,8 @@ static bool read_table(struct schema_reader *reader, const struct schema_table *
         if (schema_applies(row, table, base, reader->root)) {
             if (!read_row(reader, row, node, child, key, base))
                 return false;
-        } else if (child) {
-            return schema_fail(reader, child, key, "exists only with %s (--set %s=~ takes it out)",
-                               row->when + (row->when[0] == '/'), key);
+        } else if (child && !key_applies(row, table, base, reader->root)) {
+            return misplaced(reader, row, table, child, key);
         }
     }
     return true;

@@ -82,9 +82,9 @@ static const struct schema_row material_rows[] = {
     {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "(0, inf)", .required = true,
      AT(struct law_material, density), .help = "mass of a sphere by its volume, in two dimensions too",
      .example = "2500"},
-    {.key = "young", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)", .when = "/contact.law=hertz",
+    {.key = "young", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)", .when = "/contact.law:moduli & /contact.damping=restitution",
      .required = true, AT(struct law_material, young), .help = "Young's modulus", .example = "70 GPa"},
-    {.key = "poisson", .type = SCHEMA_REAL, .range = "(-1, 0.5]", .when = "/contact.law=hertz",
+    {.key = "poisson", .type = SCHEMA_REAL, .range = "(-1, 0.5]", .when = "/contact.law:moduli & /contact.damping=restitution",
      .required = true, AT(struct law_material, poisson), .help = "Poisson's ratio", .example = "0.2"},
 };
 static const struct schema_table material_table = TABLE(material_rows);
@@ -103,23 +103,45 @@ static const struct schema_row pair_rows[] = {
     {.key = "rolling_friction", .type = SCHEMA_REAL, .range = "[0, inf)", .when = "/contact.rolling=spring",
      .fallback = "0", AT(struct scene_pair, rolling_friction), .help = "coefficient of rolling friction",
      .example = "0.01"},
-    {.key = "k_n", .type = SCHEMA_REAL, .unit = "N/m", .range = "(0, inf)", .when = "/contact.law=hooke",
+    {.key = "k_n", .type = SCHEMA_REAL, .unit = "N/m", .range = "(0, inf)", .when = "/contact.law:stiffness",
      .required = true, AT(struct scene_pair, k_n), .help = "normal stiffness", .example = "1e5"},
+    {.key = "k_n", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)",
+     .when = "/contact.law:moduli & /contact.damping=coefficient", .required = true, AT(struct scene_pair, k_n),
+     .help = "normal stiffness over the contact radius sqrt(R* overlap): 4/3 E*", .example = "1e9"},
     {.key = "k_t", .type = SCHEMA_REAL, .unit = "N/m", .range = "(0, inf)",
-     .when = "/contact.law=hooke & /contact.tangential=history", AT(struct scene_pair, k_t),
+     .when = "/contact.law:stiffness & /contact.tangential=history", AT(struct scene_pair, k_t),
      .help = "tangential stiffness; left out: 2/7 of k_n", .example = "2.857e4"},
+    {.key = "k_t", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)",
+     .when = "/contact.law:moduli & /contact.damping=coefficient & /contact.tangential=history",
+     AT(struct scene_pair, k_t),
+     .help = "tangential stiffness over the contact radius: 8 G*; left out: 2/7 of k_n", .example = "2.857e8"},
     {.key = "gamma_n", .type = SCHEMA_REAL, .unit = "1/s", .range = "[0, inf)",
-     .when = "/contact.damping=coefficient", .required = true, AT(struct scene_pair, gamma_n),
-     .help = "normal damping per unit of effective mass", .example = "50"},
+     .when = "/contact.law:stiffness & /contact.damping=coefficient", .required = true,
+     AT(struct scene_pair, gamma_n), .help = "normal damping per unit of effective mass", .example = "50"},
+    {.key = "gamma_n", .type = SCHEMA_REAL, .unit = "1/s/m", .range = "[0, inf)",
+     .when = "/contact.law:moduli & /contact.damping=coefficient", .required = true,
+     AT(struct scene_pair, gamma_n), .help = "normal damping per unit of effective mass and of contact radius",
+     .example = "5e5"},
     {.key = "gamma_t", .type = SCHEMA_REAL, .unit = "1/s", .range = "[0, inf)",
-     .when = "/contact.damping=coefficient & /contact.tangential=history", AT(struct scene_pair, gamma_t),
+     .when = "/contact.law:stiffness & /contact.damping=coefficient & /contact.tangential=history",
+     AT(struct scene_pair, gamma_t),
      .help = "tangential damping per unit of effective mass; left out: half of gamma_n", .example = "25"},
+    {.key = "gamma_t", .type = SCHEMA_REAL, .unit = "1/s/m", .range = "[0, inf)",
+     .when = "/contact.law:moduli & /contact.damping=coefficient & /contact.tangential=history",
+     AT(struct scene_pair, gamma_t),
+     .help = "tangential damping per unit of effective mass and of contact radius; left out: half of gamma_n",
+     .example = "2.5e5"},
 };
 static const struct schema_table pair_table = TABLE(pair_rows);
 
-static const struct schema_name law_names[] = {{"hooke", LAW_HOOKE, "linear spring and dashpot"},
-                                               {"hertz", LAW_HERTZ, "elastic spheres, Hertz and Mindlin"},
-                                               {0}};
+#define LAW_SCHEMA_NAME(NAME, name, traits, summary) {#name, LAW_##NAME, summary},
+static const struct schema_name law_names[] = {LAW_TABLE(LAW_SCHEMA_NAME) {0}};
+#undef LAW_SCHEMA_NAME
+
+static const char *law_traits(int law) {
+    return law_row_get((enum law_normal)law)->traits;
+}
+
 static const struct schema_name simd_names[] = {
     {"auto", SCENE_SIMD_AUTO, NULL},
     {"baseline", SCENE_SIMD_BASELINE, "what every CPU of the kind has"},
@@ -129,7 +151,7 @@ static const struct schema_name simd_names[] = {
 static const struct schema_name damping_names[] = {
     {"restitution", LAW_DAMPING_RESTITUTION, "from the restitution asked for"},
     {"coefficient", LAW_DAMPING_COEFFICIENT,
-     "from gamma_n and gamma_t, per unit of effective mass, as LAMMPS has it; with law: hooke only"},
+     "from gamma_n and gamma_t, per unit of effective mass, as LAMMPS has it"},
     {0}};
 static const struct schema_name end_names[] = {
     {"overlap", LAW_END_OVERLAP,
@@ -150,8 +172,8 @@ static const struct schema_name rolling_names[] = {
     {0}};
 
 static const struct schema_row contact_rows[] = {
-    {.key = "law", .type = SCHEMA_NAME, .names = law_names, .fallback = "hertz",
-     AT(struct law_options, normal), .help = "the normal force"},
+    {.key = "law", .type = SCHEMA_NAME, .names = law_names, .fallback = LAW_NORMAL_DEFAULT_NAME,
+     .traits = law_traits, AT(struct law_options, normal), .help = "the normal force"},
     {.key = "damping", .type = SCHEMA_NAME, .names = damping_names, .fallback = "restitution",
      AT(struct law_options, damping), .help = "where the damping comes from"},
     {.key = "end", .type = SCHEMA_NAME, .names = end_names, .fallback = "force",
@@ -169,9 +191,9 @@ static const struct schema_row contact_rows[] = {
     {.key = "tangential_damping_equal", .type = SCHEMA_BOOL, .fallback = "false",
      .when = "damping=restitution & tangential=history", AT(struct law_options, tangential_damping_equal),
      .help = "the tangential damping coefficient equals the normal one, as in LAMMPS's pair_style granular"},
-    {.key = "lammps_hooke", .type = SCHEMA_BOOL, .fallback = "false", .when = "law=hooke",
-     AT(struct law_options, lammps_hooke),
-     .help = "gran/hooke/history of LAMMPS to the letter, for comparisons: the lever is the radius, too; needs damping: coefficient, end: overlap, rolling: none and integrator: "
+    {.key = "lammps_history", .alias = "lammps_hooke", .type = SCHEMA_BOOL, .fallback = "false",
+     AT(struct law_options, lammps_history),
+     .help = "gran/hooke/history or gran/hertz/history of LAMMPS to the letter, for comparisons: the lever is the radius, too; needs damping: coefficient, end: overlap, rolling: none and integrator: "
              "velocity_verlet"},
 };
 static const struct schema_table contact_table = TABLE(contact_rows);

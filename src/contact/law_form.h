@@ -1,0 +1,78 @@
+/* A contact law's form: how the elastic force between two spheres, or a sphere and a wall, depends on their
+ * overlap. Damping, friction and rolling are the same for all forms (law_kernel.h); a form brings the springs
+ * that they go with.
+ *
+ * How to add a law:
+ *
+ *   1. Write contact/law_NAME.h like its neighbours: the function law_NAME_springs, and a struct law_form named
+ *      law_NAME.
+ *   2. Include it in law_table.h, and add a row to LAW_TABLE there.
+ *   3. List the file in src/contact/local.mk, and describe the law in docs/physics.md.
+ *
+ * The scene's keys, the loops of all instruction sets, the stable step, `scree check`, `scree ablate`, the
+ * report and the help follow from that. tests/test_law.c holds each row of the table to its own potential. */
+#ifndef SCREE_CONTACT_LAW_FORM_H
+#define SCREE_CONTACT_LAW_FORM_H
+
+#include <math.h>
+#include <stdbool.h>
+
+/* A loop over contacts vectorises only if nothing in it stays a call. */
+#define LAW_INLINE static inline __attribute__((always_inline))
+
+enum { LAW_NAME_MAX = 64 };
+
+/* A material (scene key `materials`). */
+struct law_material {
+    char name[LAW_NAME_MAX];
+    double density;        /* mass/volume */
+    double young, poisson; /* of laws with moduli; pressure, 1 */
+};
+
+/* Coefficients of a pair of materials (scene key `material_pairs`; missing pairs are an error unless one
+ * default is given). */
+struct law_pair {
+    double restitution;      /* 0 ... 1 */
+    double friction;         /* Coulomb coefficient mu >= 0 */
+    double rolling_friction; /* mu_r >= 0 */
+    double k_n, k_t;         /* of laws without moduli, or with given damping: stiffness; force/length, or of
+                                laws with moduli force/length^2, times the contact radius */
+    double gamma_n, gamma_t; /* given damping, per unit of effective mass: 1/time, or of laws with moduli
+                                1/(time length), times the contact radius */
+};
+
+/* What the kernel needs of a pair of materials, made once. */
+struct law_coefficients {
+    double k_n, k_t; /* of the springs, as the form reads them */
+    double c_n;      /* coefficients given: gamma_n, times m* and the form's contact; restitution: the form's
+                   `damper` times the damping ratio, times sqrt(m* x elastic force / overlap) */
+    double c_t;      /* the same for the tangential damper; the rolling spring takes k_t and c_t too */
+    double friction, rolling_friction;
+};
+
+/* The springs of one contact. */
+struct law_springs {
+    double force;      /* elastic normal force, positive: it pushes */
+    double stiffness;  /* force / overlap: sets the damper that belongs to a restitution */
+    double tangent;    /* d force / d overlap: what the stable step goes by */
+    double tangential; /* stiffness of the tangential and of the rolling spring */
+    double contact;    /* what a given damping coefficient is multiplied with */
+    double energy;     /* stored in the normal spring */
+};
+
+/* All else that is known of a form. */
+struct law_form {
+    bool linear;    /* force proportional to overlap whatever the radii: other laws are compared with it */
+    bool radius;    /* the springs depend on the effective radius */
+    double damper;  /* c_n over the damping ratio of the linear spring-dashpot with the same restitution */
+    double tangent; /* d force / d overlap over force / overlap, at small overlaps */
+    /* Laws with moduli: k_n and k_t from Young's modulus and Poisson's ratio of both materials. NULL: they are
+     * those of the pair. */
+    void (*moduli)(const struct law_material *a, const struct law_material *b, struct law_coefficients *c);
+    /* Largest overlap of an elastic impact at `speed`, with the effective mass and radius; length. */
+    double (*impact)(const struct law_coefficients *c, double mass, double radius, double speed);
+    /* Duration of the elastic impact that reaches `overlap`; time. */
+    double (*duration)(const struct law_coefficients *c, double mass, double radius, double overlap);
+};
+
+#endif

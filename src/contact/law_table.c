@@ -1,0 +1,16 @@
+/* The rows of the table of contact laws (law_table.h), for whoever does not need them at compile time. */
+#include "contact/law_table.h"
+
+#define LAW_ROW(NAME, name, traits, summary) [LAW_##NAME] = {#name, traits, summary, &law_##name},
+static const struct law_row law_rows[] = {LAW_TABLE(LAW_ROW)};
+
+const struct law_row *law_row_get(enum law_normal normal) {
+    return &law_rows[normal];
+}
+
+enum law_normal law_linear(void) {
+    int k = 0;
+    while (!law_rows[k].form->linear)
+        k++;
+    return (enum law_normal)k;
+}

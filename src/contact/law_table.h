@@ -1,0 +1,51 @@
+/* The table of contact laws. Read law_form.h first: the recipe is there.
+ *
+ * A row: LAW_NAME for the number, the name in scenes, the traits that keys of a scene ask for (scene/schema.h),
+ * and what the law is. Traits: `moduli`, a law whose springs come from young and poisson of the materials;
+ * `stiffness`, one whose springs are k_n and k_t of the pair, force/length. */
+#ifndef SCREE_CONTACT_LAW_TABLE_H
+#define SCREE_CONTACT_LAW_TABLE_H
+
+#include "contact/law_hertz.h"
+#include "contact/law_hooke.h"
+
+#define LAW_TABLE(ROW)                                                                                       \
+    ROW(HOOKE, hooke, "stiffness", "linear spring and dashpot")                                              \
+    ROW(HERTZ, hertz, "moduli", "elastic spheres, Hertz and Mindlin")
+
+/* The law of a scene that names none. */
+#define LAW_NORMAL_DEFAULT LAW_HERTZ
+#define LAW_NORMAL_DEFAULT_NAME "hertz"
+
+#define LAW_ENUMERATOR(NAME, name, traits, summary) LAW_##NAME,
+enum law_normal { LAW_TABLE(LAW_ENUMERATOR) LAW_COUNT };
+#undef LAW_ENUMERATOR
+
+struct law_row {
+    const char *name, *traits, *summary;
+    const struct law_form *form;
+};
+
+/* The row of a law. Any thread. */
+const struct law_row *law_row_get(enum law_normal normal);
+
+/* The law with linear springs. */
+enum law_normal law_linear(void);
+
+/* The springs of a contact by the law `normal`: a constant wherever that matters, so that nothing is left of
+ * the others. Any thread. */
+LAW_INLINE struct law_springs law_springs(enum law_normal normal, const struct law_coefficients *c,
+                                          double radius, double overlap) {
+#define LAW_CASE(NAME, name, traits, summary)                                                                \
+    case LAW_##NAME:                                                                                         \
+        return law_##name##_springs(c, radius, overlap);
+    switch (normal) {
+        LAW_TABLE(LAW_CASE)
+    case LAW_COUNT:
+        break;
+    }
+#undef LAW_CASE
+    return (struct law_springs){0};
+}
+
+#endif
