@@ -1,6 +1,8 @@
 /* `scree ablate`: one scene over indexes, threads and newton settings; a table of stage times, pairs and
  * memory. */
 #include "app/ablate.h"
+#include "app/ablate_error.h"
+#include "app/ablate_run.h"
 #include "app/trial.h"
 #include "comm/cores.h"
 #include "core/memory.h"
@@ -122,19 +124,6 @@ static void print_row(const struct report *r) {
            r->index, r->newton ? "on" : "off", r->threads, r->seconds, report_speed(r) * 1e-6,
            (unsigned long long)r->pairs, rebuild, r->bytes_per_particle);
     fflush(stdout);
-}
-
-bool ablate_run(const struct comm *comm, const struct scene *scene, const struct ablate_options *looks,
-                struct report *report, struct error *error) {
-    struct run_options options = {.quiet = true, .watch = looks->watch, .series = looks->series};
-    memory_peak_reset();
-    int status = run_scene(comm, scene, &options, report, error);
-    if (status > ERROR_SIGNAL) {
-        error_set(error, (enum error_kind)status, "ended by signal %d", status - ERROR_SIGNAL);
-        if (report)
-            report_destroy(report);
-    }
-    return status == 0;
 }
 
 /* One run of the scene with these settings. */

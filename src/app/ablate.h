@@ -2,21 +2,11 @@
 #ifndef SCREE_APP_ABLATE_H
 #define SCREE_APP_ABLATE_H
 
-#include "app/command.h"
-#include "engine/run.h"
+#include "app/command_line.h"
 
-/* How a run of a comparison is looked at. */
-struct ablate_options {
-    const struct run_watch *watch;
-    const struct progress_series *series;
-};
-
-/* Runs a scene without files; members of `options` and `report` may be NULL. With a series progress is shown.
- * A signal that ends the run is an error of kind ERROR_SIGNAL + number. Collective. */
-bool ablate_run(const struct comm *comm, const struct scene *scene, const struct ablate_options *options,
-                struct report *report, struct error *error);
-
-/* `scree ablate --error`. The directory of the line is there. Collective. */
-bool ablate_error(const struct comm *comm, const struct command_line *line, struct error *error);
+/* Runs the scene of the line over indexes, threads and newton settings, or (--error) over what has a price in
+ * error, and writes the tables into the directory of the line. Returns the exit status, or that of the filled
+ * error. Collective. */
+int command_ablate(const struct comm *comm, const struct command_line *line, struct error *error);
 
 #endif

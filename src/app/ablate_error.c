@@ -8,7 +8,8 @@
  *     times       each variant again, unwatched, in turn, as often as asked for
  *
  * All runs share their sample times: steps are shortened so that a whole number of them lies between. */
-#include "app/ablate.h"
+#include "app/ablate_error.h"
+#include "app/ablate_run.h"
 #include "app/speed_error.h"
 #include "app/trial.h"
 #include "core/memory.h"

@@ -1,5 +1,5 @@
 /* `scree check`: what a scene needs, and why. */
-#include "app/command.h"
+#include "app/check.h"
 #include "engine/notes.h"
 #include "engine/outputs.h"
 #include "engine/simulation.h"

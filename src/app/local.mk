@@ -3,11 +3,18 @@ libapp_la_SOURCES = \
 	src/app/ablate.c \
 	src/app/ablate.h \
 	src/app/ablate_error.c \
+	src/app/ablate_error.h \
+	src/app/ablate_run.c \
+	src/app/ablate_run.h \
 	src/app/check.c \
+	src/app/check.h \
 	src/app/command.c \
 	src/app/command.h \
+	src/app/command_line.c \
+	src/app/command_line.h \
 	src/app/library.c \
 	src/app/pack.c \
+	src/app/pack.h \
 	src/app/program.c \
 	src/app/sample.c \
 	src/app/sample.h \

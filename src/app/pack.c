@@ -1,5 +1,5 @@
 /* scree pack: makes a packing and writes it. One rank works, with threads; others wait. */
-#include "app/command.h"
+#include "app/pack.h"
 #include "core/memory.h"
 #include "core/timer.h"
 #include "files/file.h"

@@ -1,0 +1,10 @@
+/* `scree ablate --error`: settings by time and by error. */
+#ifndef SCREE_APP_ABLATE_ERROR_H
+#define SCREE_APP_ABLATE_ERROR_H
+
+#include "app/command_line.h"
+
+/* Runs the study of the line, whose directory is there, and writes its tables (speed_error.h). Collective. */
+bool ablate_error(const struct comm *comm, const struct command_line *line, struct error *error);
+
+#endif

@@ -1,0 +1,64 @@
+/* The command line: what a command takes, and how its words are read. One table row a flag. */
+#ifndef SCREE_APP_COMMAND_LINE_H
+#define SCREE_APP_COMMAND_LINE_H
+
+#include "comm/comm.h"
+#include "core/error.h"
+#include "scene/scene.h"
+#include <stdbool.h>
+#include <stdio.h>
+
+enum { COMMAND_SETTINGS_MAX = 256, COMMAND_FILES_MAX = 40 };
+
+/* Flags of ablate that take a word or a list. */
+enum {
+    ABLATE_INDEX,
+    ABLATE_THREADS,
+    ABLATE_NEWTON,
+    ABLATE_STEPS,
+    ABLATE_DURATION,
+    ABLATE_SAMPLES,
+    ABLATE_REPEAT,
+    ABLATE_MEMBERS,
+    ABLATE_TOLERANCE,
+    ABLATE_JUDGE,
+    ABLATE_MEAN_FROM,
+    ABLATE_FLAGS
+};
+
+/* What the command line said. Texts are borrowed from argv. */
+struct command_line {
+    int files;
+    const char *file[COMMAND_FILES_MAX]; /* in order: SCENE.yaml, the input and output of convert ... */
+    int settings;
+    struct scene_setting setting[COMMAND_SETTINGS_MAX];
+    const char *directory;          /* -o */
+    const char *resume;             /* --resume */
+    const char *to;                 /* --to */
+    const char *frame;              /* --frame */
+    const char *list[ABLATE_FLAGS]; /* of ablate */
+    bool overwrite, quiet;
+    bool errors; /* --error (ablate) */
+};
+
+struct command {
+    const char *name, *arguments, *summary;
+    int files_min, files_max;
+    const char *flags; /* long names of the flags it takes, separated by spaces */
+    /* Returns the exit status, or fills the error. Collective where several ranks run. */
+    int (*run)(const struct comm *comm, const struct command_line *line, struct error *error);
+};
+
+/* Reads the arguments after the command's name. */
+bool command_line_read(struct command_line *line, const struct command *command, int argc, char **argv,
+                       struct error *error);
+
+/* The flags that a command takes, each with its help. */
+void command_line_flags(FILE *out, const struct command *command);
+
+/* Reads and parses the scene file that the line names, with its settings and `extra` more. NULL: error
+ * filled. Collective. */
+struct scene *command_scene(const struct comm *comm, const struct command_line *line,
+                            const struct scene_setting *extra, int extras, struct error *error);
+
+#endif

@@ -1,0 +1,11 @@
+/* `scree pack`. */
+#ifndef SCREE_APP_PACK_H
+#define SCREE_APP_PACK_H
+
+#include "app/command_line.h"
+
+/* Makes the packing of the line and writes its files. Rank 0 works. Returns the exit status, or that of the
+ * filled error. Collective. */
+int command_pack(const struct comm *comm, const struct command_line *line, struct error *error);
+
+#endif
