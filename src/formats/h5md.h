@@ -7,8 +7,9 @@
 #ifndef SCREE_FORMATS_H5MD_H
 #define SCREE_FORMATS_H5MD_H
 
-#include "formats/contact_list.h"
-#include "formats/frame.h"
+#include "formats/h5md_contacts.h"
+#include "formats/h5md_frame.h"
+#include "formats/h5md_observables.h"
 #include "formats/lineage.h"
 
 struct h5md;
@@ -28,27 +29,7 @@ struct h5md_head {
 bool h5md_open(struct h5md **h5md, const struct comm *comm, const char *path, const struct h5md_head *head,
                int64_t resume_step, struct error *error);
 
-/* Appends a frame (nothing if the file already holds that step). Collective. */
-bool h5md_write_frame(struct h5md *h5md, const struct frame *frame, struct error *error);
-
-/* Appends a contact list (the box is for a file that is not there yet). Collective. */
-bool h5md_write_contacts(struct h5md *h5md, const struct contact_list *list, const struct box *box,
-                         struct error *error);
-
-/* Keeps a row of observables (`columns` values, the same columns each time; names and units are borrowed as
- * long as h5md lives), which goes to the file with the next frame, and at the end: /observables/NAME. Every
- * rank alike. */
-struct h5md_observables {
-    int columns;
-    const char *const *name;
-    const char *const *unit;
-    const double *value;
-    uint64_t step;
-    double time;
-};
-void h5md_add_observables(struct h5md *h5md, const struct h5md_observables *row);
-
-/* Writes the rows that are kept, if the file is there. Collective. */
+/* Writes the rows of observables that are kept, if the file is there. Collective. */
 bool h5md_flush(struct h5md *h5md, struct error *error);
 
 /* Writes what is kept, the final XDMF, and frees. Collective. */

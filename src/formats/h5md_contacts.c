@@ -2,7 +2,9 @@
  * particles that touch a wall. What belongs to each contact stands row by row beside, in
  * /observables/contact_list and /observables/wall_contact_list. All share one step and time. Absent rows have
  * ids -1. */
-#include "formats/h5md_parts.h"
+#include "formats/h5md_contacts.h"
+#include "formats/h5md_file.h"
+#include "formats/h5md_head.h"
 
 #include "core/memory.h"
 

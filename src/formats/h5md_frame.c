@@ -1,5 +1,8 @@
 /* Particles of one moment. The first frame makes the elements; later ones must bring the same columns. */
-#include "formats/h5md_parts.h"
+#include "formats/h5md_frame.h"
+#include "formats/h5md_file.h"
+#include "formats/h5md_head.h"
+#include "formats/h5md_observables.h"
 
 #include "core/memory.h"
 
@@ -42,21 +45,6 @@ static void *narrow(const struct frame_column *column, int components, size_t ro
 static uint64_t chunk_rows(const struct h5md *h5md, uint64_t rows) {
     uint64_t least = h5md->varying ? CHUNK_ROWS_VARYING : 1;
     return rows < least ? least : rows > CHUNK_ROWS_MAX ? CHUNK_ROWS_MAX : rows;
-}
-
-struct h5md_element *h5md_add_element(struct h5md *h5md, const char *name, enum field_type type,
-                                      int components, bool frames) {
-    struct h5md_element *element = &h5md->element[h5md->elements++];
-    *element = (struct h5md_element){.type = type};
-    snprintf(element->name, sizeof element->name, "%s", name);
-    snprintf(element->dataset, sizeof element->dataset, "/particles/all/%s%s", name, frames ? "/value" : "");
-    element->shown = (struct xdmf_column){.name = element->name,
-                                          .dataset = element->dataset,
-                                          .integer = type != FIELD_DOUBLE,
-                                          .bytes = type == FIELD_INT32 ? 4 : 8,
-                                          .components = components,
-                                          .frames = frames};
-    return element;
 }
 
 /* Makes the element of a column, and fills it if it is fixed. */
@@ -142,14 +130,6 @@ static bool write_elements(struct h5md *h5md, const struct h5 *h5, const struct 
            h5_write_series(h5, "/parameters/frames/time", FIELD_DOUBLE, h5md->frames, 1, &frame->time,
                            error) &&
            h5_write_series(h5, frames_rows, FIELD_INT64, h5md->frames, 1, &rows, error);
-}
-
-void h5md_remember(struct h5md *h5md, const struct xdmf_frame *frame) {
-    if (h5md->frames == h5md->frame_room) {
-        h5md->frame_room = h5md->frame_room ? 2 * h5md->frame_room : 64;
-        h5md->frame = memory_resize(h5md->frame, h5md->frame_room, sizeof *h5md->frame, "list of frames");
-    }
-    h5md->frame[h5md->frames++] = *frame;
 }
 
 /* Takes the room for a frame, or refuses before anything is touched. */

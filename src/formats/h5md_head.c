@@ -1,4 +1,5 @@
-#include "formats/h5md_parts.h"
+/* The head of the H5MD file: who made it, box, parameters, the runs that led here. */
+#include "formats/h5md_head.h"
 
 #include "core/version.h"
 #include "files/file.h"
@@ -8,37 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-bool h5md_write_unit(const struct h5md *h5md, const struct h5 *h5, const char *dataset, const char *unit,
-                     struct error *error) {
-    if (h5md->dimensionless || unit[0] == '\0' || strcmp(unit, "1") == 0)
-        return true;
-    char text[OUTPUT_NAME_MAX];
-    const char *slash = strchr(unit, '/');
-    if (slash)
-        snprintf(text, sizeof text, "%.*s %s-1", (int)(slash - unit), unit, slash + 1);
-    else
-        snprintf(text, sizeof text, "%s", unit);
-    return h5_write_text(h5, dataset, "unit", text, error);
-}
-
-bool h5md_make_element(const struct h5md *h5md, const struct h5 *h5, const char *group, const char *linked_to,
-                       struct error *error) {
-    char step[FILE_PATH_MAX], time[FILE_PATH_MAX];
-    snprintf(step, sizeof step, "%s/step", group);
-    snprintf(time, sizeof time, "%s/time", group);
-    if (!h5_make_group(h5, group, error))
-        return false;
-    if (!linked_to)
-        return h5_make_series(h5, step, FIELD_INT64, error) &&
-               h5_make_series(h5, time, FIELD_DOUBLE, error) && h5md_write_unit(h5md, h5, time, "s", error);
-    char from[FILE_PATH_MAX];
-    snprintf(from, sizeof from, "%s/step", linked_to);
-    if (!h5_link(h5, from, step, error))
-        return false;
-    snprintf(from, sizeof from, "%s/time", linked_to);
-    return h5_link(h5, from, time, error);
-}
 
 /* Who runs this, for /h5md/author: the login name, which is all that a program knows. */
 static const char *author_name(void) {
@@ -115,24 +85,6 @@ static bool write_parameters(const struct h5md *h5md, const struct h5 *h5, struc
     if (!h5_make_group(h5, "/parameters", error) || !h5_make_group(h5, "/observables", error))
         return false;
     return h5md_write_runs(h5md, h5, error) && h5_write_table(h5, "/parameters/seed", &table, &seed, error);
-}
-
-uint64_t h5md_room(const struct h5md_stored *stored, uint64_t rows) {
-    enum { ROOM_CHUNK = 128 }; /* a place in the index of the dataset */
-    uint64_t chunk = stored->chunk > 0 ? stored->chunk : 1,
-             widest = rows > stored->rows ? rows : stored->rows;
-    uint64_t before = (stored->rows + chunk - 1) / chunk, after = (widest + chunk - 1) / chunk;
-    uint64_t chunks = (stored->frames + 1) * after - stored->frames * before;
-    return H5MD_ROOM_DATASET + chunks * (chunk * stored->row_bytes + ROOM_CHUNK);
-}
-
-bool h5md_reserve(const struct h5md *h5md, uint64_t bytes, struct error *error) {
-    /* observables that wait: values, and the groups and first pieces of their series */
-    uint64_t columns = (uint64_t)h5md->observables + 2;
-    bytes += h5md->kept > 0 ? columns * (8192 + h5md->kept * sizeof(double)) : 0;
-    if (h5md->comm->rank == 0)
-        file_reserve(h5md->path, bytes, error);
-    return comm_agree(h5md->comm, error);
 }
 
 bool h5md_make_file(struct h5md *h5md, const struct box *box, struct error *error) {

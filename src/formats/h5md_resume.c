@@ -1,5 +1,6 @@
 /* Going on with a trajectory: what came after the step of the checkpoint is cut off, the rest is kept. */
-#include "formats/h5md_parts.h"
+#include "formats/h5md_resume.h"
+#include "formats/h5md_head.h"
 
 #include "core/memory.h"
 
@@ -137,24 +138,6 @@ bool h5md_recall(struct h5md *h5md, const struct h5 *h5, struct error *error) {
     if (!h5_exists(h5, "/parameters/frames"))
         return true;
     return recall_elements(h5md, h5, error) && recall_frames(h5md, h5, error);
-}
-
-bool h5md_write_xdmf(const char *path, const char *xdmf_path, const struct comm *comm, struct error *error) {
-    struct h5md_head head = {.xdmf = true};
-    struct h5md *h5md = NULL;
-    struct h5 h5;
-    if (!h5md_open(&h5md, comm, path, &head, -1, error))
-        return false;
-    snprintf(h5md->xdmf_path, sizeof h5md->xdmf_path, "%s", xdmf_path);
-    bool good = h5_open(&h5, path, comm, false, error);
-    if (good) {
-        good = h5md_recall(h5md, &h5, error);
-        if (good && h5md->frames == 0)
-            good = error_set(error, ERROR_USER, "%s: holds no frames that scree wrote", path);
-        good = h5_close(&h5, error) && good;
-    }
-    struct error ignored = {0};
-    return h5md_close(&h5md, good ? error : &ignored) && good;
 }
 
 /* A file made for particles that stay the same holds their ids once. */

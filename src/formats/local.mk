@@ -9,8 +9,6 @@ libformats_la_SOURCES = \
 	src/formats/checkpoint_parts.h \
 	src/formats/checkpoint_read.c \
 	src/formats/checkpoint_read_head.c \
-	src/formats/restart.c \
-	src/formats/restart.h \
 	src/formats/checkpoint_table.c \
 	src/formats/checkpoint_table.h \
 	src/formats/contact_list.c \
@@ -31,21 +29,30 @@ libformats_la_SOURCES = \
 	src/formats/h5md.c \
 	src/formats/h5md.h \
 	src/formats/h5md_contacts.c \
+	src/formats/h5md_contacts.h \
+	src/formats/h5md_file.c \
+	src/formats/h5md_file.h \
 	src/formats/h5md_frame.c \
+	src/formats/h5md_frame.h \
 	src/formats/h5md_head.c \
-	src/formats/h5md_parts.h \
+	src/formats/h5md_head.h \
+	src/formats/h5md_observables.c \
+	src/formats/h5md_observables.h \
 	src/formats/h5md_read.c \
 	src/formats/h5md_read.h \
 	src/formats/h5md_resume.c \
+	src/formats/h5md_resume.h \
 	src/formats/info.c \
 	src/formats/info.h \
-	src/formats/lineage.c \
-	src/formats/lineage.h \
 	src/formats/lammps_data.c \
 	src/formats/lammps_data.h \
+	src/formats/lineage.c \
+	src/formats/lineage.h \
 	src/formats/output.h \
 	src/formats/output_options.c \
 	src/formats/output_options.h \
+	src/formats/restart.c \
+	src/formats/restart.h \
 	src/formats/rows.c \
 	src/formats/rows.h \
 	src/formats/xdmf.c \

@@ -1,10 +1,11 @@
-/* What the files of the H5MD writer share: h5md.c (life), h5md_head.c (the file's head), h5md_frame.c,
- * h5md_contacts.c, h5md_resume.c. */
-#ifndef SCREE_FORMATS_H5MD_PARTS_H
-#define SCREE_FORMATS_H5MD_PARTS_H
+/* Inside of the H5MD writer: the file as it stands, and what all that write into it share. Above it lie
+ * h5md_head.h (the head), h5md_frame.h, h5md_contacts.h, h5md_observables.h (what is added), h5md_resume.h, and
+ * h5md.h (life). */
+#ifndef SCREE_FORMATS_H5MD_FILE_H
+#define SCREE_FORMATS_H5MD_FILE_H
 
 #include "formats/h5.h"
-#include "formats/h5md.h"
+#include "formats/lineage.h"
 #include "formats/xdmf.h"
 
 /* An element of /particles/all as it stands in the file. */
@@ -42,13 +43,6 @@ struct h5md {
     double *kept_time, *kept_value;
 };
 
-/* Makes the file with all but particles. */
-bool h5md_make_file(struct h5md *h5md, const struct box *box, struct error *error);
-
-/* Writes the runs that led here, /parameters/runs/STEP/scene with version and revision, in place of those
- * that are there, and links /parameters/scene to the last one's. Collective. */
-bool h5md_write_runs(const struct h5md *h5md, const struct h5 *h5, struct error *error);
-
 /* Takes room for so many bytes more on the disk. Collective. */
 bool h5md_reserve(const struct h5md *h5md, uint64_t bytes, struct error *error);
 
@@ -75,23 +69,14 @@ bool h5md_make_element(const struct h5md *h5md, const struct h5 *h5, const char 
 bool h5md_write_unit(const struct h5md *h5md, const struct h5 *h5, const char *dataset, const char *unit,
                      struct error *error);
 
-/* Brings what is known of a present file back and cuts what came after a step. */
-bool h5md_resume(struct h5md *h5md, int64_t step, struct error *error);
-
-/* Only the first half of it. */
-bool h5md_recall(struct h5md *h5md, const struct h5 *h5, struct error *error);
-
-/* Writes the observables that wait. */
-bool h5md_write_observables(struct h5md *h5md, const struct h5 *h5, struct error *error);
-
-/* Writes the XDMF file if it is due, or, at the end, if it is behind. */
-bool h5md_update_xdmf(struct h5md *h5md, bool last, struct error *error);
+/* Adds an element in the order of the file. */
+struct h5md_element *h5md_add_element(struct h5md *h5md, const char *name, enum field_type type,
+                                      int components, bool frames);
 
 /* Remembers a frame. */
 void h5md_remember(struct h5md *h5md, const struct xdmf_frame *frame);
 
-/* Adds an element in the order of the file. */
-struct h5md_element *h5md_add_element(struct h5md *h5md, const char *name, enum field_type type,
-                                      int components, bool frames);
+/* Writes the XDMF file if it is due, or, at the end, if it is behind. */
+bool h5md_update_xdmf(struct h5md *h5md, bool last, struct error *error);
 
 #endif

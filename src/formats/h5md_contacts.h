@@ -1,0 +1,13 @@
+/* A contact list in the H5MD file. */
+#ifndef SCREE_FORMATS_H5MD_CONTACTS_H
+#define SCREE_FORMATS_H5MD_CONTACTS_H
+
+#include "formats/contact_list.h"
+
+struct h5md;
+
+/* Appends a contact list (the box is for a file that is not there yet). Collective. */
+bool h5md_write_contacts(struct h5md *h5md, const struct contact_list *list, const struct box *box,
+                         struct error *error);
+
+#endif
