@@ -3,7 +3,8 @@
 #define SCREE_TESTS_SCENE_BY_HAND_H
 
 #include "core/memory.h"
-#include "scene/scene.h"
+#include "scene/scene_particles.h"
+#include "scene/scene_read.h"
 #include "tests/fields_by_hand.h"
 
 #include <stdarg.h>

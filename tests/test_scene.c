@@ -1,5 +1,6 @@
 /* What a scene becomes: option structs, defaults, derived values, the echo. */
 #include "tests/scene_by_hand.h"
+#include "scene/scene_text.h"
 
 #include "integrate/timestep.h"
 

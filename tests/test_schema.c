@@ -1,5 +1,9 @@
 /* The table of keys itself: that its rows are sound, and that what is made of them agrees. */
+#include "scene/scene_text.h"
 #include "scene/schema.h"
+#include "scene/schema_help.h"
+#include "scene/schema_root.h"
+#include "scene/schema_value.h"
 #include "tests/scene_by_hand.h"
 
 static int rows;

@@ -1,5 +1,5 @@
 #include "scene/decimal.h"
-#include "scene/schema.h"
+#include "scene/schema_value.h"
 #include "scene/units.h"
 
 #include <math.h>

@@ -1,6 +1,7 @@
 /* Reads the command line by the table of flags. */
 #include "app/command_line.h"
 #include "core/memory.h"
+#include "scene/scene_text.h"
 #include <string.h>
 
 struct flag {

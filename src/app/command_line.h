@@ -4,7 +4,7 @@
 
 #include "comm/comm.h"
 #include "core/error.h"
-#include "scene/scene.h"
+#include "scene/scene_read.h"
 #include <stdbool.h>
 #include <stdio.h>
 

@@ -1,6 +1,7 @@
 #include "app/command.h"
 #include "core/version.h"
 #include "formats/output.h"
+#include "scene/schema_help.h"
 #include "scree.h"
 #include <errno.h>
 #include <signal.h>

@@ -3,6 +3,7 @@
 #include "contact/material.h"
 #include "core/memory.h"
 #include "integrate/groups.h"
+#include "scene/scene_read.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

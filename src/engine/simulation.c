@@ -4,6 +4,7 @@
 #include "comm/cores.h"
 #include "core/memory.h"
 #include "core/threads.h"
+#include "scene/scene_read.h"
 #include "integrate/integrator.h"
 #include <assert.h>
 #include <math.h>

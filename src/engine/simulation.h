@@ -31,7 +31,7 @@
 #include "particles/classes.h"
 #include "particles/particles.h"
 #include "scene/compare.h"
-#include "scene/scene.h"
+#include "scene/scene_particles.h"
 
 enum { SIMULATION_PASSES_MAX = 16, TUNING_VARIANTS_MAX = 8 };
 

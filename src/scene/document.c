@@ -1,5 +1,5 @@
 /* Writes docs/scene.md: make src/scene/document && src/scene/document > docs/scene.md */
-#include "scene/scene.h"
+#include "scene/schema_help.h"
 
 int main(void) {
     scene_document(stdout);

@@ -6,21 +6,11 @@
 #include "integrate/timestep.h"
 #include "formats/h5md_read.h"
 #include "formats/lammps_data.h"
+#include "scene/tree.h"
 
 #include <math.h>
 #include <search.h>
-#include <stdarg.h>
 #include <string.h>
-
-bool finish_fail(const struct scene *scene, struct error *error, const char *key, const char *format, ...) {
-    char place[SCENE_PATH_MAX + 32], text[1024];
-    va_list list;
-    va_start(list, format);
-    vsnprintf(text, sizeof(text), format, list);
-    va_end(list);
-    scene_place(scene, key, place, sizeof(place));
-    return error_set(error, ERROR_USER, "%.700s: %.200s: %s", place, key, text);
-}
 
 void finish_prepare(struct scene *scene) {
     snprintf(scene->group[0].name, SCENE_NAME_MAX, "free");
@@ -41,7 +31,7 @@ static bool normalise(double v[3]) {
 }
 
 static bool unit_vector(const struct scene *scene, double v[3], struct error *error, const char *key) {
-    return normalise(v) || finish_fail(scene, error, key, "[%g, %g, %g] has no direction", v[0], v[1], v[2]);
+    return normalise(v) || scene_fail(scene, error, key, "[%g, %g, %g] has no direction", v[0], v[1], v[2]);
 }
 
 /* The box of the first source's file; what the scene says of periodic directions stays. */
@@ -49,14 +39,14 @@ static bool box_from_file(struct scene *scene, struct error *error) {
     const struct source_options *source = &scene->source[0];
     bool file = scene->sources > 0 && source->kind == SOURCE_FILE && source->format != SOURCE_TABLE;
     if (!file)
-        return finish_fail(scene, error, "box.lower", "is missing; needed: three numbers [x, y, z], in m");
+        return scene_fail(scene, error, "box.lower", "is missing; needed: three numbers [x, y, z], in m");
     struct rows rows = {0};
     struct h5md_read_options options = {.frame = source->frame};
     if (source->format == SOURCE_LAMMPS_DATA ? !lammps_data_read(source->file, &rows, error)
                                              : !h5md_read(source->file, &options, NULL, &rows, error))
         return false;
     bool good = rows.box_given ||
-                finish_fail(scene, error, "box.lower", "is missing, and %s has no box", source->file);
+                scene_fail(scene, error, "box.lower", "is missing, and %s has no box", source->file);
     bool take_periodic = rows.periodic_given && !scene_gives(scene, "box", "periodic");
     for (int d = 0; good && d < 3; d++) {
         scene->box_lower[d] = rows.lower[d] * source->scale + source->offset[d];
@@ -71,7 +61,7 @@ static bool box_from_file(struct scene *scene, struct error *error) {
 static bool finish_box(struct scene *scene, struct error *error) {
     bool lower = !isnan(scene->box_lower[0]), upper = !isnan(scene->box_upper[0]);
     if (lower != upper)
-        return finish_fail(
+        return scene_fail(
             scene, error, lower ? "box.upper" : "box.lower",
             "is missing beside box.%s; needed: three numbers [x, y, z], in m (or neither, where "
             "the first particle file has a box)",
@@ -87,8 +77,8 @@ static bool finish_box(struct scene *scene, struct error *error) {
     }
     for (int d = 0; d < 3; d++) {
         if (!(scene->box_upper[d] > scene->box_lower[d]))
-            return finish_fail(scene, error, "box.upper", "%c: %g is not above the lower corner's %g",
-                               "xyz"[d], scene -> box_upper[d], scene -> box_lower[d]);
+            return scene_fail(scene, error, "box.upper", "%c: %g is not above the lower corner's %g",
+                              "xyz"[d], scene -> box_upper[d], scene -> box_lower[d]);
         box->origin[d] = scene->box_lower[d];
         box->edge[d] = scene->box_upper[d] - scene->box_lower[d];
         for (int side = 0; side < 2; side++) {
@@ -146,8 +136,8 @@ static bool names_differ(const struct scene *scene, const struct tree_node *root
         char key[96], place[SCENE_PATH_MAX + 32];
         snprintf(key, sizeof(key), "%s[%zu].name", list, a);
         tree_place((*first)->name, scene->file, place, sizeof(place));
-        good = finish_fail(scene, error, key, "'%s' is taken already, by %s[%zu] (%s); names must differ",
-                           named[a].name->text, list, (*first)->entry, place);
+        good = scene_fail(scene, error, key, "'%s' is taken already, by %s[%zu] (%s); names must differ",
+                          named[a].name->text, list, (*first)->entry, place);
     }
     while (seen)
         tdelete(*(const struct named *const *)seen, &seen, compare_names);
@@ -202,18 +192,18 @@ static bool finish_pairs(struct scene *scene, struct error *error) {
         snprintf(key, sizeof(key), "material_pairs[%d].between", k);
         if (pair->between_count == 0) {
             if (fallback >= 0)
-                return finish_fail(
+                return scene_fail(
                     scene, error, key,
                     "is missing; only one entry may be the default of all pairs, and [%d] is it", fallback);
             fallback = k;
             continue;
         }
         if (pair->between_count != 2)
-            return finish_fail(scene, error, key, "names %d materials; needed: two", pair->between_count);
+            return scene_fail(scene, error, key, "names %d materials; needed: two", pair->between_count);
         int a = pair->material[0], b = pair->material[1];
         if (named[a][b])
-            return finish_fail(scene, error, key, "the pair %s, %s is given twice", scene->material[a].name,
-                               scene->material[b].name);
+            return scene_fail(scene, error, key, "the pair %s, %s is given twice", scene->material[a].name,
+                              scene->material[b].name);
         named[a][b] = named[b][a] = true;
         scene->law_pair[a][b] = scene->law_pair[b][a] = law_pair_of(pair);
     }
@@ -223,7 +213,7 @@ static bool finish_pairs(struct scene *scene, struct error *error) {
             if (named[a][b])
                 continue;
             if (fallback < 0 && (may[a] || may[b]))
-                return finish_fail(
+                return scene_fail(
                     scene, error, "material_pairs",
                     "the pair %s, %s is missing (an entry without `between` serves all that are not named)",
                     scene->material[b].name, scene->material[a].name);
@@ -242,7 +232,7 @@ static bool only_material(const struct scene *scene, int *material, struct error
     char key[64];
     snprintf(key, sizeof(key), "%s[%d].material", list, number);
     return *material >= 0 ||
-           finish_fail(scene, error, key, "is missing; needed, as there are several materials");
+           scene_fail(scene, error, key, "is missing; needed, as there are several materials");
 }
 
 static bool finish_walls(struct scene *scene, struct error *error) {
@@ -290,8 +280,8 @@ static bool finish_groups(struct scene *scene, struct error *error) {
         if (strcmp(scene->group[g].name, scene->group[0].name) == 0) {
             char key[64];
             snprintf(key, sizeof(key), "groups[%d].name", g - 1);
-            return finish_fail(scene, error, key, "'%s' is taken already: it is the group of all others",
-                               scene->group[g].name);
+            return scene_fail(scene, error, key, "'%s' is taken already: it is the group of all others",
+                              scene->group[g].name);
         }
     return true;
 }
@@ -328,13 +318,6 @@ static bool finish_sources(struct scene *scene, struct error *error) {
     return true;
 }
 
-/* Both sides of a pair are computed where they are, so that no sums travel back. */
-void scene_make_reproducible(struct scene *scene) {
-    scene->reproducible = scene->ghosts.in_place = true;
-    scene->ghosts.newton = scene->ghosts.reduced = false;
-    scene->ghosts_name = SCENE_GHOSTS_FULL;
-}
-
 /* A trajectory without place or radius could not be read back; its ids are always there. */
 static bool finish_fields(struct scene *scene, struct error *error) {
     static const char *const needed[] = {"position", "radius"};
@@ -347,8 +330,8 @@ static bool finish_fields(struct scene *scene, struct error *error) {
         if (there)
             continue;
         if (fields->count == OUTPUT_FIELDS_MAX)
-            return finish_fail(scene, error, "output.trajectory.fields", "no room for %s among %d names",
-                               needed[k], named);
+            return scene_fail(scene, error, "output.trajectory.fields", "no room for %s among %d names",
+                              needed[k], named);
         snprintf(fields->name[fields->count++], OUTPUT_NAME_MAX, "%s", needed[k]);
     }
     return true;

@@ -1,6 +1,6 @@
 /* Lattices as rectangular cells with a basis: places run through the cells with x fastest, basis innermost.
  */
-#include "scene/source_parts.h"
+#include "scene/lattice.h"
 
 #include "core/memory.h"
 
@@ -104,16 +104,16 @@ bool lattice_make(const struct scene *scene, int source, struct source_batch *ba
     bool by_count = wanted > 0 && wanted < expected;
     source_key(source, by_count ? "count" : "spacing", key, sizeof(key));
     if ((by_count ? wanted : expected) > SOURCE_SPHERES_MAX)
-        return finish_fail(scene, error, key, "gives about %.2g spheres; at most %d are possible",
-                           by_count ? wanted : expected, SOURCE_SPHERES_MAX);
+        return scene_fail(scene, error, key, "gives about %.2g spheres; at most %d are possible",
+                          by_count ? wanted : expected, SOURCE_SPHERES_MAX);
     if (places_real > PLACES_MAX || (by_count ? places_real * wanted / expected : places_real) > WALK_MAX)
-        return finish_fail(scene, error, source_key(source, "spacing", key, sizeof(key)),
-                           "gives %.2g places in the bounds of the region, too many to look at", places_real);
+        return scene_fail(scene, error, source_key(source, "spacing", key, sizeof(key)),
+                          "gives %.2g places in the bounds of the region, too many to look at", places_real);
     int64_t places = (int64_t)places_real, found = count_places(&walk, places, options->count);
     if (found == 0 || found < options->count)
-        return finish_fail(scene, error,
-                           source_key(source, options->count ? "count" : "spacing", key, sizeof(key)),
-                           "the lattice has %lld places in the region, too few", (long long)found);
+        return scene_fail(scene, error,
+                          source_key(source, options->count ? "count" : "spacing", key, sizeof(key)),
+                          "the lattice has %lld places in the region, too few", (long long)found);
     struct sizes_sampler sampler;
     if (!sizes_prepare(&sampler, &options->sizes, error))
         return false;

@@ -9,7 +9,9 @@ libscene_la_SOURCES = \
 	src/scene/insertion.c \
 	src/scene/insertion.h \
 	src/scene/lattice.c \
+	src/scene/lattice.h \
 	src/scene/packing.c \
+	src/scene/packing.h \
 	src/scene/placegrid.c \
 	src/scene/placegrid.h \
 	src/scene/region.c \
@@ -17,25 +19,48 @@ libscene_la_SOURCES = \
 	src/scene/scene.c \
 	src/scene/scene.h \
 	src/scene/scene_check.c \
+	src/scene/scene_check.h \
 	src/scene/scene_check_walls.c \
+	src/scene/scene_check_walls.h \
+	src/scene/scene_particles.c \
+	src/scene/scene_particles.h \
+	src/scene/scene_read.c \
+	src/scene/scene_read.h \
+	src/scene/scene_share.h \
+	src/scene/scene_text.c \
+	src/scene/scene_text.h \
 	src/scene/schema.c \
 	src/scene/schema.h \
+	src/scene/schema_contact.c \
+	src/scene/schema_contact.h \
 	src/scene/schema_help.c \
+	src/scene/schema_help.h \
+	src/scene/schema_normalise.c \
+	src/scene/schema_normalise.h \
 	src/scene/schema_output.c \
+	src/scene/schema_output.h \
 	src/scene/schema_particles.c \
+	src/scene/schema_particles.h \
 	src/scene/schema_read.c \
+	src/scene/schema_read.h \
 	src/scene/schema_root.c \
+	src/scene/schema_root.h \
 	src/scene/schema_rows.h \
 	src/scene/schema_value.c \
+	src/scene/schema_value.h \
 	src/scene/schema_walls.c \
+	src/scene/schema_walls.h \
 	src/scene/schema_write.c \
+	src/scene/schema_write.h \
 	src/scene/sizes.c \
 	src/scene/sizes.h \
-	src/scene/source.c \
 	src/scene/source.h \
-	src/scene/source_parts.h \
+	src/scene/source_batch.c \
+	src/scene/source_batch.h \
 	src/scene/source_sphere.c \
+	src/scene/source_sphere.h \
 	src/scene/table.c \
+	src/scene/table.h \
 	src/scene/table_lines.c \
 	src/scene/table_lines.h \
 	src/scene/tree.c \

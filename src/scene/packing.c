@@ -3,7 +3,7 @@
  * depends on seed and scene alone. Without moving what is placed the density is bounded: equal spheres end at
  * 0.382 of the volume, equal discs at 0.547 of the area (Feder 1980), and the last percents take very long;
  * wide size laws reach more. */
-#include "scene/source_parts.h"
+#include "scene/packing.h"
 
 #include "core/memory.h"
 
@@ -64,13 +64,13 @@ static bool draw_radii(const struct placing *p, double volume, struct order *ord
     *order = (struct order){.volume = volume};
     char key[96];
     if (options->count > SOURCE_SPHERES_MAX)
-        return finish_fail(scene, error, source_key(source, "count", key, sizeof(key)),
-                           "more than %d spheres", SOURCE_SPHERES_MAX);
+        return scene_fail(scene, error, source_key(source, "count", key, sizeof(key)), "more than %d spheres",
+                          SOURCE_SPHERES_MAX);
     double expected =
         wanted / (sizes_moment(&sampler, scene->box.dimension) * solid(scene->box.dimension, 1));
     if (!options->count && expected > 1.1 * SOURCE_SPHERES_MAX) /* a few per cent are chance */
-        return finish_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),
-                           "needs about %.2g spheres; at most %d are possible", expected, SOURCE_SPHERES_MAX);
+        return scene_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),
+                          "needs about %.2g spheres; at most %d are possible", expected, SOURCE_SPHERES_MAX);
     order->draw = memory_allocate(capacity, sizeof(*order->draw), "radii");
     while (options->count ? order->count < (size_t)options->count : have < wanted) {
         struct random_sequence random =
@@ -82,8 +82,8 @@ static bool draw_radii(const struct placing *p, double volume, struct order *ord
             break; /* without it the fraction is nearer */
         have += more;
         if (order->count == SOURCE_SPHERES_MAX)
-            return finish_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),
-                               "needs more than %d spheres", SOURCE_SPHERES_MAX);
+            return scene_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),
+                              "needs more than %d spheres", SOURCE_SPHERES_MAX);
         if (order->count == capacity)
             order->draw = memory_resize(order->draw, capacity *= 2, sizeof(*order->draw), "radii");
         order->draw[order->count] = (struct draw){r, (uint32_t)order->count};
@@ -125,7 +125,7 @@ static bool not_placed(const struct scene *scene, int source, const struct order
     for (size_t k = 0; k < order->count; k++)
         wanted += solid(scene->box.dimension, order->draw[k].radius);
     source_key(source, scene->source[source].count ? "count" : "volume_fraction", key, sizeof(key));
-    return finish_fail(
+    return scene_fail(
         scene, error, key,
         "only %zu of %zu spheres found a place (volume fraction %.4g of %.4g) in %lld attempts for the next "
         "one, of radius %g, clear of others and of walls. Random placement ends at about %s, and nears it "
@@ -161,8 +161,8 @@ bool packing_make(const struct scene *scene, int source, const struct scene_shar
     bool good = draw_radii(&placing, region_volume(&placing.region, &placing.space), &order, error);
     char key[96];
     if (good && order.count == 0)
-        good = finish_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),
-                           "is too small for a single sphere");
+        good = scene_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),
+                          "is too small for a single sphere");
     if (good) {
         rows_create(&batch->rows, order.count, ROWS_POSITION | ROWS_RADIUS);
         good = place_all(&placing, &order, batch, error);

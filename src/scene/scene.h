@@ -1,11 +1,13 @@
 /* The scene: all that a user sets, read from a YAML file against one schema (schema.h), as the option structs
  * of the modules by value, plus what belongs to the scene alone. Nobody else knows the file.
  *
- *     text (any rank reads it, all parse it)
+ *     scene_text.h: the text of the file
+ *         ->  scene_read.h, which calls the rest:
  *         ->  tree.h: nodes with lines, --set applied
- *         ->  schema_read: every key checked and stored
- *         ->  finish.c: derived values
- *         ->  scene_check.c: combinations
+ *         ->  schema_read.h: every key checked and stored
+ *         ->  finish.h: derived values
+ *         ->  scene_check.h: combinations
+ *     scene_particles.h: what its sources give
  *
  * A number that the user did not give and that has no default is NAN while reading; finish.c leaves none
  * behind in what the modules receive (`step.dt`, for one, is then 0). Lengths of regions, sources, walls and
@@ -28,7 +30,15 @@
 #include "scene/source.h"
 #include <stdio.h>
 
-enum { SCENE_PATH_MAX = 1024, SCENE_NOTE_MAX = 256, SCENE_NAME_MAX = 64, SCENE_IDS_MAX = 1024, SCENE_PAIRS_MAX = 528 };
+enum {
+    SCENE_PATH_MAX = 1024,
+    SCENE_NOTE_MAX = 256,
+    SCENE_NAME_MAX = 64,
+    SCENE_IDS_MAX = 1024,
+    SCENE_PAIRS_MAX = 528
+};
+
+struct tree_node;
 
 enum scene_units { SCENE_UNITS_SI, SCENE_UNITS_NONE };
 
@@ -97,13 +107,11 @@ struct scene_index {
     int level_cells; /* how many of params.level_cell were given */
 };
 
-struct tree; /* the parsed text, for places in messages */
-
 struct scene {
     char file[SCENE_PATH_MAX];   /* as named in messages */
     char note[SCENE_NOTE_MAX];   /* what the reader has to tell; "" if nothing */
     char folder[SCENE_PATH_MAX]; /* what relative paths start from, ends with '/' or is empty */
-    struct tree *tree;           /* owned */
+    struct tree_node *tree;      /* the parsed text, for places in messages; owned */
     char title[256];
     enum scene_units units;
     uint64_t seed;
@@ -148,30 +156,19 @@ struct scene {
     struct output_options output;
 };
 
-/* One --set KEY=VALUE of the command line. */
-struct scene_setting {
-    const char *text; /* "walls[0].radius=0.2"; "step.fraction=~" takes the key out */
-};
-
-/* Reads a whole text file into memory (memory_free), ended by a zero byte; `length` may be NULL. Fails (user)
- * where it cannot be read. */
-bool scene_read_text(const char *path, char **text, size_t *length, struct error *error);
-
-/* Parses and checks a scene. `file` names the text in messages and gives the folder that relative paths start
- * from; `set` has `sets` overrides, applied in order. Every rank gives the same arguments. Opens the particle
- * file where the box comes from it. Returns the scene, to be freed by scene_free, or NULL with a user's
- * error. One thread. */
-struct scene *scene_parse(const char *file, const char *text, const struct scene_setting *set, int sets,
-                          struct error *error);
+/* Frees a scene and sets it to NULL. */
 void scene_free(struct scene **scene);
-
-/* Writes the effective scene as YAML: every key that applies with its value, in base units; parsing it gives
- * the same scene. Returned as allocated text (memory_free). */
-char *scene_echo(const struct scene *scene);
 
 /* "FILE:LINE" or "command line" of a key ("walls[0].radius"), or of the nearest section above it that was
  * given. Writes at most `room` bytes; returns `place`. */
 const char *scene_place(const struct scene *scene, const char *key, char *place, size_t room);
+
+/* True if the scene itself gives `key` in a section ("box"), be it its default. */
+bool scene_gives(const struct scene *scene, const char *section, const char *key);
+
+/* Fills `error` with "PLACE: KEY: TEXT"; returns false. */
+bool scene_fail(const struct scene *scene, struct error *error, const char *key, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
 
 /* Registers the fields that the scene needs beyond those of every set; `law` as prepared from it. */
 void scene_register(const struct scene *scene, const struct law *law, struct particles *particles);
@@ -185,46 +182,5 @@ void scene_make_reproducible(struct scene *scene);
 /* Number of a material or wall by name, or -1. */
 int scene_material(const struct scene *scene, const char *name);
 int scene_wall(const struct scene *scene, const char *name);
-
-/* Which particles this rank keeps: those with mine(context, x) true (x box-relative, wrapped), or, where
- * `mine` is NULL, an equal share: blocks of the stream dealt out in turn, wherever they lie. Spheres that are
- * placed at random keep clear of what taken(context, x, radius) says, on all ranks the same (NULL: nothing).
- * While spheres are placed at random, `progress` is called now and then with the part that is done, 0 to 1, on
- * every rank. */
-struct scene_share {
-    int rank, size;
-    bool (*mine)(void *context, const double x[3]);
-    bool (*taken)(void *context, const double x[3], double radius);
-    void *context;
-    void (*progress)(void *context, const char *what, double part); /* NULL: nobody is told */
-};
-
-/* What the sources gave, over all ranks; the same on every rank. */
-struct scene_census {
-    uint64_t particles;
-    int64_t id_max;
-    double radius_min, radius_max;
-    uint64_t material[LAW_MATERIALS_MAX];
-    uint64_t group[INTEGRATOR_GROUPS_MAX];
-    double speed_max;
-    double volume; /* solid */
-};
-
-/* Fills an empty particle set, with the fields of scene_register, with this rank's particles: box-relative
- * positions, velocities as given (full step), inverse masses (0 in groups that do not move freely), ids,
- * materials, groups. Every rank reads or generates the whole stream; no communication. Bad data: file, line,
- * column and what is allowed. Duplicate ids and coinciding centres are searched for by all ranks together,
- * each a part: errors differ between ranks, so the caller agrees on them (comm_agree). One thread. `census`
- * may be NULL.
- */
-bool scene_particles(const struct scene *scene, const struct scene_share *share, struct particles *particles,
-                     struct scene_census *census, struct error *error);
-
-/* Text of `scree help`: all keys in one line each (`key` NULL), a section, or one key at length. False if
- * there is no such key; then the nearest is named in `out` too. */
-bool scene_help(FILE *out, const char *key);
-
-/* docs/scene.md. */
-void scene_document(FILE *out);
 
 #endif

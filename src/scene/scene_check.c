@@ -1,5 +1,6 @@
 /* Combinations of keys that cannot be: each is refused with its place before anything runs. */
-#include "scene/finish.h"
+#include "scene/scene_check.h"
+#include "scene/scene_check_walls.h"
 
 #include <math.h>
 #include <string.h>
@@ -10,15 +11,15 @@ static const char one_of_two[] = "give one of the two, or take the other out wit
 /* In two dimensions: what moves has no z component. */
 static bool check_moves(const struct scene *scene, const double v[3], const char *key, struct error *error) {
     return v[2] == 0 ||
-           finish_fail(scene, error, key,
-                       "has a z component (%g) in a two-dimensional scene; allowed: [x, y, 0]", v[2]);
+           scene_fail(scene, error, key,
+                      "has a z component (%g) in a two-dimensional scene; allowed: [x, y, 0]", v[2]);
 }
 
 /* And what turns does so about z. */
 static bool check_turns(const struct scene *scene, const double v[3], const char *key, struct error *error) {
     return (v[0] == 0 && v[1] == 0) ||
-           finish_fail(scene, error, key,
-                       "turns out of the plane of a two-dimensional scene; allowed: [0, 0, z]");
+           scene_fail(scene, error, key,
+                      "turns out of the plane of a two-dimensional scene; allowed: [0, 0, z]");
 }
 
 /* Velocity and spin of a source, group or insertion. */
@@ -60,13 +61,12 @@ static bool check_plane_wall(const struct scene *scene, int w, struct error *err
     bool bounds = n[0] == 0 && n[1] == 0 &&
                   (n[2] > 0 ? wall->point[2] <= scene->box_lower[2] : wall->point[2] >= scene->box_upper[2]);
     if (wall->shape == WALL_PLANE && n[2] != 0 && !bounds)
-        return finish_fail(
-            scene, error, key,
-            "has a z component (%g) in a two-dimensional scene; allowed: [x, y, 0], or along z "
-            "where the box ends or beyond",
-            n[2]);
+        return scene_fail(scene, error, key,
+                          "has a z component (%g) in a two-dimensional scene; allowed: [x, y, 0], or along z "
+                          "where the box ends or beyond",
+                          n[2]);
     if (wall->shape == WALL_CYLINDER && axis[2] != 0 && (axis[0] != 0 || axis[1] != 0))
-        return finish_fail(
+        return scene_fail(
             scene, error, key,
             "leans out of the plane of a two-dimensional scene; allowed: [0, 0, 1] or [x, y, 0]");
     for (int m = 0; m < wall->motions; m++) {
@@ -82,7 +82,7 @@ static bool check_plane(const struct scene *scene, struct error *error) {
     if (scene->box.dimension != 2)
         return true;
     if (scene->box.periodic[2])
-        return finish_fail(scene, error, "box.periodic", "z cannot be periodic in two dimensions");
+        return scene_fail(scene, error, "box.periodic", "z cannot be periodic in two dimensions");
     if (!check_moves(scene, scene->gravity, "gravity", error))
         return false;
     for (int s = 0; s < scene->sources; s++) {
@@ -115,19 +115,19 @@ static bool check_region(const struct scene *scene, const struct region *region,
     snprintf(key, sizeof(key), "%s.region.upper", section);
     for (int d = 0; region->shape == REGION_BOX && d < scene->box.dimension; d++)
         if (!(region->upper[d] > region->lower[d]))
-            return finish_fail(scene, error, key, "%c: %g is not above the lower corner's %g", "xyz"[d],
-                               region -> upper[d], region -> lower[d]);
+            return scene_fail(scene, error, key, "%c: %g is not above the lower corner's %g", "xyz"[d],
+                              region -> upper[d], region -> lower[d]);
     snprintf(key, sizeof(key), "%s.region.axis", section);
     if (region->shape == REGION_CYLINDER && scene->box.dimension == 2 && fabs(region->axis[2]) < 1)
-        return finish_fail(scene, error, key, "must be [0, 0, 1] in two dimensions");
+        return scene_fail(scene, error, key, "must be [0, 0, 1] in two dimensions");
     double lower[3], upper[3];
     region_bounds(region, lower, upper);
     snprintf(key, sizeof(key), "%s.region", section);
     for (int d = 0; d < scene->box.dimension; d++)
         if (lower[d] > scene->box_upper[d] || upper[d] < scene->box_lower[d])
-            return finish_fail(scene, error, key,
-                               "lies outside of the box (%c from %g to %g, the box from %g to %g)", "xyz"[d],
-                               lower[d], upper[d], scene -> box_lower[d], scene -> box_upper[d]);
+            return scene_fail(scene, error, key,
+                              "lies outside of the box (%c from %g to %g, the box from %g to %g)", "xyz"[d],
+                              lower[d], upper[d], scene -> box_lower[d], scene -> box_upper[d]);
     return true;
 }
 
@@ -142,10 +142,10 @@ static bool check_room(const struct scene *scene, const struct region *region, c
     snprintf(key, sizeof(key), "%s.region", section);
     for (int d = 0; region->shape != REGION_ALL && d < scene->box.dimension; d++)
         if (scene->box.periodic[d] && upper[d] - lower[d] > scene->box.edge[d] * (1 + 1e-12))
-            return finish_fail(scene, error, key,
-                               "reaches from %g to %g in the periodic direction %c and overlaps itself; "
-                               "allowed: at most the edge of the box, %g",
-                               lower[d], upper[d], "xyz"[d], scene -> box.edge[d]);
+            return scene_fail(scene, error, key,
+                              "reaches from %g to %g in the periodic direction %c and overlaps itself; "
+                              "allowed: at most the edge of the box, %g",
+                              lower[d], upper[d], "xyz"[d], scene -> box.edge[d]);
     return true;
 }
 
@@ -155,7 +155,7 @@ static bool check_sizes(const struct scene *scene, const struct sizes_options *s
     struct error why = {0};
     char key[96];
     snprintf(key, sizeof(key), "%s.sizes", section);
-    return sizes_prepare(&sampler, sizes, &why) || finish_fail(scene, error, key, "%s", why.text);
+    return sizes_prepare(&sampler, sizes, &why) || scene_fail(scene, error, key, "%s", why.text);
 }
 
 static bool check_lattice(const struct scene *scene, const struct source_options *source, const char *section,
@@ -164,15 +164,14 @@ static bool check_lattice(const struct scene *scene, const struct source_options
     bool flat = source->lattice == SOURCE_SQUARE || source->lattice == SOURCE_HEXAGONAL;
     snprintf(key, sizeof(key), "%s.lattice", section);
     if (flat != (scene->box.dimension == 2))
-        return finish_fail(scene, error, key, "not a lattice of %d dimensions; allowed: %s",
-                           scene->box.dimension, flat ? "sc, fcc, hcp" : "square, hexagonal");
+        return scene_fail(scene, error, key, "not a lattice of %d dimensions; allowed: %s",
+                          scene->box.dimension, flat ? "sc, fcc, hcp" : "square, hexagonal");
     double smallest, largest;
     sizes_bounds(&source->sizes, &smallest, &largest);
     snprintf(key, sizeof(key), "%s.spacing", section);
     return source->spacing >= 2 * largest * (1 - 1e-12) ||
-           finish_fail(scene, error, key,
-                       "%g is less than the largest diameter, %g: neighbours would overlap", source->spacing,
-                       2 * largest);
+           scene_fail(scene, error, key, "%g is less than the largest diameter, %g: neighbours would overlap",
+                      source->spacing, 2 * largest);
 }
 
 static bool check_random(const struct scene *scene, const struct source_options *source, const char *section,
@@ -180,10 +179,10 @@ static bool check_random(const struct scene *scene, const struct source_options 
     char key[96];
     snprintf(key, sizeof(key), "%s.volume_fraction", section);
     if (source->count > 0 && source->volume_fraction > 0)
-        return finish_fail(scene, error, key, "beside count; %s", one_of_two);
+        return scene_fail(scene, error, key, "beside count; %s", one_of_two);
     double limit = scene->box.dimension == 2 ? 0.547 : 0.382;
     if (source->sizes.law == SIZES_FIXED && source->volume_fraction > limit)
-        return finish_fail(
+        return scene_fail(
             scene, error, key,
             "%g: equal %s placed at random end at %g of the %s; a lattice or a packing made beforehand is "
             "denser",
@@ -191,7 +190,7 @@ static bool check_random(const struct scene *scene, const struct source_options 
             scene->box.dimension == 2 ? "area" : "volume");
     snprintf(key, sizeof(key), "%s.count", section);
     return source->count > 0 || source->volume_fraction > 0 ||
-           finish_fail(scene, error, key, "is missing; give count or volume_fraction");
+           scene_fail(scene, error, key, "is missing; give count or volume_fraction");
 }
 
 /* A spin needs a law that knows one. */
@@ -201,8 +200,7 @@ static bool check_spin(const struct scene *scene, const double omega[3], const c
     snprintf(key, sizeof(key), "%s.omega", section);
     if (scene->law.tangential != LAW_FRICTIONLESS || (omega[0] == 0 && omega[1] == 0 && omega[2] == 0))
         return true;
-    return finish_fail(scene, error, key,
-                       "a spin without friction has no meaning (contact.tangential: none)");
+    return scene_fail(scene, error, key, "a spin without friction has no meaning (contact.tangential: none)");
 }
 
 static bool check_file(const struct scene *scene, const struct source_options *source, const char *section,
@@ -210,17 +208,17 @@ static bool check_file(const struct scene *scene, const struct source_options *s
     char key[96];
     snprintf(key, sizeof(key), "%s.radius_upto", section);
     if (!(source->radius_upto > source->radius_above))
-        return finish_fail(scene, error, key, "%g is not above radius_above (%g)", source->radius_upto,
-                           source->radius_above);
+        return scene_fail(scene, error, key, "%g is not above radius_above (%g)", source->radius_upto,
+                          source->radius_above);
     snprintf(key, sizeof(key), "%s.material", section);
     return source->material < 0 || source->type_count == 0 ||
-           finish_fail(scene, error, key, "beside types; %s", one_of_two);
+           scene_fail(scene, error, key, "beside types; %s", one_of_two);
 }
 
 static bool check_sources(const struct scene *scene, struct error *error) {
     if (scene->sources == 0 && scene->insertions == 0)
-        return finish_fail(scene, error, "particles",
-                           "is missing; needed: a file or a generator (or insertions)");
+        return scene_fail(scene, error, "particles",
+                          "is missing; needed: a file or a generator (or insertions)");
     for (int s = 0; s < scene->sources; s++) {
         const struct source_options *source = &scene->source[s];
         char section[64];
@@ -245,13 +243,13 @@ static bool check_insertions(const struct scene *scene, struct error *error) {
         snprintf(section, sizeof(section), "insertions[%d]", k);
         snprintf(key, sizeof(key), "insertions[%d].rate", k);
         if (insertion->rate > 0 && insertion->mass_rate > 0)
-            return finish_fail(scene, error, key, "beside mass_rate; %s", one_of_two);
+            return scene_fail(scene, error, key, "beside mass_rate; %s", one_of_two);
         if (!(insertion->rate > 0) && !(insertion->mass_rate > 0))
-            return finish_fail(scene, error, key, "give one of rate and mass_rate");
+            return scene_fail(scene, error, key, "give one of rate and mass_rate");
         snprintf(key, sizeof(key), "insertions[%d].stop", k);
         if (!(insertion->stop > insertion->start))
-            return finish_fail(scene, error, key, "%g is not after start (%g)", insertion->stop,
-                               insertion->start);
+            return scene_fail(scene, error, key, "%g is not after start (%g)", insertion->stop,
+                              insertion->start);
         if (!check_room(scene, &insertion->region, section, error) ||
             !check_sizes(scene, &insertion->sizes, section, error) ||
             !check_spin(scene, insertion->omega, section, error))
@@ -263,8 +261,8 @@ static bool check_insertions(const struct scene *scene, struct error *error) {
         snprintf(section, sizeof(section), "deletions[%d]", k);
         snprintf(key, sizeof(key), "deletions[%d].stop", k);
         if (!(deletion->stop > deletion->start))
-            return finish_fail(scene, error, key, "%g is not after start (%g)", deletion->stop,
-                               deletion->start);
+            return scene_fail(scene, error, key, "%g is not after start (%g)", deletion->stop,
+                              deletion->start);
         if (!check_region(scene, &deletion->region, section, error))
             return false;
     }
@@ -282,11 +280,11 @@ static bool check_groups(const struct scene *scene, struct error *error) {
             named = named || scene->insertion[k].group == g;
         snprintf(key, sizeof(key), "groups[%d].select", g - 1);
         if (!named)
-            return finish_fail(scene, error, key, "the group '%s' selects nothing, and no source names it",
-                               scene->group[g].name);
+            return scene_fail(scene, error, key, "the group '%s' selects nothing, and no source names it",
+                              scene->group[g].name);
         if (!(scene->group[g].radius_upto > scene->group[g].radius_above))
-            return finish_fail(scene, error, key, "no radius lies above %g and up to %g",
-                               scene->group[g].radius_above, scene->group[g].radius_upto);
+            return scene_fail(scene, error, key, "no radius lies above %g and up to %g",
+                              scene->group[g].radius_above, scene->group[g].radius_upto);
         snprintf(section, sizeof(section), "groups[%d].select", g - 1);
         if (!check_region(scene, &scene->group[g].region, section, error))
             return false;
@@ -299,44 +297,44 @@ static bool check_groups(const struct scene *scene, struct error *error) {
 
 static bool check_step(const struct scene *scene, struct error *error) {
     if (scene->step.dt > 0 && scene->step.fraction > 0)
-        return finish_fail(scene, error, "step.fraction", "beside step.dt; %s", one_of_two);
+        return scene_fail(scene, error, "step.fraction", "beside step.dt; %s", one_of_two);
     return scene->duration >= 0 || scene->step.count >= 0 ||
-           finish_fail(scene, error, "duration", "is missing; give duration or step.count");
+           scene_fail(scene, error, "duration", "is missing; give duration or step.count");
 }
 
 static bool check_law(const struct scene *scene, struct error *error) {
     if (scene->law.tangential_damping_equal && scene->law.tangential_damping_ratio != 1)
-        return finish_fail(scene, error, "contact.tangential_damping_equal",
-                           "beside tangential_damping_ratio; %s", one_of_two);
+        return scene_fail(scene, error, "contact.tangential_damping_equal",
+                          "beside tangential_damping_ratio; %s", one_of_two);
     if (scene->law.lammps_history && scene->law.damping != LAW_DAMPING_COEFFICIENT)
-        return finish_fail(scene, error, "contact.lammps_history", "needs contact.damping: coefficient");
+        return scene_fail(scene, error, "contact.lammps_history", "needs contact.damping: coefficient");
     if (scene->law.lammps_history && scene->law.end != LAW_END_OVERLAP)
-        return finish_fail(scene, error, "contact.lammps_history", "needs contact.end: overlap");
+        return scene_fail(scene, error, "contact.lammps_history", "needs contact.end: overlap");
     if (scene->law.lammps_history && scene->law.rolling != LAW_ROLLING_NONE)
-        return finish_fail(scene, error, "contact.lammps_history", "has no rolling resistance");
+        return scene_fail(scene, error, "contact.lammps_history", "has no rolling resistance");
     return true;
 }
 
 static bool check_search(const struct scene *scene, struct error *error) {
     if (scene->ghosts.reduced && !scene->ghosts.newton)
-        return finish_fail(scene, error, "ghosts",
-                           "reduced needs newton: on (with newton: off the owner of a large particle needs "
-                           "the small ones too)");
+        return scene_fail(scene, error, "ghosts",
+                          "reduced needs newton: on (with newton: off the owner of a large particle needs "
+                          "the small ones too)");
     for (int k = 1; scene->classes.method == CLASSES_CUTS && k < scene->classes.cut_count; k++)
         if (!(scene->classes.cut[k] > scene->classes.cut[k - 1]))
-            return finish_fail(scene, error, "classes.cuts", "must increase: %g after %g",
-                               scene->classes.cut[k], scene->classes.cut[k - 1]);
+            return scene_fail(scene, error, "classes.cuts", "must increase: %g after %g",
+                              scene->classes.cut[k], scene->classes.cut[k - 1]);
     if (scene->index.level_cells > 0 && scene->index.params.levels > 0 &&
         scene->index.level_cells != scene->index.params.levels)
-        return finish_fail(scene, error, "index.level_cells", "%d cell sizes for %d levels",
-                           scene->index.level_cells, scene->index.params.levels);
+        return scene_fail(scene, error, "index.level_cells", "%d cell sizes for %d levels",
+                          scene->index.level_cells, scene->index.params.levels);
     return true;
 }
 
 static bool check_interval(const struct scene *scene, const struct output_interval *every, const char *key,
                            struct error *error) {
     return every->steps == 0 || every->time == 0 ||
-           finish_fail(scene, error, key, "steps and time both; %s", one_of_two);
+           scene_fail(scene, error, key, "steps and time both; %s", one_of_two);
 }
 
 static bool check_output(const struct scene *scene, struct error *error) {
@@ -352,12 +350,12 @@ static bool check_output(const struct scene *scene, struct error *error) {
         snprintf(key, sizeof(key), "observables.regions[%d].upper", k);
         for (int d = 0; region->shape == OUTPUT_REGION_BOX && d < 3; d++)
             if (!(region->upper[d] > region->lower[d]))
-                return finish_fail(scene, error, key, "%c: %g is not above the lower corner's %g", "xyz"[d],
-                                   region -> upper[d], region -> lower[d]);
+                return scene_fail(scene, error, key, "%c: %g is not above the lower corner's %g", "xyz"[d],
+                                  region -> upper[d], region -> lower[d]);
         snprintf(key, sizeof(key), "observables.regions[%d].axis", k);
         if (region->shape == OUTPUT_REGION_CYLINDER && region->axis[0] == 0 && region->axis[1] == 0 &&
             region->axis[2] == 0)
-            return finish_fail(scene, error, key, "[0, 0, 0] has no direction");
+            return scene_fail(scene, error, key, "[0, 0, 0] has no direction");
     }
     return true;
 }

@@ -1,5 +1,5 @@
 /* Walls that cannot be: their places in a periodic box, and their motions. */
-#include "scene/finish.h"
+#include "scene/scene_check_walls.h"
 
 #include <math.h>
 
@@ -10,7 +10,7 @@ static bool check_periodic_plane(const struct scene *scene, int w, int d, struct
     char key[80];
     snprintf(key, sizeof(key), "walls[%d].normal", w);
     return scene->wall[w].normal[d] == 0 ||
-           finish_fail(
+           scene_fail(
                scene, error, key,
                "the plane crosses the periodic direction %c; its normal must have no component along it",
                "xyz"[d]);
@@ -26,19 +26,19 @@ static bool check_periodic_cylinder(const struct scene *scene, int w, int d, str
         return true;
     snprintf(key, sizeof(key), "walls[%d].axis", w);
     if (wall->length == 0 && along > rounding)
-        return finish_fail(scene, error, key,
-                           "the endless cylinder slants across the periodic direction %c, where it would not "
-                           "meet its images; allowed: an axis along %c, or without a component along it",
-                           "xyz"[d], "xyz"[d]);
+        return scene_fail(scene, error, key,
+                          "the endless cylinder slants across the periodic direction %c, where it would not "
+                          "meet its images; allowed: an axis along %c, or without a component along it",
+                          "xyz"[d], "xyz"[d]);
     double girth = wall->radius * sqrt(fmax(0, 1 - along * along));
     double reach = girth + (wall->inside ? along * wall->length / 2 : 0);
     double lower = scene->box_lower[d], upper = scene->box_upper[d], middle = wall->point[d];
     bool wide = middle - girth < lower || middle + girth > upper;
     snprintf(key, sizeof(key), "walls[%d].%s", w, wide ? "radius" : "length");
     return (middle - reach >= lower && middle + reach <= upper) ||
-           finish_fail(scene, error, key,
-                       "the cylinder crosses the ends of the periodic direction %c (%g to %g)", "xyz"[d],
-                       lower, upper);
+           scene_fail(scene, error, key,
+                      "the cylinder crosses the ends of the periodic direction %c (%g to %g)", "xyz"[d],
+                      lower, upper);
 }
 
 /* Walls that a periodic direction would have to repeat. */
@@ -63,12 +63,12 @@ static bool check_motions(const struct scene *scene, struct error *error) {
             char key[80];
             snprintf(key, sizeof(key), "walls[%d].motion[%d].stop", w, m);
             if (!(motion->stop > motion->start))
-                return finish_fail(scene, error, key, "%g is not after start (%g)", motion->stop,
-                                   motion->start);
+                return scene_fail(scene, error, key, "%g is not after start (%g)", motion->stop,
+                                  motion->start);
             snprintf(key, sizeof(key), "walls[%d].motion[%d].kind", w, m);
             servos += motion->kind == WALL_SERVO;
             if (servos > 1)
-                return finish_fail(scene, error, key, "a second servo; a wall can follow one force only");
+                return scene_fail(scene, error, key, "a second servo; a wall can follow one force only");
         }
     }
     return true;

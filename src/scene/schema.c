@@ -1,4 +1,6 @@
+/* Looks into the rows of the schema: finds, walks, suggests, tells what is allowed. Read schema_rows.h first. */
 #include "scene/schema.h"
+#include "scene/schema_root.h"
 
 #include <math.h>
 #include <stdarg.h>

@@ -1,6 +1,7 @@
 /* The schema for people: `scree help` and docs/scene.md. */
-#include "scene/scene.h"
+#include "scene/schema_help.h"
 #include "scene/schema.h"
+#include "scene/schema_root.h"
 
 #include <string.h>
 

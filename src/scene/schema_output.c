@@ -1,7 +1,7 @@
 /* Rows of the schema: output and observables. */
 #include "observe/observables.h"
 #include "formats/output_options.h"
-#include "scene/schema_rows.h"
+#include "scene/schema_output.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* Rows of the schema: particle sources, size laws, regions, groups, insertion and deletion. */
 #include "scene/scene.h"
-#include "scene/schema_rows.h"
+#include "scene/schema_particles.h"
 
 /* One row a key, packed to the line: */
 /* clang-format off */

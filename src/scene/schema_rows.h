@@ -1,9 +1,74 @@
-/* For the files that hold schema rows: where a member lies. */
+/* The schema: one row a key. Parsing, `scree help`, docs/scene.md and the echo of the effective scene all
+ * walk these rows, so that none of them can know a key that the others do not.
+ *
+ * A table lists the keys of one section (a mapping); sections and lists name the table of what they hold. A
+ * row says where in the section's struct its value lies, as offset and size. Rows are read in order: a row
+ * may depend (`when`) on those before it. A key may have several rows, side by side, of whose conditions at most
+ * one holds (its unit depends on a law, say). */
 #ifndef SCREE_SCENE_SCHEMA_ROWS_H
 #define SCREE_SCENE_SCHEMA_ROWS_H
 
-#include "scene/schema.h"
+#include <stdbool.h>
+#include <stddef.h>
 
+enum schema_type {
+    SCHEMA_REAL,    /* double; without default: NAN */
+    SCHEMA_VECTOR,  /* double[3]; a list of three, or two (z = 0) */
+    SCHEMA_REALS,   /* double[max], count */
+    SCHEMA_INT,     /* int */
+    SCHEMA_LONG,    /* int64_t */
+    SCHEMA_LONGS,   /* int64_t[max], count */
+    SCHEMA_SEED,    /* uint64_t */
+    SCHEMA_BOOL,    /* bool */
+    SCHEMA_BOOLS,   /* bool[3]; a list of three, or one for all */
+    SCHEMA_NAME,    /* int (or an enum) by a fixed list of names; without default: -1 */
+    SCHEMA_CHOICE,  /* char[size], one of the names that a registry gives */
+    SCHEMA_TEXT,    /* char[size] */
+    SCHEMA_TEXTS,   /* char[max][size], count */
+    SCHEMA_PATH,    /* char[size], a path relative to the scene file */
+    SCHEMA_REF,     /* int: number of an entry of the list `target`, by its name; without default: -1 */
+    SCHEMA_REFS,    /* int[max], count */
+    SCHEMA_SECTION, /* a mapping with keys of its own */
+    SCHEMA_LIST     /* a list of such mappings: element[max] of `size` bytes, count */
+};
+
+struct schema_name {
+    const char *name;
+    int value;
+    const char *help; /* one line; NULL where the name says it */
+};
+
+struct schema_table {
+    const struct schema_row *rows;
+    int count;
+};
+
+struct schema_row {
+    const char *key;
+    const char *alias; /* an older name of the key, still read, with a note; NULL: none */
+    enum schema_type type;
+    const char *unit;     /* in SI ("m/s2"); NULL or "" for a pure number */
+    const char *fallback; /* default, as YAML; NULL: none, the key may be left out */
+    bool required;
+    const char *range;                               /* interval, "(0, inf)" or "[0, 1]"; NULL: any */
+    const struct schema_name *names;                 /* NAME: ended by a NULL name */
+    const char *(*choice)(int k, const char **help); /* CHOICE: the k-th name, NULL after the last */
+    const char *(*traits)(int value); /* NAME: words "a b" that conditions may ask for; NULL: none */
+    const char *target;               /* REF, REFS: a list at the top level */
+    bool in_column;   /* TEXT: part of a column's name in observables.csv, so without what would break that */
+    const char *when; /* "shape=cylinder|plane": the key exists only then; "/contact.damping=restitution" from
+                         the top; "/contact.law:moduli" (from the top alone): with all names that have the trait;
+                         "a=b & c=d" */
+    const struct schema_table *sub; /* SECTION, LIST */
+    const char *main;               /* SECTION: a bare value instead of a mapping means this key of it */
+    bool short_form;                /* LIST: its section may hold the keys of a single element itself */
+    int first; /* LIST: number of the first element read; those before are filled by the program */
+    size_t offset, size, count_offset;
+    int max;
+    const char *help, *example;
+};
+
+/* For the files that hold rows: where a member lies. */
 #define AT(type, member) .offset = offsetof(type, member), .size = sizeof(((type *)0)->member)
 
 /* An array member and the member that counts its entries. */

@@ -1,6 +1,6 @@
 /* One value: from a node to where the row says. */
+#include "scene/schema_value.h"
 #include "scene/decimal.h"
-#include "scene/schema.h"
 #include "scene/units.h"
 
 #include <errno.h>

@@ -1,6 +1,6 @@
 /* Rows of the schema: walls and their motions. */
 #include "scene/scene.h"
-#include "scene/schema_rows.h"
+#include "scene/schema_walls.h"
 
 /* One row a key, packed to the line: */
 /* clang-format off */

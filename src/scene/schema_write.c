@@ -1,6 +1,8 @@
 /* The echo: the effective values as YAML that reads back to the same scene. A value that its own row would
  * refuse stands for "not given" and is left out, as are empty texts and lists. */
+#include "scene/schema_write.h"
 #include "scene/schema.h"
+#include "scene/schema_root.h"
 
 #include <math.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
 /* One sphere of a source: from its row to a particle's material, density, velocity and group, and to a place
  * in the box; or why it cannot be one. */
-#include "scene/source_parts.h"
+#include "scene/source_sphere.h"
 
 #include <float.h>
 #include <math.h>

@@ -9,7 +9,8 @@
 #include "formats/dump.h"
 #include "formats/info.h"
 #include "formats/lammps_data.h"
-#include "scene/scene.h"
+#include "scene/scene_particles.h"
+#include "scene/scene_read.h"
 #include "walls/mesh.h"
 
 #include <stdio.h>

@@ -2,7 +2,7 @@
  * on a particle's number (id, random velocity) is therefore the same everywhere, and each rank keeps its own.
  * Two searches over the whole stream, for ids and for places that occur twice, are divided by hash: rank r
  * remembers what falls to it. */
-#include "scene/source_parts.h"
+#include "scene/scene_particles.h"
 
 #include "contact/material.h"
 #include "contact/spin.h"
@@ -11,6 +11,10 @@
 #include "formats/h5md_read.h"
 #include "formats/lammps_data.h"
 #include "integrate/groups.h"
+#include "scene/lattice.h"
+#include "scene/packing.h"
+#include "scene/source_sphere.h"
+#include "scene/table.h"
 #include "scene/unique.h"
 
 #include <math.h>
@@ -28,33 +32,6 @@ struct walk {
     uint64_t stream;           /* spheres so far */
     struct error *error;
 };
-
-const char *source_key(int source, const char *key, char *text, size_t room) {
-    snprintf(text, room, "particles.sources[%d].%s", source, key);
-    return text;
-}
-
-void source_batch_free(struct source_batch *batch) {
-    rows_free(&batch->rows);
-    memory_free(batch->line);
-    batch->line = NULL;
-}
-
-struct region source_region(const struct scene *scene, const struct region *region,
-                            struct region_space *space) {
-    struct region resolved = *region;
-    if (region->shape == REGION_ALL) {
-        resolved.shape = REGION_BOX;
-        memcpy(resolved.lower, scene->box_lower, sizeof(resolved.lower));
-        memcpy(resolved.upper, scene->box_upper, sizeof(resolved.upper));
-    }
-    *space = (struct region_space){.dimension = scene->box.dimension,
-                                   .plane = (scene->box_lower[2] + scene->box_upper[2]) / 2};
-    for (int d = 0; d < 3; d++)
-        space->wrap[d] = scene->box.periodic[d] && resolved.shape == REGION_BOX &&
-                         resolved.lower[d] <= scene->box_lower[d] && resolved.upper[d] >= scene->box_upper[d];
-    return resolved;
-}
 
 /* Remembers a sphere under a key, on the rank to which the key falls. */
 static void remember(const struct walk *walk, struct unique *list, uint64_t key, int source,
@@ -180,9 +157,9 @@ static bool take_batch(struct walk *walk, int source, const struct source_batch 
     }
     char key[96];
     return taken > 0 ||
-           finish_fail(walk->scene, walk->error, source_key(source, "radius_upto", key, sizeof(key)),
-                       "no particle of %s has a radius above %g and up to %g", options->file,
-                       options->radius_above, options->radius_upto);
+           scene_fail(walk->scene, walk->error, source_key(source, "radius_upto", key, sizeof(key)),
+                      "no particle of %s has a radius above %g and up to %g", options->file,
+                      options->radius_above, options->radius_upto);
 }
 
 static bool make_batch(struct walk *walk, int source, struct source_batch *batch) {
@@ -239,8 +216,8 @@ static bool check_groups(const struct walk *walk) {
             fed = fed || walk->scene->insertion[k].group == g;
         snprintf(key, sizeof(key), "groups[%d].select", g - 1);
         if (!fed)
-            return finish_fail(walk->scene, walk->error, key, "no particle belongs to the group '%s'",
-                               walk->scene->group[g].name);
+            return scene_fail(walk->scene, walk->error, key, "no particle belongs to the group '%s'",
+                              walk->scene->group[g].name);
     }
     return true;
 }

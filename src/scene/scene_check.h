@@ -1,0 +1,10 @@
+/* What cannot be in a scene. */
+#ifndef SCREE_SCENE_SCENE_CHECK_H
+#define SCREE_SCENE_SCENE_CHECK_H
+
+#include "scene/scene.h"
+
+/* Combinations that cannot be. Fails (user) on the first. */
+bool scene_check(const struct scene *scene, struct error *error);
+
+#endif

@@ -1,0 +1,9 @@
+/* Rows of the schema: output and observables. */
+#ifndef SCREE_SCENE_SCHEMA_OUTPUT_H
+#define SCREE_SCENE_SCHEMA_OUTPUT_H
+
+#include "scene/schema_rows.h"
+
+extern const struct schema_table schema_output, schema_observables;
+
+#endif

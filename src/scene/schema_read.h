@@ -1,0 +1,13 @@
+/* From the tree to the struct. */
+#ifndef SCREE_SCENE_SCHEMA_READ_H
+#define SCREE_SCENE_SCHEMA_READ_H
+
+#include "scene/schema.h"
+
+/* Applies one --set text to a normalised tree; the value ~ (or null) takes the key out. */
+bool schema_set(struct schema_reader *reader, struct tree_node *root, const char *text);
+
+/* Checks every node against the schema and stores all values, defaults included, in reader->root. */
+bool schema_read(struct schema_reader *reader, const struct tree_node *root);
+
+#endif

@@ -1,0 +1,9 @@
+/* Rows of the schema: walls and their motions. */
+#ifndef SCREE_SCENE_SCHEMA_WALLS_H
+#define SCREE_SCENE_SCHEMA_WALLS_H
+
+#include "scene/schema_rows.h"
+
+extern const struct schema_table schema_wall;
+
+#endif

@@ -1,0 +1,34 @@
+/* What the kinds of particle source share: the life of a batch, keys for messages, the region that is meant. */
+#include "scene/source_batch.h"
+
+#include "core/memory.h"
+
+#include <stdio.h>
+#include <string.h>
+
+void source_batch_free(struct source_batch *batch) {
+    rows_free(&batch->rows);
+    memory_free(batch->line);
+    batch->line = NULL;
+}
+
+const char *source_key(int source, const char *key, char *text, size_t room) {
+    snprintf(text, room, "particles.sources[%d].%s", source, key);
+    return text;
+}
+
+struct region source_region(const struct scene *scene, const struct region *region,
+                            struct region_space *space) {
+    struct region resolved = *region;
+    if (region->shape == REGION_ALL) {
+        resolved.shape = REGION_BOX;
+        memcpy(resolved.lower, scene->box_lower, sizeof(resolved.lower));
+        memcpy(resolved.upper, scene->box_upper, sizeof(resolved.upper));
+    }
+    *space = (struct region_space){.dimension = scene->box.dimension,
+                                   .plane = (scene->box_lower[2] + scene->box_upper[2]) / 2};
+    for (int d = 0; d < 3; d++)
+        space->wrap[d] = scene->box.periodic[d] && resolved.shape == REGION_BOX &&
+                         resolved.lower[d] <= scene->box_lower[d] && resolved.upper[d] >= scene->box_upper[d];
+    return resolved;
+}

@@ -1,0 +1,33 @@
+/* What the kinds of particle source share. Each kind (table.h, lattice.h, packing.h) fills a batch, in the
+ * user's coordinates; source_sphere.h turns the rows of a batch into spheres, scene_particles.h spheres into
+ * particles. */
+#ifndef SCREE_SCENE_SOURCE_BATCH_H
+#define SCREE_SCENE_SOURCE_BATCH_H
+
+#include "formats/rows.h"
+#include "scene/scene.h"
+
+/* The largest id: what insertions add never overflows. */
+#define SOURCE_ID_MAX ((int64_t)1 << 62)
+
+/* The most spheres that a source makes: each rank draws all of them. */
+enum { SOURCE_SPHERES_MAX = 200000000 };
+
+/* The spheres of one source. */
+struct source_batch {
+    struct rows rows;     /* position and radius always; mass 0: not given */
+    uint32_t *line;       /* line of each row in its file; NULL: the row has no line */
+    bool materials_named; /* rows.material is a number of the scene's materials, not a type of the file */
+};
+
+/* Frees what a batch holds. */
+void source_batch_free(struct source_batch *batch);
+
+/* A region with REGION_ALL resolved to the box, and how it is asked. */
+struct region source_region(const struct scene *scene, const struct region *region,
+                            struct region_space *space);
+
+/* "particles.sources[S].KEY" */
+const char *source_key(int source, const char *key, char *text, size_t room);
+
+#endif
