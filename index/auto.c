@@ -10,6 +10,7 @@
 
 #include "core/memory.h"
 #include "index/grids/levels.h"
+#include "index/grids/levels_plan.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -87,9 +88,13 @@ static void look(const struct index_view *view, struct cost_scene *scene) {
     scene->volume =
         in_steps(view->owned > 0 ? occupied(view, frame_cutoffs(view, 0, view->classes - 1).largest) : 1);
     for (int c = 0; c < view->classes; c++) {
-        scene->count[c] = in_steps((double)count[c]);
+        const int partner = frame_partner(view, c); /* who meets nobody does not count */
+        scene->count[c] = partner < 0 ? 0 : in_steps((double)count[c]);
         scene->radius_max[c] = scene->radius_min[c] = view->radius_max[c];
-        scene->margin[c] = view->margin[c][c];
+        scene->margin[c] = partner < 0 ? 0 : view->margin[c][partner];
+        for (int b = 0; b < view->classes; b++) {
+            scene->unwanted[c] |= (uint64_t)!index_wanted(view, c, b) << b;
+        }
     }
 }
 
@@ -145,6 +150,7 @@ static struct levels_plan make_plan(struct auto_index *index, const struct index
             plan.grid_of[c] = g;
         }
     }
+    levels_plan_apart(&plan, view);
     return plan;
 }
 

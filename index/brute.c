@@ -18,8 +18,11 @@ static void brute_build(struct index *self, const struct index_view *view) {
     (void)view;
 }
 
-/* Emits (i, j) once for every image through which the two meet. */
+/* Emits (i, j) once for every image through which the two meet, if their classes do. */
 static void pair_images(const struct index_view *view, size_t i, size_t j, struct index_sink *sink) {
+    if (!index_wanted(view, view->size_class[i], view->size_class[j])) {
+        return;
+    }
     int reach[3];
     for (int d = 0; d < 3; d++) {
         reach[d] = view->periodic[d] ? 1 : 0;

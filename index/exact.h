@@ -7,7 +7,8 @@
 
 #include "index/index.h"
 
-/* True if j, shifted by the image vector, lies within the cut-off of i. */
+/* True if j, shifted by the image vector, lies within the cut-off of i; of classes that are not wanted, whose
+ * cut-off is -infinity, never. */
 static inline bool exact_near(const struct index_view *view, size_t i, size_t j, const int image[3]) {
     const double *xi = view->position + i * view->stride;
     const double *xj = view->position + j * view->stride;
@@ -16,7 +17,7 @@ static inline bool exact_near(const struct index_view *view, size_t i, size_t j,
     double dz = (xj[2] - xi[2]) + image[2] * view->edge[2];
     double cutoff = (view->radius[i * view->stride] + view->radius[j * view->stride]) +
                     view->margin[view->size_class[i]][view->size_class[j]];
-    return dx * dx + dy * dy + dz * dz <= cutoff * cutoff;
+    return cutoff >= 0 && dx * dx + dy * dy + dz * dz <= cutoff * cutoff;
 }
 
 /* True if i is the home of its pair with the ghost j. */

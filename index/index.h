@@ -2,10 +2,14 @@
  *
  * A pair is (i, j, image): i an owned particle, j an owned one or a ghost, with
  *     | x_j + shift(image) - x_i |  <=  r_i + r_j + margin(class i, class j)       (index_view.margin)
+ * Particles of two classes whose margin is INDEX_NOT_WANTED never meet, however near: no index emits such a
+ * pair, and none searches for it, as far as its cells keep the classes apart (index_wanted). A class may be
+ * unwanted with itself; one that meets nobody costs an index nothing.
  * Directions that are periodic *in the view* are wrapped by the index itself, which then names the image of
  * j; in all others the image is 0 and copies (ghosts) stand where they are needed. Because the image is
  * explicit, boxes thinner than two cut-offs and particles larger than half a box work: the same i and j may
- * meet through two images. A particle never pairs with itself (the caller guarantees 2 r + margin < edge).
+ * meet through two images. A particle never pairs with itself (the caller guarantees for wanted pairs that
+ * r_i + r_j + margin < edge).
  * In directions that are periodic in the view, positions lie in [0, edge] (rounding apart: a millionth of an
  * edge is tolerated). A particle of a higher class is larger than every particle of a lower one.
  *
@@ -48,12 +52,16 @@
 
 #include "core/error.h"
 #include "core/image.h"
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
 
 enum { INDEX_CLASS_MAX = 32, INDEX_WHY_MAX = 512 };
+
+/* The margin of two classes whose particles never meet. */
+#define INDEX_NOT_WANTED (-INFINITY)
 
 /* Read-only view of the particles. The index owns nothing of it. */
 struct index_view {
@@ -69,11 +77,16 @@ struct index_view {
     bool newton;
     int classes;                                     /* number of size classes */
     double radius_max[INDEX_CLASS_MAX];              /* largest radius a particle of the class may have */
-    double margin[INDEX_CLASS_MAX][INDEX_CLASS_MAX]; /* added to r_i + r_j; symmetric */
+    double margin[INDEX_CLASS_MAX][INDEX_CLASS_MAX]; /* added to r_i + r_j, or INDEX_NOT_WANTED; symmetric */
     int threads;                                     /* size of the team that build and order may open */
     bool ordered; /* at build: the owned particles are those that the last `order` saw, now in that order;
                      none has moved. Allows an index to use what it learnt then, and changes nothing else */
 };
+
+/* True if particles of the classes a and b may meet. */
+static inline bool index_wanted(const struct index_view *view, int a, int b) {
+    return view->margin[a][b] > INDEX_NOT_WANTED;
+}
 
 /* What the user may set of an index (scene key `index`). Zero or negative means: the index's default. */
 struct index_params {
@@ -123,10 +136,10 @@ static inline void index_sink_put(struct index_sink *sink, uint32_t i, uint32_t 
 
 /* One line of the level table of the report. */
 struct index_level {
-    double cell;                   /* cell edge, length unit (0: no cells) */
+    double cell;                   /* cell edge, length unit; 0: no cells, as these particles meet nobody */
     double radius_min, radius_max; /* radii of the classes on this level */
     size_t cells;                  /* cells allocated (dense) or occupied (sparse) */
-    size_t particles;              /* owned particles and ghosts in them */
+    size_t particles;              /* owned particles and ghosts on the level */
     bool sparse;
 };
 

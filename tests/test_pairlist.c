@@ -101,6 +101,9 @@ static void check_layouts(size_t ghosts, bool newton) {
         assert_true(c.list->slot_count >= 4);
         if (!pairlist_valid(c.list, &c.view, why, sizeof why))
             fail_msg("%s", why);
+        struct index_view none = c.view;
+        none.margin[0][0] = INDEX_NOT_WANTED;
+        assert_false(pairlist_valid(c.list, &none, why, sizeof why));
         int64_t *share = shares(&c);
         size_t counted = newton ? c.view.total : c.view.owned;
         assert_memory_equal(share, reference, counted * sizeof *share);

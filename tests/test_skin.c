@@ -96,6 +96,31 @@ static void test_a_fast_particle_needs_no_measuring(void **state) {
     skin_destroy(&skin);
 }
 
+/* A class pair that is not wanted has no skin to use up; walls count all the same. */
+static void test_unwanted_pairs_use_up_nothing(void **state) {
+    (void)state;
+    struct size_classes classes = one_class();
+    struct skin *skin = skin_create();
+    struct particles *none = particles_create(1);
+    double speed = 2;
+    classes.skin[0][1] = classes.skin[1][0] = 2;
+    skin_reset(skin, none);
+    skin_moved(skin, &speed, 1, 0.6, 0); /* 1.2 each */
+    skin_settle(skin, 1);
+    assert_true(skin_due(skin, &classes) && skin_surely_due(skin, &classes) &&
+                skin_nearly_due(skin, &classes));
+    classes.margin[0][0] = INDEX_NOT_WANTED;
+    assert_false(skin_due(skin, &classes) || skin_surely_due(skin, &classes));
+    assert_true(skin_nearly_due(skin, &classes)); /* to walls, after 2.4 */
+    skin_moved(skin, &speed, 1, 0.6, 0);
+    assert_true(skin_due(skin, &classes));
+    skin_reset(skin, none);
+    skin_moved(skin, &speed, 1, 1.1, 0);
+    assert_true(skin_surely_due(skin, &classes));
+    particles_destroy(&none);
+    skin_destroy(&skin);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_two_particles_share_the_skin),
@@ -103,6 +128,7 @@ int main(void) {
         cmocka_unit_test(test_nothing_moves),
         cmocka_unit_test(test_the_next_step_is_foreseen),
         cmocka_unit_test(test_a_fast_particle_needs_no_measuring),
+        cmocka_unit_test(test_unwanted_pairs_use_up_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -32,17 +32,19 @@ void auto_bins(struct cost_scene *scene, const double *radii, size_t n, double w
     }
 }
 
-/* The level with most particles. */
+/* The level with most particles, of those that meet each other; -1: there is none. */
 static int crowded(const struct cost_scene *scene, const struct cost_plan *plan) {
-    int best = 0;
+    int best = -1;
     double most = 0;
     for (int g = 0, bin = 0; g < plan->levels; g++) {
         double count = 0;
         for (; bin <= plan->last[g]; bin++) {
             count += scene->count[bin];
         }
-        best = count > most ? g : best;
-        most = count > most ? count : most;
+        if (count > most && cost_meets_itself(scene, plan, g)) {
+            best = g;
+            most = count;
+        }
     }
     return best;
 }
@@ -58,7 +60,7 @@ double auto_edges(const struct cost_scene *scene, struct cost_plan *plan) {
     for (int bin = 0; bin < scene->bins; bin++) {
         particles += scene->count[bin];
     }
-    if (particles * pow(cutoff[most], scene->dimension) > occupancy_dilute * scene->volume) {
+    if (most >= 0 && particles * pow(cutoff[most], scene->dimension) > occupancy_dilute * scene->volume) {
         limit = FACTORS_CROWDED;
     }
     double best = cost_seconds(scene, plan);

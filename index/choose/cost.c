@@ -29,6 +29,9 @@ struct part {
     double pencils;
     bool sparse;
     double span_radius[2]; /* largest radius to be expected in a span: own, other */
+    int first, last;       /* bins */
+    uint64_t bins;         /* those with particles */
+    uint64_t unwanted;     /* those with whom particles of some bin never meet */
 };
 
 /* The radius that one of `rows` particles of the level exceeds. */
@@ -46,7 +49,7 @@ static double largest_of(const struct cost_scene *scene, int first, int last, do
 
 static struct part part_of(const struct cost_scene *scene, const struct cost_plan *plan, int level) {
     int first = level > 0 ? plan->last[level - 1] + 1 : 0, last = plan->last[level];
-    struct part part = {.edge = plan->edge[level]};
+    struct part part = {.edge = plan->edge[level], .first = first, .last = last};
     for (int bin = first; bin <= last; bin++) {
         if (scene->count[bin] > 0) {
             part.mixed = scene->classes && part.count > 0;
@@ -54,6 +57,8 @@ static struct part part_of(const struct cost_scene *scene, const struct cost_pla
             part.radius_mean += scene->count[bin] * 0.5 * (scene->radius_min[bin] + scene->radius_max[bin]);
             part.count += scene->count[bin];
             part.radius_max = scene->radius_max[bin];
+            part.bins |= (uint64_t)1 << bin;
+            part.unwanted |= scene->unwanted[bin];
         }
     }
     if (part.count == 0) {
@@ -74,6 +79,32 @@ static struct part part_of(const struct cost_scene *scene, const struct cost_pla
 double cost_cutoff(const struct cost_scene *scene, const struct cost_plan *plan, int level) {
     struct part part = part_of(scene, plan, level);
     return part.count > 0 ? 2 * part.radius_max + part.margin : 0;
+}
+
+/* The share of the rows of g that meet somebody of h. */
+static double searching(const struct cost_scene *scene, const struct part *g, const struct part *h) {
+    double count = 0;
+    if ((g->unwanted & h->bins) == 0) {
+        return h->count > 0;
+    }
+    for (int bin = g->first; bin <= g->last; bin++) {
+        count += (h->bins & ~scene->unwanted[bin]) != 0 ? scene->count[bin] : 0;
+    }
+    return count / g->count;
+}
+
+bool cost_meets_itself(const struct cost_scene *scene, const struct cost_plan *plan, int level) {
+    const int first = level > 0 ? plan->last[level - 1] + 1 : 0;
+    uint64_t bins = 0;
+    for (int bin = first; bin <= plan->last[level]; bin++) {
+        bins |= (uint64_t)(scene->count[bin] > 0) << bin;
+    }
+    for (int bin = first; bin <= plan->last[level]; bin++) {
+        if ((bins >> bin & 1) != 0 && (bins & ~scene->unwanted[bin]) != 0) {
+            return true;
+        }
+    }
+    return false;
 }
 
 /* Groups of at most `most` rows into which the pencils of a level fall. */
@@ -106,12 +137,13 @@ static struct window window_of(const struct cost_scene *scene, const struct part
 
 /* Rows of g, one by one, in the dense table of their own. */
 static void count_direct(const struct cost_scene *scene, const struct part *g, double count[COST_TERMS]) {
+    const double rows = g->count * searching(scene, g, g);
     struct window window = window_of(scene, g, 0, 0, g->radius_mean + g->radius_max + g->margin);
     double share = 0.5 + 0.5 / window.pencils;
     double found = g->density * window.length * window.high * (scene->dimension == 2 ? 1 : window.wide);
     double vectors = fmax(1, found / window.pencils / SEARCH_LANES + 0.5);
-    count[COST_WINDOW] += g->count * share * window.pencils;
-    count[COST_VECTOR] += g->count * share * window.pencils * vectors;
+    count[COST_WINDOW] += rows * share * window.pencils;
+    count[COST_VECTOR] += rows * share * window.pencils * vectors;
 }
 
 /* Rows of g in the table of h, in spans. */
@@ -132,18 +164,20 @@ static void count_spans(const struct cost_scene *scene, const struct part *g, co
     double found = h->density * area * share * window.length;
     double runs = share * ((1 - row_empty) * window.pencils + (flat ? 1 : window.wide / h->edge));
     double some = 1 - exp(-found);
-    count[COST_VISIT] += g->count;
+    const double take = searching(scene, g, h);
+    spans *= take;
+    count[COST_VISIT] += g->count * take;
     count[COST_RUN] += spans * runs;
     count[COST_ROUND] += window.round ? spans * runs : 0;
     count[COST_SPARSE] += h->sparse ? spans * runs : 0;
     count[COST_TEST] += spans * rows * (found / SEARCH_LANES + 0.5 * some);
 }
 
-/* Rows of h, one by one, in the table of the smaller ones of g. */
-static void count_singles(const struct part *g, const struct part *h, const struct window *window,
-                          double found, double count[COST_TERMS]) {
-    double pencils = h->count * window->pencils;
-    count[COST_SINGLE] += h->count;
+/* So many rows, one by one, in the table of the smaller ones of g. */
+static void count_singles(const struct part *g, double rows, const struct window *window, double found,
+                          double count[COST_TERMS]) {
+    double pencils = rows * window->pencils;
+    count[COST_SINGLE] += rows;
     count[COST_VISIT] += HANDED_OUT * g->count;
     if (!g->sparse && window->pencils <= LEVELS_PENCILS_DIRECT) {
         count[COST_WINDOW] += pencils;
@@ -152,7 +186,7 @@ static void count_singles(const struct part *g, const struct part *h, const stru
         count[COST_RUN] += pencils;
         count[COST_ROUND] += window->round ? pencils : 0;
         count[COST_SPARSE] += g->sparse ? pencils : 0;
-        count[COST_TEST] += h->count * (0.6 * found / SEARCH_LANES + 0.5);
+        count[COST_TEST] += rows * (0.6 * found / SEARCH_LANES + 0.5);
     }
 }
 
@@ -171,7 +205,7 @@ static void count_cross(const struct cost_scene *scene, const struct part *g, co
         .pencils = down.pencils,
         .sparse = g->sparse};
     if (prices_from_larger(&sides)) {
-        count_singles(g, h, &down, sides.found_smaller, count);
+        count_singles(g, h->count * searching(scene, h, g), &down, sides.found_smaller, count);
     } else {
         count_spans(scene, g, h, false, count);
     }
@@ -189,11 +223,14 @@ void cost_count(const struct cost_scene *scene, const struct cost_plan *plan, do
     }
     for (int g = 0; g < plan->levels; g++) {
         for (int h = g; h < plan->levels && part[g].count > 0; h++) {
+            if (searching(scene, &part[g], &part[h]) == 0) {
+                continue;
+            }
             if (g == h && !part[g].sparse) {
                 count_direct(scene, &part[g], count);
             } else if (g == h) {
                 count_spans(scene, &part[g], &part[g], true, count);
-            } else if (part[h].count > 0) {
+            } else {
                 count_cross(scene, &part[g], &part[h], count);
             }
         }

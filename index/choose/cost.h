@@ -18,8 +18,9 @@
  *   singles     rows of h, where they find their pairs with g themselves (cross.h). Their candidates are
  *               counted with the windows and vectors, or with the runs and tests
  *
- * and each has its price. Particles are taken to be spread evenly over the volume; a volume that is occupied
- * only in part should be given as the part. Prices were fitted by `bench_index calibrate` (docs/indexes.md).
+ * and each has its price. Rows that meet nobody in a table do not search it. Particles are taken to be spread
+ * evenly over the volume; a volume that is occupied only in part should be given as the part. Prices were
+ * fitted by `bench_index calibrate` (docs/indexes.md).
  */
 #ifndef SCREE_INDEX_CHOOSE_COST_H
 #define SCREE_INDEX_CHOOSE_COST_H
@@ -41,6 +42,7 @@ struct cost_scene {
     double margin[COST_BINS]; /* of a pair whose smaller particle is the smallest of its level, in this bin */
     bool classes; /* bins are size classes: a level of several holds them mixed, which costs more, */
                   /* and its margin is that of its last bin */
+    uint64_t unwanted[COST_BINS]; /* bit b of entry a: particles of the bins a and b never meet; symmetric */
 };
 
 /* Levels: level g holds the bins after the last one of level g - 1 to last[g]. */
@@ -64,5 +66,8 @@ const char *cost_name(enum cost_term term);
 
 /* The cut-off, 2 radius + margin, that the cells of a level are made from. */
 double cost_cutoff(const struct cost_scene *scene, const struct cost_plan *plan, int level);
+
+/* True if some particles of a level meet others of the level. */
+bool cost_meets_itself(const struct cost_scene *scene, const struct cost_plan *plan, int level);
 
 #endif

@@ -11,10 +11,26 @@
 
 enum { SAMPLE = 1024, CELLS_ACROSS = 1 << 20 };
 
+int frame_partner(const struct index_view *view, int c) {
+    int nearest = -1;
+    if (index_wanted(view, c, c)) {
+        return c;
+    }
+    for (int b = 0; b < view->classes; b++) {
+        if (index_wanted(view, c, b) &&
+            (nearest < 0 || view->radius_max[b] + view->margin[c][b] <
+                                view->radius_max[nearest] + view->margin[c][nearest])) {
+            nearest = b;
+        }
+    }
+    return nearest;
+}
+
 struct frame_cutoffs frame_cutoffs(const struct index_view *view, int first, int last) {
     struct frame_cutoffs cutoffs = {INFINITY, 0};
     for (int c = first; c <= last; c++) {
-        double cutoff = 2 * view->radius_max[c] + view->margin[c][c];
+        int b = frame_partner(view, c);
+        double cutoff = b < 0 ? 0 : view->radius_max[c] + view->radius_max[b] + view->margin[c][b];
         if (cutoff > 0) {
             cutoffs.smallest = fmin(cutoffs.smallest, cutoff);
             cutoffs.largest = fmax(cutoffs.largest, cutoff);

@@ -31,8 +31,12 @@ struct frame {
     bool clamped;
 };
 
-/* Smallest and largest cut-off, 2 radius_max + margin, of the classes first ... last; both 1 where none has a
- * size. */
+/* The class that sets the cut-off of class c, radius_max of both + margin: c itself or, where its particles
+ * do not meet each other, the one that it meets nearest; -1 where it meets nobody. */
+int frame_partner(const struct index_view *view, int c);
+
+/* Smallest and largest cut-off of the classes first ... last; both 1 where none has a size, or none meets
+ * anybody. */
 struct frame_cutoffs {
     double smallest, largest;
 };

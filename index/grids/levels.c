@@ -96,6 +96,10 @@ static void reserve_slot_of(struct levels *levels, size_t owned) {
     }
 }
 
+static void empty_level(struct level *level) {
+    level->owned.count = level->ghosts.count = 0;
+}
+
 /* The tables of grid g; that of the owned particles is only completed where it was kept. */
 static void build_level(struct levels *levels, const struct index_view *view, int g) {
     struct level *level = &levels->level[g];
@@ -126,7 +130,7 @@ static bool same_grids(const struct levels_plan *a, const struct levels_plan *b,
         same = a->grid_of[c] == b->grid_of[c];
     }
     for (int g = 0; g < a->grids && same; g++) {
-        same = a->edge[g] == b->edge[g] && a->fixed[g] == b->fixed[g];
+        same = a->edge[g] == b->edge[g] && a->fixed[g] == b->fixed[g] && a->idle[g] == b->idle[g];
     }
     return same;
 }
@@ -170,7 +174,11 @@ void levels_build(struct levels *levels, const struct levels_plan *plan, const s
     members_split(&levels->ghosts, view, view->owned, view->total, plan->grid_of);
     reserve_slot_of(levels, view->owned);
     for (int g = 0; g < plan->grids; g++) {
-        build_level(levels, view, g);
+        if (plan->idle[g]) {
+            empty_level(&levels->level[g]);
+        } else {
+            build_level(levels, view, g);
+        }
     }
     levels->kept = false;
     for (int c = 0; c < INDEX_CLASS_MAX; c++) {
@@ -195,12 +203,20 @@ void levels_order(struct levels *levels, const struct levels_plan *plan, const s
         owned[plan->grid_of[c]] += members_count(&levels->owned, c);
     }
     for (int g = 0; g < plan->grids; g++) {
-        lay_grid(levels, g, owned[g]);
+        if (!plan->idle[g]) {
+            lay_grid(levels, g, owned[g]);
+        }
     }
     levels->kept = plan->grids == view->classes && !levels->ghosts_met; /* a class a grid, then */
     for (int c = 0; c < view->classes; c++) {
         struct level *level = &levels->level[plan->grid_of[c]];
         size_t count = members_count(&levels->owned, c);
+        if (plan->idle[plan->grid_of[c]]) { /* no cells: as they come */
+            for (size_t k = levels->owned.begin[c]; k < levels->owned.begin[c + 1]; k++) {
+                order[k] = (uint32_t)members_get(&levels->owned, k);
+            }
+            continue;
+        }
         struct cells_source source = {.view = view,
                                       .frame = &levels->frame,
                                       .grid = &level->grid,
@@ -259,8 +275,8 @@ bool levels_check(const struct levels *levels, const struct index_view *view, ch
     size_t owned = 0, ghosts = 0;
     for (int g = 0; g < levels->plan.grids; g++) {
         const struct level *level = &levels->level[g];
-        owned += level->owned.count;
-        ghosts += level->ghosts.count;
+        owned += levels->plan.idle[g] ? members_count(&levels->owned, g) : level->owned.count;
+        ghosts += levels->plan.idle[g] ? members_count(&levels->ghosts, g) : level->ghosts.count;
         if (!check_cells(levels, view, level, &level->owned, why) ||
             !check_cells(levels, view, level, &level->ghosts, why)) {
             return false;
@@ -279,10 +295,14 @@ void levels_describe(const struct levels *levels, struct index_description *desc
     for (int g = 0; g < levels->plan.grids; g++) {
         const struct level *level = &levels->level[g];
         struct index_level *line = &description->level[g];
-        line->cell = (double)level->grid.size[1] * levels->frame.unit;
-        line->sparse = level->owned.sparse;
-        line->cells = level->owned.sparse ? level->owned.occupied : (size_t)level->grid.cells;
-        line->particles = level->owned.count + level->ghosts.count;
+        if (levels->plan.idle[g]) {
+            line->particles = members_count(&levels->owned, g) + members_count(&levels->ghosts, g);
+        } else {
+            line->cell = (double)level->grid.size[1] * levels->frame.unit;
+            line->sparse = level->owned.sparse;
+            line->cells = level->owned.sparse ? level->owned.occupied : (size_t)level->grid.cells;
+            line->particles = level->owned.count + level->ghosts.count;
+        }
         line->radius_min = INFINITY;
         for (int c = 0; c < INDEX_CLASS_MAX; c++) {
             if (levels->plan.grid_of[c] == g && levels->radius_max[c] > 0) {

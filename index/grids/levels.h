@@ -12,6 +12,9 @@
  *   ghosts of grids of larger        all: the smaller is the home                              full
  *   ghosts of grids of smaller       newton on: none; off: all                                 none, full
  *
+ * Tables in which the row's class meets nobody (index_wanted) are left out, and a class that meets nobody at
+ * all has none: its grid is idle.
+ *
  * Where the larger are few, they look up the smaller at the build instead (cross.h), and no row of the
  * smaller searches their table. */
 #ifndef SCREE_INDEX_GRIDS_LEVELS_H
@@ -27,7 +30,7 @@ bool levels_too_many_cells(double cells, double particles);
 void levels_start(struct levels *levels, const struct index_params *params);
 void levels_free(struct levels *levels);
 
-/* The operations of the contract, for a plan made from the same view. */
+/* The operations of the contract, for a plan made from the same view (levels_plan_apart ends it). */
 void levels_order(struct levels *levels, const struct levels_plan *plan, const struct index_view *view,
                   uint32_t *order);
 void levels_build(struct levels *levels, const struct levels_plan *plan, const struct index_view *view);

@@ -1,6 +1,7 @@
 #include "index/grids/levels_index.h"
 
 #include "core/memory.h"
+#include "index/grids/levels_plan.h"
 
 struct levels_index {
     struct index base;
@@ -22,6 +23,7 @@ static struct levels_plan make_plan(const struct levels_index *index, const stru
         plan.fixed[g] = index->base.params.cell_factor > 0;
     }
     index->planner(&index->base.params, view, &plan);
+    levels_plan_apart(&plan, view);
     return plan;
 }
 

@@ -13,6 +13,7 @@ struct levels_plan {
     int grid_of[INDEX_CLASS_MAX]; /* of each class; ascending, as classes ascend in size */
     double edge[INDEX_CLASS_MAX]; /* wanted cell edge of each grid, length unit */
     bool fixed[INDEX_CLASS_MAX];  /* the user gave the edge: where cells are too many, go sparse at once */
+    bool idle[INDEX_CLASS_MAX];   /* the grid's class meets nobody: no cells (levels_plan_apart) */
     bool stencils;                /* search by a precomputed stencil a class instead of windows */
 };
 

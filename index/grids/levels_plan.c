@@ -1,28 +1,64 @@
-/* Which tables the rows of each class search (the table at the head of levels.h). */
+/* Which tables the rows of each class search (the table at the head of levels.h). Classes that do not meet
+ * shorten it: a row leaves out the tables in which there is nobody for it. Where a table holds some that the
+ * row's class meets and others that it does not, the exact test tells them apart. */
 #include "index/grids/levels_plan.h"
 
 #include "index/choose/prices.h"
 
 #include <math.h>
 
-/* Least and largest margin between class c and the classes of grid g. */
-static void margin_range(const struct levels *levels, const struct index_view *view, int c, int g,
-                         double range[2]) {
-    range[0] = INFINITY;
-    range[1] = -INFINITY;
-    for (int other = 0; other < view->classes; other++) {
-        if (levels->plan.grid_of[other] == g) {
-            range[0] = fmin(range[0], view->margin[c][other]);
-            range[1] = fmax(range[1], view->margin[c][other]);
-        }
+void levels_plan_apart(struct levels_plan *plan, const struct index_view *view) {
+    const struct levels_plan together = *plan;
+    int renamed[INDEX_CLASS_MAX]; /* the new number of each grid; -1: none yet */
+    plan->grids = 0;
+    for (int g = 0; g < INDEX_CLASS_MAX; g++) {
+        renamed[g] = -1;
     }
+    for (int c = 0; c < view->classes; c++) {
+        const int old = together.grid_of[c];
+        const bool meets = frame_partner(view, c) >= 0;
+        int grid = meets ? renamed[old] : -1;
+        if (grid < 0) {
+            grid = plan->grids++;
+            plan->edge[grid] = together.edge[old];
+            plan->fixed[grid] = together.fixed[old];
+            plan->idle[grid] = !meets;
+            renamed[old] = meets ? grid : renamed[old];
+        }
+        plan->grid_of[c] = grid;
+    }
+}
+
+/* Whom class c meets in a grid. */
+struct partners {
+    double least, most; /* margins */
+    double radius_max;
+    bool some, all; /* of the grid's classes */
+};
+
+static struct partners partners_of(const struct levels *levels, const struct index_view *view, int c, int g) {
+    struct partners partners = {.least = INFINITY, .most = -INFINITY, .all = true};
+    for (int other = 0; other < view->classes; other++) {
+        if (levels->plan.grid_of[other] != g) {
+            continue;
+        }
+        if (!index_wanted(view, c, other)) {
+            partners.all = false;
+            continue;
+        }
+        partners.some = true;
+        partners.least = fmin(partners.least, view->margin[c][other]);
+        partners.most = fmax(partners.most, view->margin[c][other]);
+        partners.radius_max = fmax(partners.radius_max, view->radius_max[other]);
+    }
+    return partners;
 }
 
 /* The share of the squared filter cut-off that is certain. With c the filter's cut-off and a what it may
  * exceed the true one by, plus the tolerance, ((c - a) / c)^2 is smallest for the smallest c. */
 static float certain_share(const struct levels *levels, double smallest, double excess) {
     double share = 1 - excess / smallest;
-    if (levels->frame.clamped || !(share > 0.5)) {
+    if (levels->frame.clamped || !(share > 0.5 && smallest > 0)) {
         return -INFINITY;
     }
     return (float)(share * share * (1 - 0x1p-15));
@@ -38,28 +74,31 @@ static double pencils_of(const struct search *search, const struct cells *rows) 
     return pencils;
 }
 
-/* Rows of class c, in the table of grid g. */
+/* Rows of class c, in the table of grid g, where they meet these partners. */
 static struct search search_of(const struct levels *levels, const struct index_view *view, int c, int g,
-                               bool ghosts) {
+                               bool ghosts, const struct partners *partners) {
     int own = levels->plan.grid_of[c];
     const struct level *level = &levels->level[g];
     const struct cells *cells = ghosts ? &level->ghosts : &level->owned;
     const struct cells *rows = &levels->level[own].owned;
     const struct frame *frame = &levels->frame;
-    double margin[2], tolerance = frame->tolerance;
-    margin_range(levels, view, c, g, margin);
-    double highest = (margin[1] * frame->scale + tolerance) * (1 + 4 * CELLS_RADIUS_EXCESS);
-    double smallest = (double)rows->r_min + cells->r_min + margin[0] * frame->scale;
-    double excess = 2.1 * tolerance + (margin[1] - margin[0]) * frame->scale;
+    const double excess_factor = 1 + 4 * CELLS_RADIUS_EXCESS;
+    double tolerance = frame->tolerance, r_max = cells->r_max;
+    double highest = (partners->most * frame->scale + tolerance) * excess_factor;
+    double smallest = (double)rows->r_min + cells->r_min + partners->least * frame->scale;
+    double excess = 2.1 * tolerance + (partners->most - partners->least) * frame->scale;
+    if (!partners->all) {
+        r_max = fmin(r_max, partners->radius_max * frame->scale * excess_factor);
+    }
     struct search search = {.level = level, .cells = cells, .margin = (float)highest};
     search.half = !ghosts && g == own;
     search.single = !ghosts && g < own;
     search.home = ghosts && g == own && view->newton;
     search.beyond = ghosts && frame->hollow;
-    search.reach = (float)((cells->r_max + highest) * (1 + 4 * CELLS_RADIUS_EXCESS) + 4 * tolerance);
+    search.reach = (float)((r_max + highest) * excess_factor + 4 * tolerance);
     search.direct = !levels->plan.stencils && !cells->sparse &&
                     (search.half || (search.single && pencils_of(&search, rows) <= LEVELS_PENCILS_DIRECT));
-    search.certain = search.home ? -INFINITY : certain_share(levels, smallest, excess);
+    search.certain = search.home || !partners->all ? -INFINITY : certain_share(levels, smallest, excess);
     return search;
 }
 
@@ -67,8 +106,9 @@ static void searches_add(struct levels *levels, struct searches *searches, const
                          int c, int g, bool ghosts) {
     const struct level *level = &levels->level[g];
     const struct cells *cells = ghosts ? &level->ghosts : &level->owned;
-    if (cells->count > 0 && levels->level[levels->plan.grid_of[c]].owned.count > 0) {
-        searches->list[c][searches->count[c]++] = search_of(levels, view, c, g, ghosts);
+    const struct partners partners = partners_of(levels, view, c, g);
+    if (partners.some && cells->count > 0 && levels->level[levels->plan.grid_of[c]].owned.count > 0) {
+        searches->list[c][searches->count[c]++] = search_of(levels, view, c, g, ghosts, &partners);
     }
 }
 
@@ -101,12 +141,16 @@ static bool from_larger(const struct levels *levels, const struct index_view *vi
         return levels->cross_search == INDEX_CROSS_LARGER;
     }
     double margin = 0;
+    bool some = false;
     for (int c = 0; c < view->classes; c++) {
         if (levels->plan.grid_of[c] == h) {
-            double range[2];
-            margin_range(levels, view, c, g, range);
-            margin = fmax(margin, range[1] * frame->scale);
+            const struct partners partners = partners_of(levels, view, c, g);
+            some = some || partners.some;
+            margin = fmax(margin, partners.most * frame->scale);
         }
+    }
+    if (!some) {
+        return false;
     }
     double reach = small->owned.r_max + large->owned.r_max + margin;
     struct prices_sides sides = {.smaller = (double)small->owned.count,
@@ -153,7 +197,7 @@ void levels_plan_searches(struct levels *levels, const struct index_view *view) 
         for (int g = view->newton ? own : 0; g < plan->grids; g++) {
             searches_add(levels, searches, view, c, g, true);
         }
-        if (plan->stencils) {
+        if (plan->stencils && searches->count[c] > 0) {
             make_stencils(levels, view, c);
         }
     }

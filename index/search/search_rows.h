@@ -99,8 +99,8 @@ LANES_INLINE size_t next_block(struct quest *quest, size_t i, size_t last) {
         block->particle[rows] = (uint32_t)i;
         block->slot[rows] = slot_of[i];
         rows++, i++;
-    } while (rows < most && slot_of[i] > block->slot[rows - 1] && slot_of[i] < end &&
-             size_class[i] == block->size_class);
+    } while (rows < most && size_class[i] == block->size_class && slot_of[i] > block->slot[rows - 1] &&
+             slot_of[i] < end); /* of a class without cells nobody has a slot */
     block->rows = rows;
     block_load(block, &level->owned);
     return i;
@@ -135,6 +135,10 @@ LANES_INLINE void search_rows(const struct levels *levels, const struct searches
     quest.view = view;
     quest.sink = *sink;
     for (size_t i = first; i < last;) {
+        if (searches->count[view->size_class[i]] == 0) {
+            i = members_run(view->size_class, i, last);
+            continue;
+        }
         i = next_block(&quest, i, last);
         int c = quest.block.size_class;
         for (int s = 0; s < searches->count[c]; s++) {

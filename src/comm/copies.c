@@ -11,9 +11,10 @@
 void copies_reach(const struct size_classes *classes, bool reduced, double reach[CLASS_MAX]) {
     for (int a = 0; a < classes->count; a++) {
         int last = reduced ? a : classes->count - 1;
-        reach[a] = 0;
+        reach[a] = -INFINITY;
         for (int c = 0; c <= last; c++)
-            reach[a] = fmax(reach[a], classes->radius_max[c] + classes->margin[a][c]);
+            if (classes_meet(classes, a, c))
+                reach[a] = fmax(fmax(reach[a], 0), classes->radius_max[c] + classes->margin[a][c]);
     }
 }
 

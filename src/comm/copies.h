@@ -6,7 +6,7 @@
  * count. Hence q needs p under an image iff
  *
  *     dist(x_p + image, subdomain of q) <= r_p + reach(class of p),
- *     reach(a) = max over the classes c that count of (radius_max(c) + margin(a, c)).
+ *     reach(a) = max over the classes c that count and are wanted of (radius_max(c) + margin(a, c)).
  *
  * Distances are to the cuboid, not to its bounding box of any kind. The bound is widened by a few units in
  * the last place, because r_p + (r_c + margin) and the pair's (r_p + r_c) + margin may differ by that much.
@@ -20,7 +20,8 @@
 #include "comm/groups.h"
 #include "particles/fields.h"
 
-/* How far beyond its own surface a particle of each class must be known. */
+/* How far beyond its own surface a particle of each class must be known; -infinity: nowhere, as it meets
+ * nobody. */
 void copies_reach(const struct size_classes *classes, bool reduced, double reach[CLASS_MAX]);
 
 /* A particle as far as it must be known. */

@@ -10,10 +10,11 @@
 /* True if every periodic edge is longer than two cut-offs. */
 static bool one_image(const struct simulation *s) {
     const struct size_classes *classes = &s->classes;
-    int largest = classes->count - 1;
-    double reach = 2 * classes->radius_max[largest];
-    for (int c = 0; c < classes->count; c++)
-        reach = fmax(reach, 2 * classes->radius_max[largest] + classes->margin[c][largest]);
+    double reach = 0;
+    for (int a = 0; a < classes->count; a++)
+        for (int b = 0; b <= a; b++)
+            if (classes_meet(classes, a, b))
+                reach = fmax(reach, classes->radius_max[a] + classes->radius_max[b] + classes->margin[a][b]);
     for (int d = 0; d < 3; d++)
         if (s->scene->box.periodic[d] && s->scene->box.edge[d] <= 2 * reach)
             return false;

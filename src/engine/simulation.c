@@ -283,18 +283,22 @@ static bool particles_make(struct simulation *s, struct error *error) {
     return true;
 }
 
-/* No cut-off may reach around a periodic box to the particle itself. */
-static bool box_holds(const struct simulation *s, double radius, double margin, struct error *error) {
-    char place[SCENE_PATH_MAX];
-    double reach = 2 * radius + margin;
+/* No cut-off may reach around a periodic box: to the particle itself, or twice to another one. */
+static bool box_holds(const struct simulation *s, double radius, double other, double margin,
+                      struct error *error) {
+    char place[SCENE_PATH_MAX], whom[96];
+    double reach = radius + other + margin;
+    if (other == radius)
+        snprintf(whom, sizeof whom, "a particle of radius %.6g: needed is more than its diameter", radius);
+    else
+        snprintf(whom, sizeof whom, "particles of radii %.6g and %.6g: needed is more than both radii",
+                 radius, other);
     for (int d = 0; d < s->scene->box.dimension; d++)
         if (s->scene->box.periodic[d] && reach >= s->scene->box.edge[d])
             return error_set(error, ERROR_USER,
-                             "%s: the periodic %c edge %.6g is too short for a particle of radius %.6g: "
-                             "needed is more than its diameter + "
-                             "range + skin, %.6g",
+                             "%s: the periodic %c edge %.6g is too short for %s + range + skin, %.6g",
                              scene_place(s->scene, "box", place, sizeof place), 'x' + d,
-                             s->scene->box.edge[d], radius, reach);
+                             s->scene->box.edge[d], whom, reach);
     return true;
 }
 
@@ -302,15 +306,17 @@ static bool box_holds(const struct simulation *s, double radius, double margin, 
 static bool box_suffices(const struct simulation *s, struct error *error) {
     const struct size_classes *classes = &s->classes;
     bool good = true;
-    double margin = 0;
+    double margin = INDEX_NOT_WANTED;
     for (int c = 0; c < classes->count && good; c++) {
-        margin = classes->margin[c][c];
-        good = box_holds(s, classes->radius_max[c], margin, error);
+        margin = fmax(margin, classes->margin[c][c]);
+        for (int b = c; b >= 0 && good; b--)
+            good = !classes_meet(classes, c, b) ||
+                   box_holds(s, classes->radius_max[c], classes->radius_max[b], classes->margin[c][b], error);
     }
     for (int k = 0; k < s->scene->insertions && good; k++) {
         double smallest, largest;
         sizes_bounds(&s->scene->insertion[k].sizes, &smallest, &largest);
-        good = box_holds(s, largest, margin, error);
+        good = box_holds(s, largest, largest, margin, error);
     }
     return good;
 }

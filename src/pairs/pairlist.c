@@ -106,6 +106,7 @@ size_t pairlist_memory(const struct pairlist *list) {
     return bytes;
 }
 
+/* How far the two of pair k are beyond their margin; infinite for classes that are not wanted. */
 static double pair_gap(const struct pairlist *list, const struct index_view *view, size_t k) {
     uint32_t i = list->i[k], j = pair_partner(list->j[k]);
     const double *xi = view->position + i * view->stride, *xj = view->position + j * view->stride;

@@ -102,9 +102,9 @@ static inline size_t pairlist_thread_first(const struct pairlist *list, int thre
 /* Bytes held. */
 size_t pairlist_memory(const struct pairlist *list);
 
-/* True if the particles of every pair exist and lie within their margin, and its row is one of its block's
- * where that has rows; which segment the pair is in is not looked at. Else `why` gets one line. Tests call
- * it. */
+/* True if the particles of every pair exist, are of classes that meet, and lie within their margin, and its
+ * row is one of its block's where that has rows; which segment the pair is in is not looked at. Else `why`
+ * gets one line. Tests call it. */
 bool pairlist_valid(const struct pairlist *list, const struct index_view *view, char *why, size_t why_size);
 
 #endif

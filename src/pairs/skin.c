@@ -86,6 +86,11 @@ void skin_measure(struct skin *skin, const struct particles *particles, int clas
     }
 }
 
+/* Class pairs that are not wanted have no skin to use up; walls (b = count) always count. */
+static bool counts(const struct size_classes *classes, int a, int b) {
+    return b == classes->count || classes_meet(classes, a, b);
+}
+
 /* Do the bounds, each grown by `more` x its last growth, exceed a skin? */
 static bool exceeded(const struct skin *skin, const struct size_classes *classes, double more) {
     double first[CLASS_MAX + 1], second[CLASS_MAX + 1];
@@ -98,7 +103,7 @@ static bool exceeded(const struct skin *skin, const struct size_classes *classes
              b++) { /* the last is walls; walls among themselves do not matter */
             double moved = first[a] + (a == b ? second[b] : first[b]);
             bool still = first[a] == 0 && first[b] == 0;
-            if (!still && moved > classes->skin[a][b])
+            if (!still && moved > classes->skin[a][b] && counts(classes, a, b))
                 return true;
         }
     }
@@ -113,7 +118,7 @@ bool skin_surely_due(const struct skin *skin, const struct size_classes *classes
     const double rounding = 1 - 1e-6;
     for (int a = 0; a < classes->count && skin->moves == 1; a++)
         for (int b = 0; b <= classes->count; b++)
-            if (skin->bound[a] * rounding > classes->skin[a][b])
+            if (skin->bound[a] * rounding > classes->skin[a][b] && counts(classes, a, b))
                 return true;
     return false;
 }

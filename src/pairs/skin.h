@@ -1,5 +1,6 @@
 /* When is a rebuild due? A pair list stays complete as long as the two largest displacements of each class
- * pair add up to no more than its skin. Moving walls count as one more class.
+ * pair add up to no more than its skin. Moving walls count as one more class. Class pairs that are not wanted
+ * (index.h) have no list, and so no skin.
  *
  * Exact displacements cost a pass over all particles, so a bound is kept instead: what a class may have moved
  * at most, the sum of its largest speed times dt. Only when the bound reaches the skin are the displacements

@@ -9,6 +9,7 @@
 #define SCREE_PARTICLES_CLASSES_H
 
 #include "core/error.h"
+#include "index/index.h"
 #include <stddef.h>
 #include <stdint.h>
 
@@ -62,6 +63,11 @@ static inline int classes_of(const struct size_classes *classes, double radius) 
     while (c < classes->count - 1 && radius > classes->cut[c])
         c++;
     return c;
+}
+
+/* True if particles of the classes a and b may meet: their margin is not INDEX_NOT_WANTED. */
+static inline bool classes_meet(const struct size_classes *classes, int a, int b) {
+    return classes->margin[a][b] > INDEX_NOT_WANTED;
 }
 
 #endif

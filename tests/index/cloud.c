@@ -89,6 +89,19 @@ static void set_margins(struct index_view *view, const struct cloud_spec *spec) 
     }
 }
 
+/* Draws the class pairs that never meet; every other time one class meets nobody. */
+static void set_unwanted(struct index_view *view, const struct cloud_spec *spec) {
+    struct random_sequence random = random_sequence(spec->seed, RANDOM_TEST, 1);
+    int alone = (int)(random_uniform(&random) * 2 * view->classes);
+    for (int a = 0; a < view->classes && spec->unwanted > 0; a++) {
+        for (int b = 0; b <= a; b++) {
+            if (random_uniform(&random) < spec->unwanted || a == alone || b == alone) {
+                view->margin[a][b] = view->margin[b][a] = INDEX_NOT_WANTED;
+            }
+        }
+    }
+}
+
 static void set_classes(struct cloud *cloud, const struct cloud_spec *spec) {
     struct index_view *view = &cloud->view;
     int classes[] = {1, 2, (int)ceil(log2(fmax(spec->ratio, 2)) + 1e-9), 1, 2};
@@ -102,6 +115,7 @@ static void set_classes(struct cloud *cloud, const struct cloud_spec *spec) {
         view->radius_max[c] = fmax(view->radius_max[c], pow(2, c + 1));
     }
     set_margins(view, spec);
+    set_unwanted(view, spec);
 }
 
 void cloud_make(struct cloud *cloud, const struct cloud_spec *spec) {
@@ -168,7 +182,7 @@ void cloud_reorder(struct cloud *cloud, const uint32_t *order) {
     free(id);
 }
 
-static uint64_t key_of(const struct index_view *view, uint32_t i, uint32_t tagged) {
+uint64_t pair_key(const struct index_view *view, uint32_t i, uint32_t tagged) {
     uint32_t j = tagged & ((1u << INDEX_IMAGE_SHIFT) - 1);
     uint64_t code = tagged >> INDEX_IMAGE_SHIFT;
     assert_true(i < view->owned && j < view->total && code < IMAGE_CODES);
@@ -185,6 +199,10 @@ static uint64_t key_of(const struct index_view *view, uint32_t i, uint32_t tagge
 static int compare_keys(const void *a, const void *b) {
     uint64_t x = *(const uint64_t *)a, y = *(const uint64_t *)b;
     return (x > y) - (x < y);
+}
+
+void pair_set_sort(struct pair_set *set) {
+    qsort(set->key, set->count, sizeof *set->key, compare_keys);
 }
 
 /* The pairs of rows [first, last): counted, filled exactly, and filled into a sink that is too small. */
@@ -204,7 +222,7 @@ static void collect_part(struct pair_set *set, const struct index *index, const 
     set->key = realloc(set->key, (set->count + sink.count + 1) * sizeof *set->key);
     for (size_t k = 0; k < sink.count; k++) {
         assert_true(sink.i[k] >= rows[0] && sink.i[k] < rows[1]);
-        set->key[set->count++] = key_of(view, sink.i[k], sink.j[k]);
+        set->key[set->count++] = pair_key(view, sink.i[k], sink.j[k]);
     }
     free(sink.i);
     free(sink.j);
@@ -218,7 +236,7 @@ void pair_set_collect(struct pair_set *set, const struct index *index, const str
                           view->owned * (size_t)((p + 1) * (p + 1)) / (size_t)(parts * parts)};
         collect_part(set, index, view, rows);
     }
-    qsort(set->key, set->count, sizeof *set->key, compare_keys);
+    pair_set_sort(set);
 }
 
 void pair_set_free(struct pair_set *set) {

@@ -36,6 +36,7 @@ struct cloud_spec {
     double ghosts; /* share of the particles that are ghosts */
     bool around;   /* ghosts lie around the others, beyond the box in an open direction, not among them */
     bool newton;
+    double unwanted;   /* share of the class pairs that never meet, drawn by the seed; 0: all may */
     bool loose_bounds; /* radius_max of the classes larger than their largest particle */
     uint64_t seed;
 };
@@ -59,6 +60,10 @@ struct pair_set {
     uint64_t *key;
     size_t count;
 };
+
+/* The key of the pair (i, j & image) of a view; _sort puts the keys of a set in order. */
+uint64_t pair_key(const struct index_view *view, uint32_t i, uint32_t tagged);
+void pair_set_sort(struct pair_set *set);
 
 /* Collects the pairs of a built index, visiting [0, owned) in `parts` ranges of uneven size. Fails the test
  * if a count-only visit counts differently, or a sink that is too small is overrun. */

@@ -105,6 +105,33 @@ static void equal_levels_have_equal_occupancy(void **state) {
     }
 }
 
+/* Levels that never meet cost each what it costs alone, and a level that meets nobody its particles. */
+static void unwanted_pairs_cost_nothing(void **state) {
+    (void)state;
+    struct cost_scene scene;
+    struct cost_plan plan;
+    bidisperse(&scene, 10, 4);
+    auto_levels(&scene, INDEX_CLASS_MAX, &plan);
+    const int last = scene.bins - 1;
+    assert_true(plan.levels == 2 && last > 0);
+    double both[COST_TERMS], apart[COST_TERMS], large[COST_TERMS], all = cost_seconds(&scene, &plan);
+    assert_true(cost_meets_itself(&scene, &plan, 0) && cost_meets_itself(&scene, &plan, 1));
+    scene.unwanted[0] = (uint64_t)1 << last;
+    scene.unwanted[last] = 1;
+    cost_count(&scene, &plan, apart);
+    assert_true(cost_seconds(&scene, &plan) < all);
+    scene.unwanted[0] = 1 | (uint64_t)1 << last;
+    cost_count(&scene, &plan, large);
+    assert_false(cost_meets_itself(&scene, &plan, 0));
+    assert_true(cost_meets_itself(&scene, &plan, 1));
+    scene.count[0] = 0;
+    cost_count(&scene, &plan, both);
+    for (int t = 0; t < COST_TERMS; t++) {
+        assert_true(apart[t] >= large[t] && (t == COST_PARTICLE || large[t] == both[t]));
+    }
+    assert_true(apart[COST_WINDOW] > large[COST_WINDOW] && large[COST_PARTICLE] > both[COST_PARTICLE]);
+}
+
 /* Whatever was chosen before, a view gets the choice that a new index makes for it. */
 static void choices_have_no_memory(void **state) {
     (void)state;
@@ -198,7 +225,7 @@ int main(void) {
         cmocka_unit_test(equal_sizes_share_a_level),  cmocka_unit_test(sizes_far_apart_do_not),
         cmocka_unit_test(wide_laws_get_a_few_levels), cmocka_unit_test(equal_levels_have_equal_occupancy),
         cmocka_unit_test(choices_have_no_memory),     cmocka_unit_test(variants_find_the_same),
-        cmocka_unit_test(cell_factors_are_kept),
+        cmocka_unit_test(cell_factors_are_kept),      cmocka_unit_test(unwanted_pairs_cost_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -237,6 +237,32 @@ static void every_index_equals_brute(void **state) {
     }
 }
 
+/* Class pairs that are not wanted, the class with itself among them: every scene of several classes, smaller. */
+static void unwanted_classes_never_meet(void **state) {
+    (void)state;
+    size_t pairs = 0;
+    for (size_t s = 0; s < SPECS; s++) {
+        for (uint64_t draw = 0; draw < 3; draw++) {
+            struct cloud_spec variant = specs[s];
+            variant.count = variant.count > 200 ? variant.count / 3 + 100 : variant.count;
+            variant.newton = (s + draw) % 2 == 0;
+            variant.unwanted = 0.2 + 0.2 * (double)draw;
+            variant.seed = 100 * draw + s;
+            struct cloud cloud;
+            struct pair_set expected;
+            cloud_make(&cloud, &variant);
+            brute_set(&expected, &cloud);
+            pairs += expected.count;
+            all_indexes(&cloud, &expected, variant.name, draw == 0 && cloud.view.classes > 1);
+            cloud.view.threads = 3;
+            reordered(&cloud, &expected, variant.name);
+            pair_set_free(&expected);
+            cloud_free(&cloud);
+        }
+    }
+    assert_true(pairs > 10000);
+}
+
 /* One index that meets scene after scene, large and small, on few and many threads: what it found from the
  * larger side before leaves no trace. The largest scene finds more than there is room for at first. */
 static void unlike_pairs_of_changing_scenes(void **state) {
@@ -291,6 +317,7 @@ static int say_instructions(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_index_equals_brute),
+        cmocka_unit_test(unwanted_classes_never_meet),
         cmocka_unit_test(unlike_pairs_of_changing_scenes),
     };
     return cmocka_run_group_tests(tests, say_instructions, NULL);

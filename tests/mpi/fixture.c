@@ -40,8 +40,18 @@ const struct scene fixture_scenes[BRICKS] = {
     {OPEN, CLOUD_BOULDERS, false, false, true},      {MIXED, CLOUD_BIDISPERSE, true, true, false},
     {MIXED, CLOUD_BOULDERS, true, true, true},       {MIXED, CLOUD_CONTINUOUS, false, false, false},
     {FLAT, CLOUD_BIDISPERSE, true, true, false},     {FLAT, CLOUD_BOULDERS, true, true, false},
-    {FLAT, CLOUD_BOULDERS, false, false, false},
+    {FLAT, CLOUD_BOULDERS, false, false, false},     {PERIODIC, CLOUD_CONTINUOUS, true, true, false},
+    {OPEN, CLOUD_CONTINUOUS, true, false, false},    {PERIODIC, CLOUD_CONTINUOUS, false, false, true},
+    {FLAT, CLOUD_CONTINUOUS, true, true, false},
 };
+
+/* A third of the class pairs, and all of the last class. */
+static void set_unwanted(struct size_classes *classes, int first) {
+    for (int a = 0; a < classes->count; a++)
+        for (int b = 0; b <= a; b++)
+            if ((first + a + b) % 3 == 0 || a == classes->count - 1)
+                classes->margin[a][b] = classes->margin[b][a] = INDEX_NOT_WANTED;
+}
 
 /* Cuts the cuboid of the ranks [first, last) somewhere. */
 static void divide(int first, int last, int dimension, struct random_sequence *sequence, double (*lower)[3],
@@ -77,6 +87,8 @@ void fixture_make(struct fixture *fixture, struct team *team, int number, size_t
     fixture->team = team;
     fixture->scene = scene;
     cloud_make(&fixture->cloud, &scene->box, scene->radii, n, 5);
+    if (number % BRICKS >= SCENE_UNWANTED)
+        set_unwanted(&fixture->cloud.classes, number % BRICKS);
     int size = team->comm.size;
     struct domain_options options = {.grid = {scene->slabs ? size : 0, 0, 0},
                                      .kind = number < BRICKS ? DOMAIN_BRICK : DOMAIN_BISECTION};
@@ -144,7 +156,7 @@ bool fixture_needs(const struct fixture *fixture, int rank, size_t k, const int 
     bool self = domain_owner(fixture->domain, fixture->cloud.x[k]) == rank && image[0] == 0 &&
                 image[1] == 0 && image[2] == 0;
     for (int c = 0; c < classes->count; c++)
-        if (computes(fixture->scene, c, a) && !self &&
+        if (computes(fixture->scene, c, a) && !self && classes->margin[a][c] != INDEX_NOT_WANTED &&
             distance <= fixture->cloud.radius[k] + classes->radius_max[c] + classes->margin[a][c])
             return true;
     return false;

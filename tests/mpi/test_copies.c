@@ -72,9 +72,11 @@ static void exact_set_of_copies(void **state) {
 static bool is_pair(const struct fixture *fixture, size_t i, size_t j, const int image[3]) {
     const struct cloud *cloud = &fixture->cloud;
     const struct size_classes *classes = &cloud->classes;
-    double cut =
-        cloud->radius[i] + cloud->radius[j] +
+    double margin =
         classes->margin[classes_of(classes, cloud->radius[i])][classes_of(classes, cloud->radius[j])];
+    if (margin == INDEX_NOT_WANTED)
+        return false;
+    double cut = cloud->radius[i] + cloud->radius[j] + margin;
     double squared = 0;
     for (int d = 0; d < 3; d++) {
         double x = cloud->x[j][d] + image[d] * cloud->box.edge[d] - cloud->x[i][d];
@@ -131,6 +133,23 @@ static void no_pair_without_partner(void **state) {
     team_finish(team);
 }
 
+/* Who meets nobody is known to its owner alone. */
+static void no_copies_for_nobody(void **state) {
+    struct team *team = *state;
+    struct fixture fixture;
+    int64_t copies[2] = {0, 0};
+    fixture_make(&fixture, team, SCENE_UNWANTED, PARTICLES);
+    fixture_rebuild(&fixture);
+    const struct particles *particles = fixture.particles;
+    for (size_t g = particles->owned; g < particles->owned + particles->ghosts; g++)
+        copies[particles->size_class[g] == fixture.cloud.classes.count - 1]++;
+    comm_sum_int(&team->comm, copies, 2);
+    team_expect(team, copies[1] == 0, "%lld copies of particles that meet nobody", (long long)copies[1]);
+    team_expect(team, team->comm.size == 1 || copies[0] > 0, "no copies at all");
+    fixture_free(&fixture);
+    team_finish(team);
+}
+
 /* Boulders larger than half the box: somebody holds two images of one, somebody a copy of his own. */
 static void several_images_on_one_rank(void **state) {
     struct team *team = *state;
@@ -162,6 +181,7 @@ int main(int argc, char **argv) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_prestate(exact_set_of_copies, &team),
         cmocka_unit_test_prestate(no_pair_without_partner, &team),
+        cmocka_unit_test_prestate(no_copies_for_nobody, &team),
         cmocka_unit_test_prestate(several_images_on_one_rank, &team),
     };
     int failed = cmocka_run_group_tests(tests, NULL, NULL);
