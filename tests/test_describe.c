@@ -6,7 +6,7 @@
 #include <cmocka.h>
 
 #include "observe/describe.h"
-#include "observe/report.h"
+#include "observe/report_json.h"
 
 #include <ctype.h>
 #include <stdlib.h>
@@ -146,7 +146,7 @@ static void write_report(char path[]) {
 
 /* The keys that the page's last table has a row for. */
 static void read_rows(const char *page, struct keys *rows) {
-    const char *line = strstr(page, "<!-- report.json -->");
+    const char *line = strstr(page, "<!-- report: ");
     assert_non_null(line);
     for (; line; line = strchr(line, '\n')) {
         line++;

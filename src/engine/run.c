@@ -9,6 +9,8 @@
 #include "core/memory.h"
 #include "formats/checkpoint.h"
 #include "observe/progress.h"
+#include "observe/report_json.h"
+#include "observe/report_print.h"
 #include <errno.h>
 #include <math.h>
 #include <signal.h>

@@ -1,8 +1,10 @@
+/* Writes the tables of docs/output.md from the tables of the program. */
 #include "observe/describe.h"
 
 #include "formats/dump.h"
 #include "formats/frame.h"
 #include "observe/observables_kinds.h"
+#include "observe/report_rows.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -91,10 +93,38 @@ static void print_families(FILE *out) {
     fprintf(out, "\n");
 }
 
+static void print_entry(FILE *out, const char *prefix, const struct report_row *row) {
+    fprintf(out, "| `%s%s` |%s%s | %s |\n", prefix, row->name, row->unit[0] ? " " : "", row->unit, row->help);
+}
+
+static void print_report(FILE *out) {
+    fprintf(out, "| key | unit | what it is |\n|---|---|---|\n");
+    for (const struct report_row *row = report_rows; row->name; row++) {
+        char prefix[64];
+        if (row->terminal)
+            continue;
+        print_entry(out, "", row);
+        snprintf(prefix, sizeof prefix, "%s%s.", row->name, row->type == REPORT_LIST ? "[]" : "");
+        for (const struct report_row *below = row->rows; row->type != REPORT_STAGES && below && below->name;
+             below++)
+            if (!below->terminal)
+                print_entry(out, prefix, below);
+        for (int s = 0; row->type == REPORT_STAGES && s < TIMER_STAGES; s++) {
+            const struct report_row stage = {.name = timer_stage_name((enum timer_stage)s),
+                                             .unit = row->unit,
+                                             .help = report_stage_help((enum timer_stage)s)};
+            print_entry(out, prefix, &stage);
+        }
+    }
+}
+
 static const struct {
     const char *name;
     void (*print)(FILE *out);
-} tables[] = {{"fields", print_fields}, {"observables", print_observables}, {"families", print_families}};
+} tables[] = {{"fields", print_fields},
+              {"observables", print_observables},
+              {"families", print_families},
+              {"report", print_report}};
 enum { TABLES = sizeof tables / sizeof tables[0] };
 
 /* Which table a line opens; -1: none. */

@@ -13,7 +13,12 @@ libobserve_la_SOURCES = \
 	src/observe/progress.h \
 	src/observe/report.c \
 	src/observe/report.h \
-	src/observe/report_json.c
+	src/observe/report_json.c \
+	src/observe/report_json.h \
+	src/observe/report_print.c \
+	src/observe/report_print.h \
+	src/observe/report_rows.c \
+	src/observe/report_rows.h
 libobserve_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 
 EXTRA_DIST += docs/output.md

@@ -1,6 +1,5 @@
-/* The run report: DIR/report.json and the table on the terminal, both from one plain struct that engine/
- * fills.
- */
+/* The run report: one plain struct that engine/ fills. report_rows.h says what its entries are, report_print.h
+ * prints them on the terminal, report_json.h writes DIR/report.json. */
 #ifndef SCREE_OBSERVE_REPORT_H
 #define SCREE_OBSERVE_REPORT_H
 
@@ -8,7 +7,6 @@
 #include "core/timer.h"
 #include "particles/classes.h"
 #include <stdbool.h>
-#include <stdio.h>
 
 enum { REPORT_LEVELS_MAX = CLASS_MAX, REPORT_NAME_MAX = 64, REPORT_INSERTIONS_MAX = 32 };
 
@@ -103,12 +101,5 @@ double report_speed(const struct report *report);
 /* Particle updates per core and second, as Eibl and Ruede define it: particle-steps / (seconds x ranks x
  * threads). */
 double report_pupcs(const struct report *report);
-
-/* Writes `path` (rank 0 alone calls) by a temporary name; version, revision, compiler, flags, host and CPU
- * are added. */
-bool report_write_json(const struct report *report, const char *path, struct error *error);
-
-/* The same as a readable table. */
-void report_print(const struct report *report, FILE *file);
 
 #endif

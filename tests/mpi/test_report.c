@@ -11,7 +11,8 @@
 #include "folder.h"
 #include "files/file.h"
 #include "observe/progress.h"
-#include "observe/report.h"
+#include "observe/report_json.h"
+#include "observe/report_print.h"
 #include "team.h"
 
 #include <math.h>
@@ -218,16 +219,22 @@ static void the_table_is_readable(void **state) {
         char *text = NULL;
         size_t size;
         FILE *memory = open_memstream(&text, &size);
+        report.threads_working = 1.5;
+        report.choices = 7;
+        snprintf(report.choice, sizeof report.choice, "hgrid, 3 levels");
         report_print(&report, memory);
         fclose(memory);
-        static const char *const parts[] = {
-            "200 steps of 1,000,000 particles",
-            "123,456,789 pairs",
-            "hgrid",
-            "contact",
-            "level",
-            "insertion rain: 1,800 of the 2,000 particles due are placed\n",
-            "insertion hail: 1,799 of the 2,000 particles due are placed: NOTE"};
+        const char *const parts[] = {"200 steps of 1,000,000 particles",
+                                     "123,456,789 pairs",
+                                     "index hgrid, law ",
+                                     "1.5 threads at work on average",
+                                     "index chosen: hgrid, 3 levels (choice 7); predicted 0 ms",
+                                     team->comm.size > 1 ? " ghosts; a rank and step sends "
+                                                         : "1 rank x 3 threads\n",
+                                     "contact",
+                                     "level",
+                                     "insertion rain: 1,800 of the 2,000 particles due are placed\n",
+                                     "insertion hail: 1,799 of the 2,000 particles due are placed: NOTE"};
         for (size_t k = 0; k < sizeof parts / sizeof parts[0]; k++)
             team_expect(team, strstr(text, parts[k]) != NULL, "%s is not in\n%s", parts[k], text);
         free(text);

@@ -1,0 +1,12 @@
+/* DIR/report.json. */
+#ifndef SCREE_OBSERVE_REPORT_JSON_H
+#define SCREE_OBSERVE_REPORT_JSON_H
+
+#include "core/error.h"
+#include "observe/report.h"
+
+/* Writes the report to `path` (rank 0 alone calls) by a temporary name; version, revision, compiler, flags, host
+ * and CPU are added. Fails (system) where it cannot be written. */
+bool report_write_json(const struct report *report, const char *path, struct error *error);
+
+#endif

@@ -1,0 +1,11 @@
+/* The report on the terminal. */
+#ifndef SCREE_OBSERVE_REPORT_PRINT_H
+#define SCREE_OBSERVE_REPORT_PRINT_H
+
+#include "observe/report.h"
+#include <stdio.h>
+
+/* Prints the report as readable lines and tables. One rank calls. */
+void report_print(const struct report *report, FILE *file);
+
+#endif

@@ -1,0 +1,330 @@
+/* The entries of a run report, a row each, in the order of report.json. Read report_rows.h first. */
+#include "observe/report_rows.h"
+
+#include "core/version.h"
+#include "observe/progress.h"
+
+#include <string.h>
+
+static double mega(double value) {
+    return value / 1e6;
+}
+
+static double milli(double value) {
+    return 1e3 * value;
+}
+
+static double percent(double value) {
+    return 100 * value;
+}
+
+static double threads_working(const struct report *report) {
+    return report->threads_working > 0 ? report->threads_working : report->threads;
+}
+
+static const char *duration(const void *report, char *text, size_t room) {
+    progress_duration(((const struct report *)report)->seconds, text, room);
+    return text;
+}
+
+static const char *unit_of_length(const void *report, char *text, size_t room) {
+    (void)text;
+    (void)room;
+    return ((const struct report *)report)->dimensionless ? "" : " [m]";
+}
+
+static const char *version(const void *report, char *text, size_t room) {
+    (void)report;
+    (void)text;
+    (void)room;
+    return version_number();
+}
+
+static const char *revision(const void *report, char *text, size_t room) {
+    (void)report;
+    (void)text;
+    (void)room;
+    return version_revision();
+}
+
+static const char *compiler(const void *report, char *text, size_t room) {
+    (void)report;
+    (void)text;
+    (void)room;
+    return version_compiler();
+}
+
+static const char *flags(const void *report, char *text, size_t room) {
+    (void)report;
+    (void)text;
+    (void)room;
+    return version_flags();
+}
+
+static const char *host(const void *report, char *text, size_t room) {
+    (void)report;
+    version_host(text, room);
+    return text;
+}
+
+static const char *cpu(const void *report, char *text, size_t room) {
+    (void)report;
+    version_cpu(text, room);
+    return text;
+}
+
+static const char *insertion_note(const void *base, char *text, size_t room) {
+    const struct report_insertion *insertion = base;
+    (void)text;
+    (void)room;
+    return (double)insertion->placed < 0.9 * (double)insertion->asked
+               ? ": NOTE: its region is too full for the rest, or walls stand in it"
+               : "";
+}
+
+static bool chosen(const struct report *report) {
+    return report->choice[0] != '\0';
+}
+
+/* Where a member lies; where a list of structs lies, and the member that counts its entries. */
+#define AT(type, member) .offset = offsetof(type, member)
+#define LIST(member, counter)                                                                                \
+    AT(struct report, member), .size = sizeof(((struct report *)0)->member[0]),                              \
+                               .count_offset = offsetof(struct report, counter)
+
+/* One row an entry, packed to the line: */
+/* clang-format off */
+
+static const struct report_row choice_rows[] = {
+    {.name = "index", .unit = "", .type = REPORT_TEXT, AT(struct report, choice),
+     .help = "what it chose last, on the first rank"},
+    {.name = "choices", .unit = "1", .type = REPORT_COUNT, AT(struct report, choices), .print = "%.0f",
+     .help = "how often it chose"},
+    {.name = "why", .unit = "", .type = REPORT_TEXT, AT(struct report, choice_why),
+     .help = "what its model counts for that choice"},
+    {.name = "predicted_seconds", .unit = "s", .type = REPORT_REAL, AT(struct report, choice_predicted), .print = "%.4g", .seen = milli,
+     .help = "what the model expects of a rebuild, from sorting to the pair list; slowest rank"},
+    {.name = "measured_seconds", .unit = "s", .type = REPORT_REAL, AT(struct report, choice_measured), .print = "%.4g", .seen = milli,
+     .help = "what it takes"},
+    {0}};
+
+static const struct report_row level_rows[] = {
+    {.name = "cells", .unit = "1", .type = REPORT_COUNT, AT(struct report_level, cells),
+     .help = "cells of all ranks"},
+    {.name = "particles", .unit = "1", .type = REPORT_COUNT, AT(struct report_level, particles),
+     .help = "particles in them, copies included"},
+    {.name = "cell_size", .unit = "m", .type = REPORT_REAL, AT(struct report_level, cell), .print = "%.5g",
+     .help = "edge of a cell"},
+    {.name = "radius_min", .unit = "m", .type = REPORT_REAL, AT(struct report_level, radius_min), .print = "%.5g",
+     .help = "radii that belong here, lower bound"},
+    {.name = "radius_max", .unit = "m", .type = REPORT_REAL, AT(struct report_level, radius_max), .print = "%.5g",
+     .help = "and upper"},
+    {0}};
+
+static const struct report_row class_rows[] = {
+    {.name = "particles", .unit = "1", .type = REPORT_COUNT, AT(struct report_class, particles),
+     .help = "at the last rebuild"},
+    {.name = "ghosts", .unit = "1", .type = REPORT_COUNT, AT(struct report_class, ghosts),
+     .help = "copies of them"},
+    {.name = "bytes", .unit = "B", .type = REPORT_COUNT, AT(struct report_class, bytes), .print = "%.4g", .seen = mega,
+     .help = "received for these copies, and sent back"},
+    {.name = "radius_min", .unit = "m", .type = REPORT_REAL, AT(struct report_class, radius_min),
+     .help = "radii of the class, lower bound"},
+    {.name = "radius_max", .unit = "m", .type = REPORT_REAL, AT(struct report_class, radius_max),
+     .help = "and upper"},
+    {0}};
+
+static const struct report_row insertion_rows[] = {
+    {.name = "name", .unit = "", .type = REPORT_TEXT, AT(struct report_insertion, name),
+     .help = "as in the scene; without a name `insertions[0]` and so on"},
+    {.name = "asked", .unit = "1", .type = REPORT_COUNT, AT(struct report_insertion, asked),
+     .help = "particles that were due when the region was looked at last, since the start of the run"},
+    {.name = "placed", .unit = "1", .type = REPORT_COUNT, AT(struct report_insertion, placed),
+     .help = "of these, those that found a place"},
+    {.name = "note", .unit = "", .type = REPORT_TEXT, .text = insertion_note, .terminal = true,
+     .help = "a note where more than a tenth of what was due found no place"},
+    {0}};
+
+static const struct report_row stage_rows[] = {
+    {.name = "min", .unit = "s", .type = REPORT_REAL, AT(struct report_stage, min), .print = "%.3f",
+     .help = "least over ranks"},
+    {.name = "mean", .unit = "s", .type = REPORT_REAL, AT(struct report_stage, mean), .print = "%.3f",
+     .help = "mean over ranks"},
+    {.name = "max", .unit = "s", .type = REPORT_REAL, AT(struct report_stage, max), .print = "%.3f",
+     .help = "most over ranks"},
+    {0}};
+
+static const char *const stage_help[TIMER_STAGES] = {
+    [TIMER_SETUP] = "0: what comes before the first step is in `seconds_setup`",
+    [TIMER_ADVANCE] = "kick and drift",
+    [TIMER_SWEEP] = "drift and particle forces in one pass",
+    [TIMER_CONTACT] = "particle forces",
+    [TIMER_WALL] = "wall forces and motion of walls",
+    [TIMER_COMM] = "values of copies sent, forces sent back",
+    [TIMER_DECIDE] = "whether a rebuild is due, waiting for other ranks included",
+    [TIMER_MIGRATE] = "rebuild: particles change ranks",
+    [TIMER_REORDER] = "rebuild: particles sorted into cell order",
+    [TIMER_GHOSTS] = "rebuild: copies made",
+    [TIMER_INDEX] = "rebuild: index",
+    [TIMER_PAIRS] = "rebuild: pair list",
+    [TIMER_HISTORY] = "rebuild: springs of contacts carried over",
+    [TIMER_OUTPUT] = "files, observables, progress",
+    [TIMER_OTHER] = "the rest",
+};
+
+const struct report_row report_rows[] = {
+    {.name = "steps", .unit = "1", .type = REPORT_COUNT, AT(struct report, steps),
+     .help = "steps done by this program"},
+    {.name = "last_step", .unit = "1", .type = REPORT_COUNT, AT(struct report, step_last), .print = "%.0f",
+     .help = "number of the last step of the run"},
+    {.name = "time", .unit = "s", .type = REPORT_REAL, AT(struct report, time),
+     .help = "simulated time at the end"},
+    {.name = "dt", .unit = "s", .type = REPORT_REAL, AT(struct report, dt),
+     .help = "time step"},
+    {.name = "particles", .unit = "1", .type = REPORT_COUNT, AT(struct report, particles),
+     .help = "at the end"},
+    {.name = "ranks", .unit = "1", .type = REPORT_NUMBER, AT(struct report, ranks), .print = "rank|ranks",
+     .help = "MPI ranks"},
+    {.name = "threads", .unit = "1", .type = REPORT_NUMBER, AT(struct report, threads), .print = "thread|threads",
+     .help = "threads of a rank"},
+    {.name = "threads_working", .unit = "1", .type = REPORT_REAL, .real = threads_working, .print = "%.1f",
+     .help = "those that worked at a time, mean over the run (rank 0); fewer than `threads` where other programs used the cores"},
+    {.name = "index", .unit = "", .type = REPORT_TEXT, AT(struct report, index),
+     .help = "index that the scene names"},
+    {.name = "law", .unit = "", .type = REPORT_TEXT, AT(struct report, law),
+     .help = "normal contact law, `hooke` or `hertz`"},
+    {.name = "integrator", .unit = "", .type = REPORT_TEXT, AT(struct report, integrator),
+     .help = "the integrator"},
+    {.name = "newton", .unit = "", .type = REPORT_FLAG, AT(struct report, newton), .print = "on|off",
+     .help = "whether a pair that crosses ranks is computed on one of them only"},
+    {.name = "reduced_ghosts", .unit = "", .type = REPORT_FLAG, AT(struct report, reduced),
+     .help = "whether copies travel only as far as partners of their size do"},
+    {.name = "simd", .unit = "", .type = REPORT_TEXT, AT(struct report, simd),
+     .help = "instruction set of the force loop"},
+    {.name = "reproducible", .unit = "", .type = REPORT_FLAG, AT(struct report, reproducible), .print = ", reproducible|",
+     .help = "whether results are the same to the last bit on every layout"},
+    {.name = "particle_steps_per_second", .unit = "1/s", .type = REPORT_REAL, .real = report_speed, .print = "%.4g",
+     .help = "particles times steps, over `seconds`"},
+    {.name = "seconds", .unit = "s", .type = REPORT_REAL, AT(struct report, seconds), .print = "%.2f",
+     .help = "wall clock of the steps and all that is written between them, slowest rank; without set-up"},
+    {.name = "duration", .unit = "", .type = REPORT_TEXT, .text = duration, .terminal = true,
+     .help = "the same as days, hours, minutes, seconds"},
+    {.name = "seconds_setup", .unit = "s", .type = REPORT_REAL, AT(struct report, seconds_setup),
+     .help = "wall clock before the first step, slowest rank"},
+    {.name = "pairs", .unit = "1", .type = REPORT_COUNT, AT(struct report, pairs),
+     .help = "pairs in the last pair list"},
+    {.name = "contacts", .unit = "1", .type = REPORT_COUNT, AT(struct report, contacts),
+     .help = "at the end, with walls"},
+    {.name = "rebuilds", .unit = "1", .type = REPORT_COUNT, AT(struct report, rebuilds),
+     .help = "how often copies, index and pair list were made anew"},
+    {.name = "bytes_per_particle", .unit = "B", .type = REPORT_REAL, AT(struct report, bytes_per_particle), .print = "%.0f",
+     .help = "largest memory of the arrays, all ranks together, over `particles`"},
+    {.name = "memory_peak", .unit = "B", .type = REPORT_COUNT, AT(struct report, memory_peak), .print = "%.1f", .seen = mega,
+     .help = "largest resident memory of a rank"},
+    {.name = "memory_held", .unit = "B", .type = REPORT_COUNT, AT(struct report, memory_held),
+     .help = "memory of the arrays at the end, all ranks together"},
+    {.name = "inserted", .unit = "1", .type = REPORT_COUNT, AT(struct report, inserted),
+     .help = "particles put in since the start of the run"},
+    {.name = "deleted", .unit = "1", .type = REPORT_COUNT, AT(struct report, deleted),
+     .help = "particles taken out since the start of the run"},
+    {.name = "seed", .unit = "", .type = REPORT_COUNT, AT(struct report, seed),
+     .help = "seed of the scene"},
+    {.name = "stopped", .unit = "", .type = REPORT_TEXT, AT(struct report, stopped),
+     .help = "`signal 15` and the like where a signal ended the run; else empty"},
+    {.name = "ghosts", .unit = "1", .type = REPORT_EACH, AT(struct report, ghosts),
+     .help = "copies of other ranks' particles at the end, a number for each rank"},
+    {.name = "messages", .unit = "1", .type = REPORT_EACH, AT(struct report, messages), .print = "%.1f",
+     .help = "messages sent in the steps, a number for each rank"},
+    {.name = "bytes", .unit = "B", .type = REPORT_EACH, AT(struct report, bytes), .print = "%.4g",
+     .help = "bytes in them, a number for each rank"},
+    {.name = "rebuild_messages", .unit = "1", .type = REPORT_COUNT, AT(struct report, rebuild_messages),
+     .help = "of these messages, those at rebuilds; all ranks together"},
+    {.name = "rebuild_bytes", .unit = "B", .type = REPORT_COUNT, AT(struct report, rebuild_bytes),
+     .help = "bytes in them"},
+    {.name = "pupcs", .unit = "1/s", .type = REPORT_REAL, .real = report_pupcs, .print = "%.3g",
+     .help = "particle updates per core and second: `particle_steps_per_second` over ranks times threads (Eibl and Rüde)"},
+    {.name = "imbalance", .unit = "1", .type = REPORT_REAL, AT(struct report, imbalance), .print = "%.3f",
+     .help = "largest over mean seconds of work of the ranks"},
+    {.name = "sync_share", .unit = "1", .type = REPORT_REAL, AT(struct report, sync_share), .print = "%.1f", .seen = percent,
+     .help = "share of communication and waiting in all seconds"},
+    {.name = "sync", .unit = "", .type = REPORT_TEXT, AT(struct report, sync),
+     .help = "how copies spread, and why"},
+    {.name = "domain", .unit = "", .type = REPORT_TEXT, AT(struct report, domain),
+     .help = "how the box is divided among ranks, `brick` or `bisection`"},
+    {.name = "divisions", .unit = "1", .type = REPORT_COUNT, AT(struct report, divisions),
+     .help = "how often it was divided anew"},
+    {.name = "version", .unit = "", .type = REPORT_TEXT, .text = version,
+     .help = "of the program"},
+    {.name = "git_revision", .unit = "", .type = REPORT_TEXT, .text = revision,
+     .help = "of its source"},
+    {.name = "compiler", .unit = "", .type = REPORT_TEXT, .text = compiler,
+     .help = "that built it"},
+    {.name = "flags", .unit = "", .type = REPORT_TEXT, .text = flags,
+     .help = "of the compiler"},
+    {.name = "host", .unit = "", .type = REPORT_TEXT, .text = host,
+     .help = "machine of the first rank"},
+    {.name = "cpu", .unit = "", .type = REPORT_TEXT, .text = cpu,
+     .help = "its processor"},
+    {.name = "unit_of_length", .unit = "", .type = REPORT_TEXT, .text = unit_of_length, .terminal = true,
+     .help = "behind the heading of radii"},
+    {.name = "index_choice", .unit = "", .type = REPORT_GROUP, .rows = choice_rows, .shown = chosen,
+     .help = "only of an index that chooses (`auto`)"},
+    {.name = "levels", .unit = "", .type = REPORT_LIST, LIST(level, levels), .rows = level_rows,
+     .help = "grids of the index, from small to large; empty without grids"},
+    {.name = "classes", .unit = "", .type = REPORT_LIST, LIST(size_class, classes), .rows = class_rows,
+     .help = "size classes, from small to large"},
+    {.name = "insertions", .unit = "", .type = REPORT_LIST, LIST(insertion, insertions), .rows = insertion_rows,
+     .help = "regions of the scene's `insertions`, in its order"},
+    {.name = "stages", .unit = "s", .type = REPORT_STAGES, AT(struct report, stage), .rows = stage_rows,
+     .help = "wall clock of each stage, exclusive of the others: `min`, `mean` and `max` over ranks"},
+    {0}};
+
+/* clang-format on */
+
+const char *report_stage_help(enum timer_stage stage) {
+    return stage_help[stage];
+}
+
+const struct report_row *report_row_find(const struct report_row *rows, const char *name, size_t length) {
+    size_t part = 0;
+    while (part < length && name[part] != '.')
+        part++;
+    for (const struct report_row *row = rows; row->name; row++) {
+        if (strlen(row->name) != part || memcmp(row->name, name, part) != 0)
+            continue;
+        return part == length ? row : report_row_find(row->rows, name + part + 1, length - part - 1);
+    }
+    return NULL;
+}
+
+int report_row_entries(const struct report_row *row, const struct report *report) {
+    return *(const int *)((const char *)report + row->count_offset);
+}
+
+const void *report_row_entry(const struct report_row *row, const struct report *report, int k) {
+    return (const char *)report + row->offset + (size_t)k * row->size;
+}
+
+uint64_t report_row_count(const struct report_row *row, const void *base) {
+    return *(const uint64_t *)((const char *)base + row->offset);
+}
+
+int report_row_number(const struct report_row *row, const void *base) {
+    return *(const int *)((const char *)base + row->offset);
+}
+
+double report_row_real(const struct report_row *row, const void *base) {
+    return row->real ? row->real(base) : *(const double *)((const char *)base + row->offset);
+}
+
+bool report_row_flag(const struct report_row *row, const void *base) {
+    return *(const bool *)((const char *)base + row->offset);
+}
+
+const uint64_t *report_row_each(const struct report_row *row, const void *base) {
+    return *(uint64_t *const *)((const char *)base + row->offset);
+}
+
+const char *report_row_text(const struct report_row *row, const void *base, char *text, size_t room) {
+    return row->text ? row->text(base, text, room) : (const char *)base + row->offset;
+}
