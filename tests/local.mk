@@ -155,6 +155,10 @@ check_PROGRAMS += tests/test_library
 tests_test_library_SOURCES = tests/test_library.c
 tests_test_library_LDADD = $(APP_LIBS) $(TEST_LIBS)
 
+check_PROGRAMS += tests/test_interaction
+tests_test_interaction_SOURCES = tests/test_interaction.c
+tests_test_interaction_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
+
 check_PROGRAMS += tests/test_skin
 tests_test_skin_SOURCES = tests/test_skin.c
 tests_test_skin_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)

@@ -42,7 +42,7 @@ static void cloud_fill(struct cloud *c, size_t n, size_t ghosts) {
     struct classes_options options = {
         .method = CLASSES_CUTS, .cut_count = 1, .cut = {1}, .skin_given = true, .skin = 0.1};
     struct error error = {0};
-    assert_true(classes_choose(&c->classes, &options, 0, radii, n, &error));
+    assert_true(classes_choose(&c->classes, &options, NULL, radii, n, &error));
     memory_free(radii);
     particles_classify(c->particles, &c->classes);
     c->particles->owned = n - ghosts;

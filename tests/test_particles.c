@@ -318,6 +318,15 @@ static void test_image_codes_and_shifts(void **state) {
     assert_true(shift[image_code(1, -1, 0)][0] == 4 && shift[image_code(1, -1, 0)][1] == -5);
 }
 
+/* A range that is the same for all. */
+static double range_same(const void *context, int kind_a, double a, int kind_b, double b) {
+    (void)kind_a, (void)a, (void)kind_b, (void)b;
+    return *(const double *)context;
+}
+
+static const struct classes_range half = {range_same, &(const double){0.5}};
+static const struct classes_range quarter = {range_same, &(const double){0.25}};
+
 static void test_classes_by_ratio_and_by_cuts(void **state) {
     (void)state;
     struct size_classes classes;
@@ -326,7 +335,7 @@ static void test_classes_by_ratio_and_by_cuts(void **state) {
     double two[200];
     for (int k = 0; k < 200; k++)
         two[k] = k % 100 == 0 ? 10 : 1;
-    assert_true(classes_choose(&classes, &options, 0, two, 200, &error));
+    assert_true(classes_choose(&classes, &options, NULL, two, 200, &error));
     assert_int_equal(classes.count, 2);
     assert_int_equal(classes_of(&classes, 1), 0);
     assert_int_equal(classes_of(&classes, 10), 1);
@@ -335,13 +344,13 @@ static void test_classes_by_ratio_and_by_cuts(void **state) {
     double many[] = {1, 1.5, 2.5, 3, 5, 9};
     options = (struct classes_options){
         .method = CLASSES_CUTS, .cut_count = 2, .cut = {2, 4}, .skin_given = true, .skin = 0.25};
-    assert_true(classes_choose(&classes, &options, 0.5, many, 6, &error));
+    assert_true(classes_choose(&classes, &options, &half, many, 6, &error));
     assert_int_equal(classes.count, 3);
     assert_int_equal(classes.population[1], 2);
     assert_true(classes.radius_max[0] == 1.5 && classes.radius_min[2] == 5);
     assert_true(classes.margin[0][2] == 0.75);
     options.cut[1] = 2;
-    assert_false(classes_choose(&classes, &options, 0, many, 6, &error));
+    assert_false(classes_choose(&classes, &options, NULL, many, 6, &error));
     assert_int_equal(error.kind, ERROR_USER);
     assert_non_null(strstr(error.text, "classes.cuts"));
 }
@@ -352,7 +361,7 @@ static void test_classes_by_quantiles(void **state) {
     struct classes_options options = {.method = CLASSES_QUANTILES, .count = 3, .skin_relative = 0.1};
     struct error error = {0};
     double even[] = {12, 1, 11, 2, 10, 3, 9, 4, 8, 5, 7, 6};
-    assert_true(classes_choose(&classes, &options, 0, even, 12, &error));
+    assert_true(classes_choose(&classes, &options, NULL, even, 12, &error));
     assert_int_equal(classes.count, 3);
     for (int c = 0; c < 3; c++) {
         assert_int_equal(classes.population[c], 4);
@@ -363,10 +372,10 @@ static void test_classes_by_quantiles(void **state) {
     assert_int_equal(classes_of(&classes, 99), 2);
     /* as many equal radii as two of the classes hold, the smallest or the largest: no class is empty */
     double small[] = {1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 3, 2}, large[] = {3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 1, 2};
-    assert_true(classes_choose(&classes, &options, 0, small, 12, &error));
+    assert_true(classes_choose(&classes, &options, NULL, small, 12, &error));
     assert_int_equal(classes.count, 2);
     assert_true(classes.population[0] == 10 && classes.population[1] == 2);
-    assert_true(classes_choose(&classes, &options, 0, large, 12, &error));
+    assert_true(classes_choose(&classes, &options, NULL, large, 12, &error));
     assert_int_equal(classes.count, 1);
     assert_true(classes.population[0] == 12 && classes.radius_min[0] == 1 && classes.radius_max[0] == 3);
 }
@@ -390,10 +399,10 @@ static void test_kinds_lie_together(void **state) {
         kinds_of(p)[k] = fluid ? KIND_FLUID : KIND_GRAIN;
         radii[fluid][count[fluid]++] = p->state[k].radius;
     }
-    assert_true(classes_choose(&of_kind, &two, 0, radii[0], count[0], &error));
-    assert_true(kinds_join_classes(&all, KIND_GRAIN, &of_kind, &two, 0.25, &error));
-    assert_true(classes_choose(&of_kind, &one, 0, radii[1], count[1], &error));
-    assert_true(kinds_join_classes(&all, KIND_FLUID, &of_kind, &one, 0.25, &error));
+    assert_true(classes_choose(&of_kind, &two, NULL, radii[0], count[0], &error));
+    assert_true(kinds_join_classes(&all, KIND_GRAIN, &of_kind, &two, &quarter, &error));
+    assert_true(classes_choose(&of_kind, &one, NULL, radii[1], count[1], &error));
+    assert_true(kinds_join_classes(&all, KIND_FLUID, &of_kind, &one, &quarter, &error));
     assert_int_equal(all.count, 3);
     assert_true(all.kind[0] == KIND_GRAIN && all.kind[1] == KIND_GRAIN && all.kind[2] == KIND_FLUID);
     assert_true(all.margin[0][2] == 0.26 && all.population[2] == count[1]);
@@ -432,7 +441,7 @@ static void test_one_kind_costs_nothing(void **state) {
         radii[k] = p->state[k].radius;
         order[k] = 49 - k;
     }
-    assert_true(classes_choose(&classes, &options, 0, radii, 50, &error));
+    assert_true(classes_choose(&classes, &options, NULL, radii, 50, &error));
     particles_classify(p, &classes);
     kinds_sort(p, &classes, order);
     for (uint32_t k = 0; k < 50; k++)

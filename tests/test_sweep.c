@@ -38,7 +38,7 @@ static void cloud_fill(struct cloud *c, size_t ghosts) {
         radii[i] = c->particles->state[i].radius = large ? 2.0 : 0.2 + 0.1 * random_uniform(&random);
         c->particles->id[i] = (int64_t)k + 1;
     }
-    assert_true(classes_choose(&c->classes, &options, 0, radii, CLOUD, &error));
+    assert_true(classes_choose(&c->classes, &options, NULL, radii, CLOUD, &error));
     particles_classify(c->particles, &c->classes);
     c->particles->owned = CLOUD - ghosts;
     c->particles->ghosts = ghosts;

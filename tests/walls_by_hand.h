@@ -114,7 +114,7 @@ static inline void world_rebuild(struct world *w, const uint32_t *order) {
     struct error error = {0};
     for (size_t i = 0; i < owned; i++)
         radius[i] = w->particles->state[i].radius;
-    must(classes_choose(&w->classes, &options, 0.0, radius, owned, &error), &error);
+    must(classes_choose(&w->classes, &options, NULL, radius, owned, &error), &error);
     memory_free(radius);
     walls_detach(w->walls, w->particles, &rows);
     particles_wrap(w->particles, &w->box);

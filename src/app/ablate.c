@@ -224,7 +224,7 @@ static void words_print(const char *what, const struct words *words) {
 }
 
 /* Before anything runs: how many runs of what. */
-static void plan_print(const struct variants *v) {
+static void variants_print(const struct variants *v) {
     printf("%d runs", v->runs);
     words_print("index", &v->index);
     words_print("newton", &v->newton);
@@ -268,7 +268,7 @@ static bool table_make(const struct comm *comm, const struct command_line *line,
     FILE *table = NULL;
     struct trial trial;
     if (comm->rank == 0)
-        plan_print(v);
+        variants_print(v);
     if (!plan_try(comm, line, v, &trial, error))
         return false;
     snprintf(path, sizeof path, "%s/ablate.csv", line->directory);

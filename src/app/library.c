@@ -56,7 +56,7 @@ static void classes_make(const struct scree_spheres *spheres, double margin, str
     memcpy(radii, spheres->radius, spheres->count * sizeof *radii);
     options.skin_given = true;
     options.skin = margin;
-    classes_choose(classes, &options, 0, radii, spheres->count, &error);
+    classes_choose(classes, &options, NULL, radii, spheres->count, &error);
     memory_free(radii);
     for (size_t k = 0; k < spheres->count; k++)
         size_class[k] = (uint8_t)classes_of(classes, spheres->radius[k]);

@@ -85,7 +85,7 @@ static struct walk_work force_work(const struct force_context *context) {
                              .target = particles->force,
                              .stride = (size_t)particles->force_stride,
                              .radii = true,
-                             .range = context->law->range,
+                             .range = context->range,
                              .selective = context->prescribed,
                              .ordered = context->ordered};
     if (context->law->spin) {

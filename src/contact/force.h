@@ -38,6 +38,7 @@ struct force_context {
     const struct pairlist *list;
     struct history *history; /* NULL where the law has none */
     const struct law *law;
+    double range;     /* how far beyond touch contacts reach, at most */
     double dt;        /* by which histories advance; 0 in the first evaluation of a run (they stay) */
     bool want_sums;   /* fill the energies of the sums; contacts and overlap_max always are */
     bool want_virial; /* and the virial; only with want_sums */

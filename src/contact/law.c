@@ -136,3 +136,12 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
     law->history_components = !law->spin ? 0 : options->rolling != LAW_ROLLING_NONE ? 6 : 3;
     return true;
 }
+
+double law_range(const struct law *law, double radius_a, double radius_b) {
+    const struct law_form *form = law_row_get(law->options.normal)->form;
+    double most = 0.0;
+    for (int a = 0; form->range && a < law->materials; a++)
+        for (int b = 0; b <= a; b++)
+            most = fmax(most, form->range(&law->pair[a][b], radius_a, radius_b));
+    return most;
+}

@@ -59,13 +59,16 @@ struct law {
     bool uniform; /* all pairs of materials have the same coefficients */
     struct law_coefficients pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX]; /* symmetric */
     bool moduli;            /* springs come from young and poisson of the materials */
-    double range;           /* how far beyond touch the law acts: 0 here */
     int history_components; /* doubles of history a contact: 0, 3 or 6 */
     bool spin;              /* particles need angular velocity and torque */
 };
 
 /* The defaults: hertz, restitution, end at zero force, history, no rolling. */
 struct law_options law_options_default(void);
+
+/* How far beyond touch spheres of these radii interact, for any two materials; a wall has an infinite radius. Any
+ * thread. */
+double law_range(const struct law *law, double radius_a, double radius_b);
 
 /* Makes the table of coefficients from the entries pair[a][b], a <= b < materials. Fails (user) on values out
  * of range or options that do not go together. One thread. */

@@ -69,6 +69,8 @@ struct law_form {
     /* Laws with moduli: k_n and k_t from Young's modulus and Poisson's ratio of both materials. NULL: they are
      * those of the pair. */
     void (*moduli)(const struct law_material *a, const struct law_material *b, struct law_coefficients *c);
+    /* How far beyond touch two spheres of these radii interact, length; monotonic in each. NULL: not at all. */
+    double (*range)(const struct law_coefficients *c, double radius_a, double radius_b);
     /* Largest overlap of an elastic impact at `speed`, with the effective mass and radius; length. */
     double (*impact)(const struct law_coefficients *c, double mass, double radius, double speed);
     /* Duration of the elastic impact that reaches `overlap`; time. */

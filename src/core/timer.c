@@ -1,6 +1,7 @@
 #include "core/timer.h"
 
 #include <assert.h>
+#include <string.h>
 #include <time.h>
 
 static const char *const stage_names[TIMER_STAGES] = {
@@ -20,6 +21,13 @@ double timer_now(void) {
 const char *timer_stage_name(enum timer_stage stage) {
     assert(stage < TIMER_STAGES);
     return stage_names[stage];
+}
+
+enum timer_stage timer_stage_find(const char *name) {
+    for (int k = 0; k < TIMER_STAGES; k++)
+        if (strcmp(stage_names[k], name) == 0)
+            return (enum timer_stage)k;
+    return TIMER_OTHER;
 }
 
 /* Charges the time since the last change to the running stage, if there is one. */

@@ -36,6 +36,9 @@ struct timers {
 /* Seconds since an arbitrary fixed moment; monotonic. Any thread. */
 double timer_now(void);
 
+/* The stage of a name, TIMER_OTHER if there is none. */
+enum timer_stage timer_stage_find(const char *name);
+
 /* The name of a stage as it stands in report.json ("advance", "contact", ...). */
 const char *timer_stage_name(enum timer_stage stage);
 

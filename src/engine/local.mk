@@ -2,6 +2,8 @@ noinst_LTLIBRARIES += libengine.la
 libengine_la_SOURCES = \
 	src/engine/folder.c \
 	src/engine/folder.h \
+	src/engine/grains.c \
+	src/engine/grains.h \
 	src/engine/guards.c \
 	src/engine/guards.h \
 	src/engine/limit.c \
@@ -12,6 +14,11 @@ libengine_la_SOURCES = \
 	src/engine/notes.h \
 	src/engine/outputs.c \
 	src/engine/outputs.h \
+	src/engine/physics.c \
+	src/engine/physics.h \
+	src/physics_table.h \
+	src/engine/plan.c \
+	src/engine/plan.h \
 	src/engine/rebuild.c \
 	src/engine/resume.c \
 	src/engine/resume.h \

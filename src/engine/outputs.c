@@ -151,6 +151,15 @@ static bool contacts_write(struct outputs *o, const struct output_view *view, st
     return good;
 }
 
+bool outputs_due(const struct outputs *o, const struct simulation *s) {
+    const struct output_interval *every[] = {&o->options->observables.every, &o->options->trajectory.every,
+                                             &o->options->trajectory.contacts, &o->options->dump.every};
+    for (size_t k = 0; k < sizeof every / sizeof every[0]; k++)
+        if (output_interval_due(every[k], s->step, s->time, s->dt))
+            return true;
+    return false;
+}
+
 bool outputs_write(struct outputs *o, const struct simulation *s, struct error *error) {
     const struct output_options *options = o->options;
     struct output_view view = simulation_view(s);

@@ -27,6 +27,9 @@ bool outputs_want_sums(const struct outputs *outputs, const struct simulation *s
 /* True if dissipated energy or another sum over steps is observed. */
 bool outputs_sum_each_step(const struct outputs *outputs);
 
+/* True if outputs_write has anything to write now: what physics show then must be known (physics_look). */
+bool outputs_due(const struct outputs *outputs, const struct simulation *simulation);
+
 /* Writes what is due at the present step. Collective. */
 bool outputs_write(struct outputs *outputs, const struct simulation *simulation, struct error *error);
 

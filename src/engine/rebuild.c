@@ -143,9 +143,11 @@ static void search(struct simulation *s) {
     timer_stop(&s->timers, TIMER_INDEX);
     timer_start(&s->timers, TIMER_PAIRS);
     double start = timer_now();
-    pairlist_build(s->list, s->index, &s->view, &s->scene->box);
+    pairlist_build(s->interactions.all, s->index, &s->view, &s->scene->box);
     if (s->scene->ghosts.in_place && !s->alone)
-        pairlist_add_images(s->list, s->particles->owned, ghosts_unshift(s->ghosts, s->particles));
+        pairlist_add_images(s->interactions.all, s->particles->owned,
+                            ghosts_unshift(s->ghosts, s->particles));
+    interactions_select(&s->interactions, &s->classes, &s->view);
     s->pairs_seconds += timer_now() - start;
     timer_stop(&s->timers, TIMER_PAIRS);
 }
@@ -220,7 +222,7 @@ void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
     attach(s, rows);
     skin_reset(s->skin, s->particles);
     timer_stop(&s->timers, TIMER_HISTORY);
-    force_loop_prepare(s->loop, &s->contact);
+    physics_rebuilt(&s->physics, s->alone ? NULL : s->ghosts);
     if (s->sweep)
         s->sweep->stale = true;
 }

@@ -23,7 +23,7 @@ static void numbers_list(struct simulation *s, struct resume_numbers *own, struc
     restart_add(restart, RESTART_REAL, false, &own->fraction, "fraction of the stable step");
     restart_add(restart, RESTART_INTEGER, false, &s->inserted, "inserted");
     restart_add(restart, RESTART_INTEGER, false, &s->deleted, "deleted");
-    restart_add(restart, RESTART_SUM, false, &s->taken, "energy taken by contacts");
+    physics_restart(&s->physics, restart);
     restart_add(restart, RESTART_SUM, false, &own->wall_work, "work of walls");
     restart_add(restart, RESTART_SUM, false, &own->load_fresh, "load: imbalance not measured");
     restart_add(restart, RESTART_SUM, false, &own->load_reached, "load: imbalance reached");
@@ -107,7 +107,7 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
                                     .history = rows.pairs.start ? &rows.pairs : NULL,
                                     .wall_history = rows.walls.start ? &rows.walls : NULL,
                                     .walls = s->walls,
-                                    .law = scene_law_name(s->scene->law.normal),
+                                    .law = law_row_get(s->scene->law.normal)->name,
                                     .materials = s->scene->materials,
                                     .groups = s->scene->groups,
                                     .material = s->scene->material,

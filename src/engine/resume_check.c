@@ -33,7 +33,7 @@ static bool check_box(const struct simulation *s, const char *path, const struct
 
 static bool check_law(const struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
                       struct error *error) {
-    const char *law = scene_law_name(s->scene->law.normal);
+    const char *law = law_row_get(s->scene->law.normal)->name;
     if (strcmp(loaded->law, law) != 0)
         return error_set(error, ERROR_USER,
                          "%s: it was written with contact.law %s, the scene has %s: "

@@ -164,6 +164,8 @@ static bool step_once(struct run *run, struct error *error) {
         guards_check_energy(s);
     look_at_step(run);
     timer_start(&s->timers, TIMER_OUTPUT);
+    if (watched || (run->outputs && outputs_due(run->outputs, s)))
+        physics_look(&s->physics);
     bool good = run->outputs == NULL || outputs_write(run->outputs, s, error);
     if (good && watched)
         good = watch->look(watch->context, s, error);
@@ -236,7 +238,10 @@ static bool run_open(struct run *run, struct error *error) {
     if (!outputs_open(run->outputs, s, run->options->resume != NULL, error))
         return false;
     s->sums_each_step = s->sums_each_step || outputs_sum_each_step(run->outputs);
-    return run->options->resume != NULL || outputs_write(run->outputs, s, error);
+    if (run->options->resume != NULL)
+        return true;
+    physics_look(&s->physics);
+    return outputs_write(run->outputs, s, error);
 }
 
 static bool watch_begin(const struct run *run, struct error *error) {

@@ -1,3 +1,4 @@
+#include "engine/grains.h"
 #include "engine/guards.h"
 #include "engine/load.h"
 #include "comm/balance.h"
@@ -110,7 +111,8 @@ static void classes_count(struct simulation *s) {
         classes->radius_min[c] = least[c];
         classes->radius_max[c] = most[c];
     }
-    classes_set_margins(classes, &s->scene->classes, s->law.range);
+    struct classes_range range = interactions_range(&s->interactions);
+    classes_set_margins(classes, &s->scene->classes, &range);
 }
 
 bool simulation_classify(struct simulation *s, struct error *error) {
@@ -123,7 +125,8 @@ bool simulation_classify(struct simulation *s, struct error *error) {
         memory_allocate((size_t)CLASS_BINS * (CLASS_SAMPLE + 4), sizeof *sample, "radius sample");
     size_t n = radius_sample(bins, total, sample);
     struct classes_options options = classes_wanted(s, bins, total);
-    bool good = classes_choose(&s->classes, &options, s->law.range, sample, n, error);
+    struct classes_range range = interactions_range(&s->interactions);
+    bool good = classes_choose(&s->classes, &options, &range, sample, n, error);
     memory_free(sample);
     memory_free(bins);
     if (good)
@@ -218,14 +221,13 @@ bool simulation_prepare(struct simulation *s, struct error *error) {
 /* All that does not depend on the particles' number. */
 static void parts_create(struct simulation *s) {
     s->ghosts = ghosts_create(s->comm, s->domain, &s->scene->box, &s->scene->ghosts);
-    s->list = pairlist_create(&(struct pairlist_options){.threads = s->threads});
+    interactions_create(&s->interactions, &(struct pairlist_options){.threads = s->threads});
     s->history = s->law.history_components ? history_create(s->law.history_components, s->threads) : NULL;
     s->skin = skin_create();
     s->sweep = s->scene->step.fused ? sweep_create(s->threads) : NULL;
     s->loop = force_loop_create(s->threads);
     s->speed = memory_allocate_zero((size_t)s->threads, sizeof *s->speed, "speeds");
     s->contact = (struct force_context){.particles = s->particles,
-                                        .list = s->list,
                                         .history = s->history,
                                         .law = &s->law,
                                         .prescribed = s->scene->groups > 1,
@@ -363,15 +365,35 @@ static bool particles_suit(struct simulation *s, struct error *error) {
     if (!simulation_classify(s, error) || !box_suffices(s, error) || !timing_choose(s, error))
         return false;
     particles_classify(s->particles, &s->classes);
+    interactions_divide(&s->interactions, &s->classes, &(struct pairlist_options){.threads = s->threads});
+    physics_lists(&s->physics, &s->interactions);
+    s->list = s->contact.list = interaction_list(&s->interactions, 0);
+    step_plan(s);
     load_lay(s, s->resumed_grid);
     index_suits(s, error);
     return comm_agree(s->comm, error); /* each rank looks at its own particles */
 }
 
+/* The physics that the scene asks for, with grains first. */
+static void physics_start(struct simulation *s) {
+    struct physics_context context = {.options = &s->law,
+                                      .scene = s->scene,
+                                      .box = &s->scene->box,
+                                      .comm = s->comm,
+                                      .ghosts = NULL,
+                                      .particles = s->particles,
+                                      .classes = &s->classes,
+                                      .threads = s->threads,
+                                      .ordered = s->scene->reproducible};
+    physics_begin(&s->physics, &grains_physics, &context, &s->interactions);
+}
+
 static bool simulation_fill(struct simulation *s, const char *resume, struct error *error) {
     s->particles = particles_create(0);
     scene_register(s->scene, &s->law, s->particles);
+    physics_start(s);
     parts_create(s);
+    physics_create(&s->physics, s);
     simd_choose(s, error);
     if (!comm_agree(s->comm, error)) /* ranks may have different CPUs */
         return false;
@@ -385,7 +407,6 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
     char *echo = scene_echo(s->scene);
     lineage_go_on(&s->lineage, s->step, echo);
     memory_free(echo);
-    step_plan(s);
     if (!begun || !guards_prepare(s, error))
         return false;
     *error = s->error;
@@ -420,7 +441,8 @@ void simulation_destroy(struct simulation **simulation) {
     sweep_destroy(&s->sweep);
     skin_destroy(&s->skin);
     history_destroy(&s->history);
-    pairlist_destroy(&s->list);
+    physics_free(&s->physics);
+    interactions_free(&s->interactions);
     index_destroy(&s->index);
     ghosts_destroy(&s->ghosts);
     domain_destroy(&s->domain);

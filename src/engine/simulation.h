@@ -15,6 +15,7 @@
 #include "comm/ghosts.h"
 #include "contact/force.h"
 #include "contact/law.h"
+#include "engine/plan.h"
 #include "core/team.h"
 #include "walls/wall.h"
 #include "core/timer.h"
@@ -33,24 +34,9 @@
 #include "scene/compare.h"
 #include "scene/scene_particles.h"
 
-enum { SIMULATION_PASSES_MAX = 16, TUNING_VARIANTS_MAX = 8 };
+enum { TUNING_VARIANTS_MAX = 8 };
 
 struct simulation;
-
-/* One pass of the step. */
-struct step_pass {
-    const char *name;
-    const char *why; /* what in the scene brings it; NULL: always */
-    enum timer_stage stage;
-    bool (*needed)(const struct simulation *simulation);
-    void (*run)(struct simulation *simulation);
-};
-
-/* The passes of a step in the order in which they run. */
-struct step_order {
-    int passes;
-    struct step_pass pass[SIMULATION_PASSES_MAX];
-};
 
 /* What all ranks must know of a step before they go on; one reduction. */
 struct step_signals {
@@ -114,10 +100,11 @@ struct simulation {
 
     struct index *index;
     struct tuning tuning;
-    double pairs_seconds;   /* wall time of all pair list builds */
-    struct index_view view; /* of the last rebuild */
-    struct pairlist *list;
-    struct history *history; /* NULL: the law has none */
+    double pairs_seconds;             /* wall time of all pair list builds */
+    struct index_view view;           /* of the last rebuild */
+    struct interactions interactions; /* and their lists */
+    const struct pairlist *list;      /* of contacts; one of these */
+    struct history *history;          /* NULL: the law has none */
     struct skin *skin;
     struct walls *walls; /* NULL: none */
     struct force_loop *loop;
@@ -148,7 +135,8 @@ struct simulation {
     double (*speed)[CLASS_MAX];       /* [thread][class]: largest squared speed of the last drift */
     double servo_force[WALLS_MAX][3];
 
-    struct step_order plain, fused;
+    struct step_plan plan;
+    struct physics_set physics;
     struct sweep *sweep; /* the plan of the fused order; NULL: the scene wants the plain one alone */
     double agreed[2 * CLASS_MAX + 4]; /* bounds of the skin and signals, on their way through all ranks */
     struct comm_reduction reduction;

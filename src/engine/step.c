@@ -31,41 +31,6 @@
 #include <math.h>
 #include <string.h>
 
-static void servo_run(struct simulation *s) {
-    double part[WALLS_MAX][6];
-    walls_forces(s->walls, part);
-    for (int w = 0; w < walls_count(s->walls); w++)
-        memcpy(s->servo_force[w], part[w], sizeof s->servo_force[w]);
-    comm_sum(s->comm, s->servo_force[0], 3 * walls_count(s->walls));
-}
-
-/* Moves a range of particles of one class. A speed that is no number stays: the guards look for it. */
-static void advance(struct simulation *s, int thread, size_t first, size_t last, int size_class) {
-    double v2 = integrator_advance(s->particles, &s->motion, first, last);
-    double *largest = &s->speed[thread][size_class];
-    if (!isnan(*largest) && !(v2 <= *largest))
-        *largest = v2;
-}
-
-static void advance_run(struct simulation *s) {
-    const struct pairlist *list = s->list;
-#pragma omp parallel for schedule(static, 1)
-    for (int t = 0; t < list->threads; t++) {
-        memset(s->speed[t], 0, sizeof s->speed[t]);
-        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
-            const struct pair_block *block = &list->blocks[b];
-            if (block->kind == PAIR_BLOCK_ROWS)
-                advance(s, t, block->first_row, block->last_row, block->size_class);
-        }
-    }
-    s->particles->force_clear = true;
-}
-
-static void walls_run(struct simulation *s) {
-    double before = s->time_base + (double)(s->step - 1 - s->step_base) * s->dt;
-    walls_advance(s->walls, before, s->dt, walls_have_servo(s->walls) ? s->servo_force : NULL);
-}
-
 /* Bounds of the displacements grow by the largest speeds; where they reach a skin, displacements are
  * measured. */
 static void decide_skin(struct simulation *s) {
@@ -150,7 +115,9 @@ static void copies_clear(struct simulation *s) {
 
 static void exchange_run(struct simulation *s) {
     if (s->signals.rebuild) {
+        s->particles->force_clear = true;
         rebuild_run(s);
+        s->particles->force_clear = false;
         return;
     }
     if (s->alone)
@@ -161,20 +128,11 @@ static void exchange_run(struct simulation *s) {
     copies_clear(s);
 }
 
-static void contact_run(struct simulation *s) {
-    s->particles->force_clear = false;
-#pragma omp parallel for schedule(static, 1)
-    for (int t = 0; t < s->list->threads; t++)
-        for (int b = s->list->thread_block[t]; b < s->list->thread_block[t + 1]; b++)
-            force_loop_block(s->loop, &s->contact, t, b);
-}
-
 /* The early particles of a thread, before all others. */
 static void early_move(struct simulation *s, int t) {
     const struct sweep_thread *plan = &s->sweep->thread[t];
-    memset(s->speed[t], 0, sizeof s->speed[t]);
     for (size_t r = 0; r < plan->early_count; r++)
-        advance(s, t, plan->early[r].first, plan->early[r].last, plan->early[r].size_class);
+        plan_move(&s->plan.moves, t, plan->early[r].first, plan->early[r].last, plan->early[r].size_class);
 }
 
 static void early_run(struct simulation *s) {
@@ -192,9 +150,9 @@ static void late_sweep(struct simulation *s, int t) {
     int first = list->thread_block[t];
     for (int b = first; b < list->thread_block[t + 1]; b++) {
         for (size_t r = plan->start[b - first]; r < plan->start[b - first + 1]; r++)
-            advance(s, t, plan->late[r].first, plan->late[r].last, plan->late[r].size_class);
+            plan_move(&s->plan.moves, t, plan->late[r].first, plan->late[r].last, plan->late[r].size_class);
         if (s->alone || list->blocks[b].kind != PAIR_BLOCK_GHOST)
-            force_loop_block(s->loop, &s->contact, t, b);
+            plan_block(&s->plan.pairs, t, b);
     }
 }
 
@@ -222,7 +180,7 @@ static void copies_run(struct simulation *s) {
     const struct pairlist *list = s->list;
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < s->threads; t++)
-        force_loop_block(s->loop, &s->contact, t, list->thread_block[t + 1] - 1);
+        plan_block(&s->plan.pairs, t, list->thread_block[t + 1] - 1);
 }
 
 static void verify_run(struct simulation *s) {
@@ -231,37 +189,12 @@ static void verify_run(struct simulation *s) {
     if (!s->signals.rebuild)
         return;
     size_t doubles = (s->particles->owned + s->particles->ghosts) * (size_t)s->particles->force_stride;
-    force_loop_abandon(s->loop, &s->contact);
+    plan_abandon(&s->plan.pairs);
     memset(s->particles->force, 0, doubles * sizeof(double));
     s->particles->force_clear = true;
     rebuild_run(s);
-    contact_run(s);
-}
-
-static void wall_run(struct simulation *s) {
-#pragma omp parallel for schedule(static, 1)
-    for (int t = 0; t < s->threads; t++)
-        walls_force_share(s->walls, &s->contact, t);
-}
-
-/* Forces on walls summed without rounding: rank 0 gets those of all ranks. */
-static void walls_agree(struct simulation *s) {
-    int count;
-    int64_t *words = walls_exact(s->walls, &count);
-    if (!s->alone)
-        comm_sum_int(s->comm, words, count);
-    walls_close(s->walls, s->contact.dt, s->comm->rank == 0);
-}
-
-static void finish_run(struct simulation *s) {
-    s->sums = (struct force_sums){0};
-    force_loop_finish(s->loop, &s->contact, &s->sums);
-    if (s->walls)
-        walls_finish(s->walls, &s->contact, &s->sums);
-    if (s->walls && s->scene->reproducible)
-        walls_agree(s);
-    s->taken += s->sums.taken;
-    guards_check(s);
+    s->particles->force_clear = false;
+    plan_block_all(&s->plan.pairs, s->list);
 }
 
 static void reverse_run(struct simulation *s) {
@@ -269,75 +202,41 @@ static void reverse_run(struct simulation *s) {
     ghosts_reverse(s->ghosts, s->particles, &fields);
 }
 
-static bool needs_servo(const struct simulation *s) {
-    return s->walls && walls_have_servo(s->walls);
-}
-static bool needs_walls(const struct simulation *s) {
-    return s->walls != NULL;
-}
-static bool needs_motion(const struct simulation *s) {
-    return s->walls && walls_move(s->walls);
-}
 static bool needs_reverse(const struct simulation *s) {
-    return !s->alone && s->view.newton;
+    return !s->alone && s->scene->ghosts.newton;
 }
 
 static bool needs_copies(const struct simulation *s) {
     return !s->alone;
 }
 
-static const struct step_pass plain_passes[] = {
-    {"servo", "a wall driven to a force", TIMER_COMM, needs_servo, servo_run},
-    {"advance", NULL, TIMER_ADVANCE, NULL, advance_run},
-    {"walls", "walls that move", TIMER_WALL, needs_motion, walls_run},
-    {"decide", NULL, TIMER_DECIDE, NULL, decide_run},
-    {"exchange", NULL, TIMER_COMM, NULL, exchange_run},
-    {"contact", NULL, TIMER_CONTACT, NULL, contact_run},
-    {"wall", "walls", TIMER_WALL, needs_walls, wall_run},
-    {"finish", NULL, TIMER_CONTACT, NULL, finish_run},
-    {"reverse", "newton on, several ranks", TIMER_COMM, needs_reverse, reverse_run},
-    {0},
-};
+static const struct engine_pass moved[] = {{"decide", NULL, TIMER_DECIDE, NULL, decide_run},
+                                           {"exchange", NULL, TIMER_COMM, NULL, exchange_run},
+                                           {0}};
 
-static const struct step_pass fused_passes[] = {
-    {"servo", "a wall driven to a force", TIMER_COMM, needs_servo, servo_run},
-    {"walls", "walls that move", TIMER_WALL, needs_motion, walls_run},
+static const struct engine_pass sweep[] = {
     {"early", "several ranks", TIMER_ADVANCE, needs_copies, early_run},
     {"sweep", NULL, TIMER_SWEEP, NULL, sweep_run},
     {"receive", "several ranks", TIMER_COMM, needs_copies, receive_run},
     {"copies", "several ranks", TIMER_CONTACT, needs_copies, copies_run},
     {"verify", NULL, TIMER_DECIDE, NULL, verify_run},
-    {"wall", "walls", TIMER_WALL, needs_walls, wall_run},
-    {"finish", NULL, TIMER_CONTACT, NULL, finish_run},
-    {"reverse", "newton on, several ranks", TIMER_COMM, needs_reverse, reverse_run},
-    {0},
-};
+    {0}};
 
-static void order_make(const struct simulation *s, const struct step_pass *all, struct step_order *order) {
-    order->passes = 0;
-    for (const struct step_pass *pass = all; pass->run; pass++)
-        if (pass->needed == NULL || pass->needed(s))
-            order->pass[order->passes++] = *pass;
-}
+static const struct engine_pass paired[] = {
+    {"reverse", "newton on, several ranks", TIMER_COMM, needs_reverse, reverse_run}, {0}};
 
 void step_plan(struct simulation *s) {
-    order_make(s, plain_passes, &s->plain);
-    order_make(s, fused_passes, &s->fused);
-}
-
-static void order_print(const struct step_order *order, FILE *file) {
-    for (int p = 0; p < order->passes; p++)
-        fprintf(file, "  %-10s %s%s\n", order->pass[p].name, order->pass[p].why ? "for " : "always",
-                order->pass[p].why ? order->pass[p].why : "");
+    static const struct engine_passes own = {.moved = moved, .paired = paired, .sweep = sweep};
+    plan_make(&s->plan, &s->physics, &own, s);
 }
 
 void step_plan_print(const struct simulation *s, FILE *file) {
     if (s->scene->step.fused) {
         fprintf(file, " fused:\n");
-        order_print(&s->fused, file);
+        plan_print(&s->plan.fused, file);
         fprintf(file, " at rebuilds:\n");
     }
-    order_print(&s->plain, file);
+    plan_print(&s->plan.plain, file);
 }
 
 /* Seconds in the stages whose work is dealt out to threads and that wait for no other rank. */
@@ -350,28 +249,20 @@ void step_run(struct simulation *s, bool rebuild) {
     s->step++;
     s->time = s->time_base + (double)(s->step - s->step_base) * s->dt;
     s->signals.rebuild = rebuild || sources_due(s);
+    memset(s->speed, 0, (size_t)s->threads * sizeof *s->speed);
     bool fused = s->scene->step.fused && !s->signals.rebuild && !skin_nearly_due(s->skin, &s->classes);
-    const struct step_order *order = fused ? &s->fused : &s->plain;
     if (fused)
         rebuild_plan(s);
-    for (int p = 0; p < order->passes; p++) {
-        timer_start(&s->timers, order->pass[p].stage);
-        order->pass[p].run(s);
-        timer_stop(&s->timers, order->pass[p].stage);
-    }
+    plan_run(fused ? &s->plan.fused : &s->plan.plain, &s->timers, s);
+    physics_guard(&s->physics, &s->error);
     team_step(&s->team, s->timers.since, work_seconds(&s->timers));
 }
 
 void step_forces(struct simulation *s) {
     double dt = s->contact.dt;
     s->contact.dt = 0;
-    timer_start(&s->timers, TIMER_CONTACT);
-    contact_run(s);
-    if (s->walls)
-        wall_run(s);
-    finish_run(s);
-    timer_stop(&s->timers, TIMER_CONTACT);
-    if (needs_reverse(s))
-        reverse_run(s);
+    s->particles->force_clear = false;
+    plan_run(&s->plan.forces, &s->timers, s);
+    physics_guard(&s->physics, &s->error);
     s->contact.dt = dt;
 }

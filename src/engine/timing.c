@@ -3,7 +3,6 @@
  * finds. */
 #include "contact/material.h"
 #include "engine/guards.h"
-#include "engine/limit.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -206,7 +205,7 @@ bool timing_contacts(struct simulation *s, struct error *error) {
     double most = s->limits.stable;
     if (!isfinite(most))
         return true;
-    s->limits.stable = limit_of_contacts(s, most);
+    s->limits.stable = physics_limit(&s->physics, most);
     if (s->dt_fraction > 0 && s->dt > s->dt_fraction * s->limits.stable &&
         (s->resumed_dt != s->dt || s->dt > s->limits.stable))
         dt_change(s, s->dt_fraction * s->limits.stable);
@@ -219,7 +218,7 @@ bool timing_due(const struct simulation *s, uint64_t step) {
 }
 
 void timing_look(struct simulation *s) {
-    double stable = limit_of_contacts(s, s->dt / LOOK_PART), before = s->dt;
+    double stable = physics_limit(&s->physics, s->dt / LOOK_PART), before = s->dt;
     char text[256];
     s->limits.stable = fmin(s->limits.stable, stable);
     if (s->dt <= LOOK_PART * stable)

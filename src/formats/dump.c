@@ -28,13 +28,27 @@ static const struct dump_column dump_columns[] = {
     {"position", "x y z", 0}, {"velocity", "vx vy vz", 0},  {"angular_velocity", "omegax omegay omegaz", 0},
     {"force", "fx fy fz", 0}, {"torque", "tqx tqy tqz", 0}, {"image", "ix iy iz", 0},
 };
-enum { DUMP_COLUMNS = sizeof dump_columns / sizeof dump_columns[0], LINE_BYTES = 26 * 26 };
+enum {
+    DUMP_COLUMNS = sizeof dump_columns / sizeof dump_columns[0],
+    LINE_BYTES = 26 * (26 + OUTPUT_FIELDS_MAX)
+};
 
-const char *dump_columns_of(const char *field) {
+static const struct dump_column *known_column(const char *field) {
     for (int c = 0; c < DUMP_COLUMNS; c++)
         if (strcmp(dump_columns[c].field, field) == 0)
-            return dump_columns[c].head;
-    return strcmp(field, "id") == 0 ? "id" : "";
+            return &dump_columns[c];
+    return NULL;
+}
+
+const char *dump_columns_of(const char *field, enum field_type type, int components) {
+    const struct dump_column *known = known_column(field);
+    bool shown = strcmp(field, "id") == 0 || (type == FIELD_DOUBLE && components == 1);
+    return known ? known->head : shown ? field : "";
+}
+
+/* True of a column that LAMMPS has no name for: it stands under its own, behind the others. */
+static bool is_other(const struct frame_column *column) {
+    return known_column(column->name) == NULL && column->type == FIELD_DOUBLE && column->components == 1;
 }
 
 /* Cuts a present file behind the last whole frame up to a step. */
@@ -94,20 +108,23 @@ static void write_head(const struct dump *dump, const struct frame *frame) {
     for (int c = 0; c < DUMP_COLUMNS; c++)
         if (frame_find(frame, dump_columns[c].field))
             fprintf(dump->file, " %s", dump_columns[c].head);
+    for (int c = 0; c < frame->columns; c++)
+        if (is_other(&frame->column[c]))
+            fprintf(dump->file, " %s", frame->column[c].name);
     fprintf(dump->file, "\n");
 }
 
-static size_t format_column(const struct frame_column *column, const struct dump_column *shown, size_t row,
-                            char *to) {
+/* `add` goes to integers. */
+static size_t format_column(const struct frame_column *column, int add, size_t row, char *to) {
     size_t used = 0;
     for (int d = 0; d < column->components; d++) {
         size_t k = row * (size_t)column->components + (size_t)d;
         if (column->type == FIELD_DOUBLE)
             used += (size_t)sprintf(to + used, " %.15g", ((const double *)column->data)[k]);
         else if (column->type == FIELD_INT32)
-            used += (size_t)sprintf(to + used, " %d", ((const int32_t *)column->data)[k] + shown->add);
+            used += (size_t)sprintf(to + used, " %d", ((const int32_t *)column->data)[k] + add);
         else
-            used += (size_t)sprintf(to + used, " %" PRId64, ((const int64_t *)column->data)[k] + shown->add);
+            used += (size_t)sprintf(to + used, " %" PRId64, ((const int64_t *)column->data)[k] + add);
     }
     return used;
 }
@@ -127,8 +144,11 @@ static char *format_rows(const struct frame *frame, size_t *bytes) {
         for (int c = 0; c < DUMP_COLUMNS; c++) {
             const struct frame_column *column = frame_find(frame, dump_columns[c].field);
             if (column)
-                used += format_column(column, &dump_columns[c], row, text + used);
+                used += format_column(column, dump_columns[c].add, row, text + used);
         }
+        for (int c = 0; c < frame->columns; c++)
+            if (is_other(&frame->column[c]))
+                used += format_column(&frame->column[c], 0, row, text + used);
         text[used++] = '\n';
     }
     *bytes = used;

@@ -12,9 +12,9 @@ struct dump;
 bool dump_open(struct dump **dump, const struct comm *comm, const char *path, int64_t resume_step,
                struct error *error);
 
-/* The columns of a dump that show a field, by its name in H5MD, as they stand in its head ("vx vy vz"); "" if
- * there are none. */
-const char *dump_columns_of(const char *field);
+/* The columns of a dump that show a field, by its name in H5MD, as they stand in its head ("vx vy vz"): a number
+ * that LAMMPS has no name for has that of the field; "" if there are none. */
+const char *dump_columns_of(const char *field, enum field_type type, int components);
 
 /* Appends a frame and flushes it. Fields that a dump has no columns for are left out. Collective. */
 bool dump_write(struct dump *dump, const struct frame *frame, struct error *error);

@@ -9,6 +9,7 @@
 #include "contact/spin.h"
 #include "core/memory.h"
 #include "integrate/groups.h"
+#include "physics_table.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -60,6 +61,9 @@ void frame_register_all(struct particles *particles) {
     material_register(particles);
     groups_register(particles);
     particles_count_images(particles);
+#define FIELDS_OF(name, key, summary) name##_fields(particles);
+    PHYSICS_TABLE(FIELDS_OF)
+#undef FIELDS_OF
 }
 
 static const char *unit_of(const struct field *field, const struct shown *shown) {

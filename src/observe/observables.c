@@ -4,18 +4,32 @@
 
 #include "core/memory.h"
 #include "observe/observables_kinds.h"
+#include "physics_table.h"
 
 #include <inttypes.h>
 #include <math.h>
 #include <string.h>
 
+#define OBSERVABLES_OF(name, key, summary) &name##_observables,
+static const struct observable_table *const of_physics[] = {PHYSICS_TABLE(OBSERVABLES_OF)};
+#undef OBSERVABLES_OF
+
 int observables_kinds_count(void) {
-    return observables_bulk_count() + observables_single_count();
+    int count = observables_bulk_count() + observables_single_count();
+    for (int p = 0; p < PHYSICS_COUNT; p++)
+        count += of_physics[p]->count;
+    return count;
 }
 
 const struct observable_kind *observables_kind(int k) {
-    int bulk = observables_bulk_count();
-    return k < bulk ? observables_bulk(k) : observables_single(k - bulk);
+    int bulk = observables_bulk_count(), single = observables_single_count(), p = 0;
+    if (k < bulk)
+        return observables_bulk(k);
+    if (k < bulk + single)
+        return observables_single(k - bulk);
+    for (k -= bulk + single; k >= of_physics[p]->count; p++)
+        k -= of_physics[p]->count;
+    return &of_physics[p]->rows[k];
 }
 
 int observables_count(void) {

@@ -53,7 +53,13 @@ struct observable_kind {
     bool (*relevant)(const struct output_view *view);
 };
 
-/* The rows of the two files that define them, and of both together. */
+/* The rows that a physics adds (physics_table.h). */
+struct observable_table {
+    const struct observable_kind *rows;
+    int count;
+};
+
+/* The rows of the two files that define them, and of all together. */
 int observables_bulk_count(void);
 const struct observable_kind *observables_bulk(int k);
 int observables_single_count(void);

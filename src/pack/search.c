@@ -32,7 +32,7 @@ static bool choose_classes(struct pack_search *search, double gap, struct error 
     options.method = CLASSES_GEOMETRIC;
     options.count = (int)ceil(log(largest / smallest) / log(class_ratio));
     options.skin_relative = skin;
-    bool good = classes_choose(&search->classes, &options, 0, radius, particles->owned, error);
+    bool good = classes_choose(&search->classes, &options, NULL, radius, particles->owned, error);
     memory_free(radius);
     set_margins(&search->classes, gap);
     return good;

@@ -8,7 +8,7 @@
 #include <string.h>
 
 /* Entries of one particle up to which insertion sorts faster. */
-enum { SORT_SHORT = 24 };
+enum { RECORD_MAX = 8, SORT_SHORT = 24 };
 
 /* An entry in the order in which it is to be added. */
 struct walk_place {
@@ -141,13 +141,13 @@ static void range_fill(const struct walk_ordered *o, struct walk_range *range, s
     }
 }
 
-/* The sums of all particles of the range, with a constant stride. */
+/* The sums of all particles of the range; forces have a constant stride. */
 static inline __attribute__((always_inline)) void range_sum(const struct walk_range *range, double *force,
                                                             const size_t stride) {
     for (size_t i = range->first; i < range->last; i++) {
         size_t first = range->start[i - range->first], n = range->start[i - range->first + 1] - first;
         struct walk_place *place = range->place + first;
-        double sum[8];
+        double sum[RECORD_MAX];
         if (n == 0)
             continue;
         places_sort(place, n);
@@ -160,13 +160,15 @@ static inline __attribute__((always_inline)) void range_sum(const struct walk_ra
 }
 
 static void range_add(const struct walk_ordered *o, struct walk_range *range, double *force, size_t stride) {
-    assert(stride == 4 || stride == 8);
+    assert(stride <= RECORD_MAX);
     range_count(o, range);
     range_fill(o, range, stride);
     if (stride == 8)
         range_sum(range, force, 8);
-    else
+    else if (stride == 4)
         range_sum(range, force, 4);
+    else
+        range_sum(range, force, stride);
 }
 
 void walk_ordered_add(struct walk_ordered *o, size_t owned, double *force, size_t stride) {

@@ -51,9 +51,13 @@ static bool cuts_given(struct size_classes *classes, const struct classes_option
     return true;
 }
 
+static double range_at(const struct classes_range *range, int kind_a, double a, int kind_b, double b) {
+    return range && range->of ? range->of(range->context, kind_a, a, kind_b, b) : 0;
+}
+
 /* Cuts as the cost model of the index has them best. Radii are sorted. */
-static void cuts_auto(struct size_classes *classes, const struct classes_options *options, double range,
-                      const double *radii, size_t n) {
+static void cuts_auto(struct size_classes *classes, const struct classes_options *options,
+                      const struct classes_range *range, const double *radii, size_t n) {
     struct cost_scene *scene = memory_allocate_zero(1, sizeof *scene, "radius histogram");
     struct cost_plan plan = {.levels = 1};
     double fraction = options->fraction > 0 ? options->fraction : fraction_unknown;
@@ -64,9 +68,11 @@ static void cuts_auto(struct size_classes *classes, const struct classes_options
                                                : 4 * M_PI / 3 * radii[k] * radii[k] * radii[k];
     scene->volume *= weight / fmin(fmax(fraction, fraction_least), fraction_most);
     auto_bins(scene, radii, n, weight);
-    for (int bin = 0; bin < scene->bins; bin++)
-        scene->margin[bin] =
-            range + (options->skin_given ? options->skin : options->skin_relative * scene->radius_min[bin]);
+    for (int bin = 0; bin < scene->bins; bin++) {
+        double radius = scene->radius_min[bin];
+        double skin = options->skin_given ? options->skin : options->skin_relative * radius;
+        scene->margin[bin] = fmax(range_at(range, options->kind, radius, options->kind, radius), 0) + skin;
+    }
     auto_levels(scene, CLASS_MAX, &plan);
     classes->count = plan.levels;
     for (int c = 0; c < plan.levels; c++)
@@ -103,9 +109,22 @@ static int smaller_class(const struct size_classes *classes, int a, int b) {
     return classes->radius_min[low] <= classes->radius_min[high] ? low : high;
 }
 
-void classes_set_margins(struct size_classes *classes, const struct classes_options *options, double range) {
+double classes_range_of(const struct size_classes *classes, const struct classes_range *range, int a, int b) {
+    double most = -INFINITY;
+    for (int end = 0; end < 4; end++) {
+        double ra = end & 1 ? classes->radius_max[a] : classes->radius_min[a];
+        double rb = b == classes->count ? INFINITY
+                    : end & 2           ? classes->radius_max[b]
+                                        : classes->radius_min[b];
+        int kind_b = b == classes->count ? classes->kind[a] : classes->kind[b];
+        most = fmax(most, range_at(range, classes->kind[a], ra, kind_b, rb));
+    }
+    return most;
+}
+
+void classes_set_margins(struct size_classes *classes, const struct classes_options *options,
+                         const struct classes_range *range) {
     int n = classes->count;
-    classes->range = range;
     for (int a = 0; a <= n; a++) {
         for (int b = 0; b <= n; b++) {
             int smaller = smaller_class(classes, a, b);
@@ -113,13 +132,16 @@ void classes_set_margins(struct size_classes *classes, const struct classes_opti
                           : smaller < n       ? options->skin_relative * classes->radius_min[smaller]
                                               : 0;
             classes->skin[a][b] = skin;
-            classes->margin[a][b] = range + skin;
+            double reach = a < n   ? classes_range_of(classes, range, a, b)
+                           : b < n ? classes_range_of(classes, range, b, a)
+                                   : 0;
+            classes->margin[a][b] = reach + skin;
         }
     }
 }
 
-bool classes_choose(struct size_classes *classes, const struct classes_options *options, double range,
-                    double *radii, size_t n, struct error *error) {
+bool classes_choose(struct size_classes *classes, const struct classes_options *options,
+                    const struct classes_range *range, double *radii, size_t n, struct error *error) {
     *classes = (struct size_classes){.count = 1, .cut = {INFINITY}};
     if (n == 0) {
         classes_set_margins(classes, options, range);

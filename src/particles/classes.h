@@ -3,8 +3,8 @@
  *
  * Classes are numbered from small to large: class c holds the radii in (cut[c-1], cut[c]]. They are the same
  * on every rank. Where particles are of several kinds each has classes of its own, kind after kind (kinds.h).
- * The margin of a class pair is what a pair adds to r_i + r_j: range (from the law) + skin. Walls count as
- * one more class, number `count`. */
+ * The margin of a class pair is what a pair adds to r_i + r_j: range (of the interactions) + skin. Walls count
+ * as one more class, number `count`. */
 #ifndef SCREE_PARTICLES_CLASSES_H
 #define SCREE_PARTICLES_CLASSES_H
 
@@ -30,6 +30,16 @@ struct classes_options {
     int dimension;         /* AUTO: 2 or 3; 0: not known, 3 */
     double particles;      /* AUTO: that the radii stand for; 0: as many as radii */
     double skin_relative;  /* else: skin of a pair = this x the smaller of the two classes' smallest radii */
+    int kind;              /* AUTO: of whose particles the radii are (kinds.h) */
+};
+
+/* How far apart particles must know each other. */
+struct classes_range {
+    /* How far beyond touch two particles of these kinds and radii interact, length; negative: only when they
+     * overlap by so much; -INFINITY: never. Symmetric, monotonic in each radius. A wall has an infinite
+     * radius. NULL: 0. Any thread. */
+    double (*of)(const void *context, int kind_a, double radius_a, int kind_b, double radius_b);
+    const void *context;
 };
 
 struct size_classes {
@@ -39,7 +49,6 @@ struct size_classes {
     double radius_max[CLASS_MAX];
     uint64_t population[CLASS_MAX]; /* particles in the class, over all ranks */
     uint8_t kind[CLASS_MAX];        /* of whose particles it is a class (kinds.h); not decreasing */
-    double range;                   /* how far beyond touch the law acts, length unit */
     double skin[CLASS_MAX + 1][CLASS_MAX + 1];   /* symmetric; row and column `count` are walls */
     double margin[CLASS_MAX + 1][CLASS_MAX + 1]; /* range + skin */
 };
@@ -48,14 +57,19 @@ struct size_classes {
 struct classes_options classes_options_default(void);
 
 /* Chooses cuts from a sample of radii (all of them, or a sample that is the same on every rank; sorted in
- * place). Fills count, cut, radius_min/max of the sample, and the skins and margins for the given law range.
+ * place). Fills count, cut, radius_min/max of the sample, and the skins and margins for the given range.
  * n = 0 gives one empty class. Fails (user) if the cuts are not increasing or leave a radius above the last.
  */
-bool classes_choose(struct size_classes *classes, const struct classes_options *options, double range,
-                    double *radii, size_t n, struct error *error);
+bool classes_choose(struct size_classes *classes, const struct classes_options *options,
+                    const struct classes_range *range, double *radii, size_t n, struct error *error);
 
 /* Recomputes skins and margins after radius_min or radius_max changed. */
-void classes_set_margins(struct size_classes *classes, const struct classes_options *options, double range);
+void classes_set_margins(struct size_classes *classes, const struct classes_options *options,
+                         const struct classes_range *range);
+
+/* The range of a class pair: the largest of any two of their radii; -INFINITY where the two never interact. b
+ * may be `count`, the walls. `range` NULL: 0. */
+double classes_range_of(const struct size_classes *classes, const struct classes_range *range, int a, int b);
 
 /* The class of a radius: the first c with radius <= cut[c] (the last class for anything larger). */
 static inline int classes_of(const struct size_classes *classes, double radius) {

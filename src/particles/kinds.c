@@ -27,7 +27,8 @@ uint8_t *kinds_of(const struct particles *particles) {
 }
 
 bool kinds_join_classes(struct size_classes *classes, enum kind kind, const struct size_classes *of_kind,
-                        const struct classes_options *options, double range, struct error *error) {
+                        const struct classes_options *options, const struct classes_range *range,
+                        struct error *error) {
     assert(classes->count == 0 || classes->kind[classes->count - 1] < kind);
     if (classes->count + of_kind->count > CLASS_MAX)
         return error_set(error, ERROR_USER,

@@ -34,7 +34,8 @@ uint8_t *kinds_of(const struct particles *particles);
  * margins of all. `classes` begins as {0}; kinds come in increasing order. False, with a user's error, where
  * all together are more than CLASS_MAX. */
 bool kinds_join_classes(struct size_classes *classes, enum kind kind, const struct size_classes *of_kind,
-                        const struct classes_options *options, double range, struct error *error);
+                        const struct classes_options *options, const struct classes_range *range,
+                        struct error *error);
 
 /* The class of a radius among those of a kind. A kind without classes is a programmer's mistake. */
 int kinds_class(const struct size_classes *classes, enum kind kind, double radius);

@@ -26,6 +26,7 @@
 #include "particles/box.h"
 #include "particles/classes.h"
 #include "particles/particles.h"
+#include "physics_table.h"
 #include "scene/insertion.h"
 #include "scene/source.h"
 #include <stdio.h>
@@ -59,9 +60,6 @@ enum scene_simd { SCENE_SIMD_AUTO, SCENE_SIMD_BASELINE, SCENE_SIMD_V3, SCENE_SIM
 
 /* Their names: those of the force loop's kernels. */
 const char *scene_simd_name(enum scene_simd simd);
-
-/* The name of a law. */
-const char *scene_law_name(enum law_normal law);
 
 enum scene_group_motion { SCENE_FREE, SCENE_FROZEN, SCENE_MOVING };
 
@@ -138,6 +136,10 @@ struct scene {
 
     int groups; /* group[0] is "free" */
     struct scene_group group[INTEGRATOR_GROUPS_MAX];
+
+    /* Sections of physics (physics_table.h): options as each has them, and 1 where it is given. */
+    double physics[PHYSICS_COUNT][PHYSICS_OPTIONS_MAX];
+    int physics_given[PHYSICS_COUNT];
 
     int sources;
     struct source_options source[SOURCES_MAX];

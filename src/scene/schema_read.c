@@ -258,6 +258,10 @@ static bool read_row(struct schema_reader *reader, const struct schema_row *row,
         struct tree_node empty = nothing;
         empty.line = section->line;
         snprintf(below, sizeof(below), "%.*s.", (int)sizeof(below) - 2, key);
+        if (row->optional && !node)
+            return true;
+        if (row->optional)
+            *(int *)(base + row->count_offset) = 1;
         return read_table(reader, row->sub, node ? node : &empty, below, base + row->offset);
     }
     if (!node && row->type == SCHEMA_LIST && !row->required) {

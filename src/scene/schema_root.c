@@ -303,6 +303,12 @@ static const struct schema_row root_rows[] = {
     {.key = "observables", .type = SCHEMA_SECTION, .sub = &schema_observables,
      .offset = offsetof(struct scene, output.observables),
      .help = "numbers about the run, a row at a time, in observables.csv"},
+#define PHYSICS_SECTION(name, section, summary)                                                              \
+    {.key = #section, .type = SCHEMA_SECTION, .sub = &name##_schema, .optional = true,                       \
+     .offset = offsetof(struct scene, physics[PHYSICS_##name]),                                              \
+     .count_offset = offsetof(struct scene, physics_given[PHYSICS_##name]), .help = summary},
+    PHYSICS_TABLE(PHYSICS_SECTION)
+#undef PHYSICS_SECTION
 };
 const struct schema_table schema_root = TABLE(root_rows);
 

@@ -169,6 +169,8 @@ static bool has_content(const struct writer *writer, const struct schema_row *ro
         return count_of(row, base) > row->first;
     if (row->type != SCHEMA_SECTION)
         return is_given(row, base);
+    if (row->optional && *(const int *)(base + row->count_offset) == 0)
+        return false;
     for (int k = 0; k < row->sub->count; k++)
         if (has_content(writer, &row->sub->rows[k], row->sub, base + row->offset))
             return true;

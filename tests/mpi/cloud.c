@@ -61,7 +61,7 @@ void cloud_make(struct cloud *cloud, const struct box *box, enum cloud_radii rad
     options.count = (int)fmax(1, ceil(log2(most / least) - 1e-9));
     options.skin_relative = 0.1; /* boulders with their skin must fit into the box */
     struct error error = {0};
-    if (!classes_choose(&cloud->classes, &options, 0, sorted, n, &error))
+    if (!classes_choose(&cloud->classes, &options, NULL, sorted, n, &error))
         error_fatal("%s", error.text);
     memory_free(sorted);
     cloud_scatter(cloud, seed);

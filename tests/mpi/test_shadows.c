@@ -48,7 +48,7 @@ static void flight_start(struct flight *flight, struct team *team, bool periodic
     }
     classes.method = CLASSES_ONE;
     classes.skin_given = true;
-    assert_true(classes_choose(&flight->classes, &classes, 0, (double[]){radius}, 1, &error));
+    assert_true(classes_choose(&flight->classes, &classes, NULL, (double[]){radius}, 1, &error));
     flight->domain = domain_create(&team->comm, &flight->box, &options, &error);
     assert_non_null(flight->domain);
     flight->ghosts = ghosts_create(&team->comm, flight->domain, &flight->box, &ghosts);

@@ -1,0 +1,10 @@
+/* Grains: the physics that every scene has (physics.h). */
+#ifndef SCREE_ENGINE_GRAINS_H
+#define SCREE_ENGINE_GRAINS_H
+
+#include "engine/simulation.h"
+
+/* Its self is the struct simulation, its options the struct law. */
+extern const struct physics grains_physics;
+
+#endif

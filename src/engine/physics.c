@@ -1,0 +1,95 @@
+/* The physics of a run: who is asked for, and what they are told. Read physics.h first. */
+#include "engine/physics.h"
+#include <math.h>
+
+/* What the table stands for. */
+struct physics_entry {
+    const struct physics *physics;
+    void (*fields)(struct particles *particles);
+};
+
+#define PHYSICS_ENTRY(name, key, summary) {&name##_physics, name##_fields},
+static const struct physics_entry entries[] = {PHYSICS_TABLE(PHYSICS_ENTRY)};
+
+static void activate(struct physics_set *set, const struct physics *row, const void *options,
+                     const struct physics_context *context, struct interactions *interactions) {
+    struct physics_active *active = &set->active[set->count++];
+    *active = (struct physics_active){.row = row, .context = *context, .first = interactions->count};
+    active->context.options = options;
+    for (int k = 0; k < row->interactions; k++) {
+        struct interaction interaction = row->interaction[k];
+        interaction.context = options;
+        interactions_add(interactions, &interaction);
+    }
+}
+
+void physics_begin(struct physics_set *set, const struct physics *grains,
+                   const struct physics_context *context, struct interactions *interactions) {
+    const struct scene *scene = context->scene;
+    set->count = 0;
+    activate(set, grains, context->options, context, interactions);
+    for (int k = 0; k < PHYSICS_COUNT; k++) {
+        if (scene->physics_given[k] == 0)
+            continue;
+        entries[k].fields(context->particles);
+        activate(set, entries[k].physics, scene->physics[k], context, interactions);
+    }
+}
+
+void physics_create(struct physics_set *set, void *self) {
+    set->active[0].context.self = self;
+    for (int k = 1; k < set->count; k++) {
+        struct physics_active *active = &set->active[k];
+        active->context.self = active->row->create ? active->row->create(&active->context) : NULL;
+    }
+}
+
+void physics_free(struct physics_set *set) {
+    for (int k = 1; k < set->count; k++)
+        if (set->active[k].context.self)
+            set->active[k].row->destroy(set->active[k].context.self);
+    set->count = 0;
+}
+
+void physics_lists(struct physics_set *set, const struct interactions *interactions) {
+    for (int k = 0; k < set->count; k++)
+        for (int i = 0; i < set->active[k].row->interactions; i++)
+            set->active[k].context.list[i] = interaction_list(interactions, set->active[k].first + i);
+}
+
+void physics_rebuilt(struct physics_set *set, struct ghosts *ghosts) {
+    for (int k = 0; k < set->count; k++) {
+        struct physics_active *active = &set->active[k];
+        active->context.ghosts = ghosts;
+        if (active->row->rebuilt)
+            active->row->rebuilt(&active->context);
+    }
+}
+
+void physics_look(const struct physics_set *set) {
+    for (int k = 0; k < set->count; k++) {
+        const struct physics_active *active = &set->active[k];
+        for (int p = 0; p < active->row->passes; p++)
+            if (active->row->pass[p].stage == PASS_LOOK)
+                active->row->pass[p].whole(&active->context);
+    }
+}
+
+double physics_limit(const struct physics_set *set, double most) {
+    for (int k = 0; k < set->count; k++)
+        if (set->active[k].row->limit)
+            most = fmin(most, set->active[k].row->limit(&set->active[k].context, most));
+    return most;
+}
+
+void physics_guard(const struct physics_set *set, struct error *error) {
+    for (int k = 0; k < set->count; k++)
+        if (set->active[k].row->guard)
+            set->active[k].row->guard(&set->active[k].context, error);
+}
+
+void physics_restart(const struct physics_set *set, struct restart *restart) {
+    for (int k = 0; k < set->count; k++)
+        if (set->active[k].row->restart)
+            set->active[k].row->restart(&set->active[k].context, restart);
+}

@@ -1,0 +1,148 @@
+/* Merging passes into a plan, and running it. Read plan.h first. */
+#include "engine/plan.h"
+#include <assert.h>
+
+static void visit_add(struct plan_visit *visit, const struct plan_pass *pass) {
+    assert(visit->count < PLAN_PASSES_MAX);
+    visit->pass[visit->count++] = *pass;
+}
+
+static void add(struct plan *plan, const struct plan_pass *pass) {
+    assert(plan->passes < PLAN_PASSES_MAX);
+    plan->pass[plan->passes++] = *pass;
+}
+
+static void add_engine(struct plan *plan, const struct engine_pass *pass,
+                       const struct simulation *simulation) {
+    for (; pass->run; pass++)
+        if (pass->needed == NULL || pass->needed(simulation))
+            add(plan, &(struct plan_pass){
+                          .name = pass->name, .why = pass->why, .timer = pass->timer, .run = pass->run});
+}
+
+static struct plan_pass entry_of(const struct physics_active *active, const struct physics_pass *pass) {
+    return (struct plan_pass){.name = pass->name,
+                              .why = pass->why,
+                              .timer = timer_stage_find(pass->timer ? pass->timer : pass->name),
+                              .pass = pass,
+                              .context = &active->context};
+}
+
+/* The passes of a stage; those of `visit` go there instead of into the plan. */
+static void add_stage(struct plan *plan, struct plan_visit *visit, const struct physics_set *set,
+                      enum pass_stage stage) {
+    for (int k = 0; k < set->count; k++)
+        for (int p = 0; p < set->active[k].row->passes; p++) {
+            const struct physics_active *active = &set->active[k];
+            const struct physics_pass *pass = &active->row->pass[p];
+            if (pass->stage != stage || (pass->needed && !pass->needed(&active->context)))
+                continue;
+            struct plan_pass entry = entry_of(active, pass);
+            bool joins = visit && (visit->count == 0 || stage != PASS_PAIRS ||
+                                   active->context.list[0] == visit->pass[0].context->list[0]);
+            if (joins)
+                visit_add(visit, &entry);
+            else
+                add(plan, &entry);
+        }
+}
+
+void plan_make(struct step_plan *plan, const struct physics_set *set, const struct engine_passes *engine,
+               const struct simulation *simulation) {
+    struct plan alone = {0};
+    *plan = (struct step_plan){0};
+    for (int stage = PASS_FIRST; stage <= PASS_MOVED; stage++)
+        add_stage(&plan->plain, NULL, set, (enum pass_stage)stage);
+    add_engine(&plan->plain, engine->moved, simulation);
+    for (int stage = PASS_PAIRS; stage <= PASS_CLOSE; stage++)
+        add_stage(&plan->plain, NULL, set, (enum pass_stage)stage);
+    add_engine(&plan->plain, engine->paired, simulation);
+    for (int stage = PASS_PAIRS; stage <= PASS_CLOSE; stage++)
+        add_stage(&plan->forces, NULL, set, (enum pass_stage)stage);
+    add_engine(&plan->forces, engine->paired, simulation);
+
+    add_stage(&plan->fused, NULL, set, PASS_FIRST);
+    add_stage(&plan->fused, NULL, set, PASS_MOVED);
+    add_stage(&plan->fused, &plan->moves, set, PASS_MOVE);
+    add_stage(&alone, &plan->pairs, set, PASS_PAIRS);
+    add_engine(&plan->fused, engine->sweep, simulation);
+    for (int p = 0; p < alone.passes; p++)
+        add(&plan->fused, &alone.pass[p]);
+    add_stage(&plan->fused, NULL, set, PASS_SHARES);
+    add_stage(&plan->fused, NULL, set, PASS_CLOSE);
+    add_engine(&plan->fused, engine->paired, simulation);
+}
+
+void plan_move(const struct plan_visit *moves, int thread, size_t first, size_t last, int size_class) {
+    for (int p = 0; p < moves->count; p++)
+        moves->pass[p].pass->rows(moves->pass[p].context, thread, first, last, size_class);
+}
+
+void plan_block(const struct plan_visit *pairs, int thread, int block) {
+    for (int p = 0; p < pairs->count; p++)
+        pairs->pass[p].pass->block(pairs->pass[p].context, thread, block);
+}
+
+void plan_move_all(const struct plan_visit *moves, const struct pairlist *list) {
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < list->threads; t++)
+        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
+            const struct pair_block *block = &list->blocks[b];
+            if (block->kind == PAIR_BLOCK_ROWS)
+                plan_move(moves, t, block->first_row, block->last_row, block->size_class);
+        }
+}
+
+void plan_block_all(const struct plan_visit *pairs, const struct pairlist *list) {
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < list->threads; t++)
+        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
+            plan_block(pairs, t, b);
+}
+
+void plan_abandon(const struct plan_visit *pairs) {
+    for (int p = 0; p < pairs->count; p++)
+        if (pairs->pass[p].pass->abandon)
+            pairs->pass[p].pass->abandon(pairs->pass[p].context);
+}
+
+static void pass_run(const struct plan_pass *entry, struct simulation *simulation) {
+    const struct physics_pass *pass = entry->pass;
+    const struct physics_context *context = entry->context;
+    if (entry->run) {
+        entry->run(simulation);
+    } else if (pass->whole) {
+        pass->whole(context);
+    } else if (pass->share) {
+#pragma omp parallel for schedule(static, 1)
+        for (int t = 0; t < context->threads; t++)
+            pass->share(context, t);
+    } else {
+        struct plan_visit one = {.count = 1, .pass = {*entry}};
+        if (pass->rows)
+            plan_move_all(&one, context->list[0]);
+        else
+            plan_block_all(&one, context->list[0]);
+    }
+}
+
+void plan_run(const struct plan *plan, struct timers *timers, struct simulation *simulation) {
+    for (int p = 0; p < plan->passes; p++) {
+        timer_start(timers, plan->pass[p].timer);
+        pass_run(&plan->pass[p], simulation);
+        timer_stop(timers, plan->pass[p].timer);
+    }
+}
+
+void plan_print(const struct plan *plan, FILE *file) {
+    for (int p = 0; p < plan->passes; p++) {
+        const struct plan_pass *entry = &plan->pass[p];
+        fprintf(file, "  %-10s %s%s", entry->name, entry->why ? "for " : "always",
+                entry->why ? entry->why : "");
+        if (entry->pass && entry->pass->reads)
+            fprintf(file, "; reads %s", entry->pass->reads);
+        if (entry->pass && entry->pass->writes)
+            fprintf(file, "; writes %s", entry->pass->writes);
+        fprintf(file, "\n");
+    }
+}

@@ -1,0 +1,83 @@
+/* The plan of a step: the passes of all active physics and of the engine itself, merged into one list that runs
+ * from top to bottom and that `scree check` prints.
+ *
+ * Two orders are made from the same passes. The plain one runs pass after pass, stage by stage (physics.h). In
+ * the fused one the passes by rows that move particles, and the passes by block that follow them, share one
+ * visit to each block: a block's particles move just before the first pair that looks at them, while they are in
+ * the cache (pairs/sweep.h). The rule: passes by block join the visit if they walk over the list that the sweep
+ * was planned for, which is that of the first of them; others run by themselves, once copies have arrived. */
+#ifndef SCREE_ENGINE_PLAN_H
+#define SCREE_ENGINE_PLAN_H
+
+#include "core/timer.h"
+#include "engine/physics.h"
+#include <stdio.h>
+
+enum { PLAN_PASSES_MAX = 32 };
+
+struct simulation;
+
+/* A pass of the engine's own. */
+struct engine_pass {
+    const char *name, *why; /* as in struct physics_pass */
+    enum timer_stage timer;
+    bool (*needed)(const struct simulation *simulation);
+    void (*run)(struct simulation *simulation);
+};
+
+/* One entry: a pass of the engine's, or of a physics with its context. */
+struct plan_pass {
+    const char *name, *why;
+    enum timer_stage timer;
+    void (*run)(struct simulation *simulation);
+    const struct physics_pass *pass;
+    const struct physics_context *context; /* borrowed from the physics set */
+};
+
+struct plan {
+    int passes;
+    struct plan_pass pass[PLAN_PASSES_MAX];
+};
+
+/* Passes that share a visit. */
+struct plan_visit {
+    int count;
+    struct plan_pass pass[PLAN_PASSES_MAX];
+};
+
+/* Both orders, and what their visits consist of. */
+struct step_plan {
+    struct plan plain, fused, forces; /* forces: the plain one from PASS_PAIRS on */
+    struct plan_visit moves, pairs;   /* by rows; by block, on the list of the sweep */
+};
+
+/* What the engine does between the stages of the physics; lists end with a NULL run. */
+struct engine_passes {
+    const struct engine_pass *moved;  /* plain: after everything has moved */
+    const struct engine_pass *paired; /* plain: after PASS_CLOSE */
+    const struct engine_pass
+        *sweep; /* fused: from the first move to the last sum over pairs of the sweep's list */
+};
+
+/* Makes the plan; once a run, before the first step. */
+void plan_make(struct step_plan *plan, const struct physics_set *set, const struct engine_passes *engine,
+               const struct simulation *simulation);
+
+/* Runs all passes, each under its timer. */
+void plan_run(const struct plan *plan, struct timers *timers, struct simulation *simulation);
+
+/* Moves the particles [first, last) of a class; one block of pairs. Many threads at once. */
+void plan_move(const struct plan_visit *moves, int thread, size_t first, size_t last, int size_class);
+void plan_block(const struct plan_visit *pairs, int thread, int block);
+
+/* All rows by all threads; all blocks; for tests of the plain order and repeated evaluations. Open teams. */
+void plan_move_all(const struct plan_visit *moves, const struct pairlist *list);
+void plan_block_all(const struct plan_visit *pairs, const struct pairlist *list);
+
+/* Forgets what the blocks of this step have done. */
+void plan_abandon(const struct plan_visit *pairs);
+
+/* A line a pass: name, what brings it, what it reads and writes. */
+void plan_print(const struct plan *plan, FILE *file);
+
+#endif

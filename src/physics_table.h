@@ -1,0 +1,31 @@
+/* The physics that a scene may ask for beside its grains: one row each, NAME, the key of its section in a scene,
+ * and what it is. engine/physics.h has the contract and the recipe. A row stands for these objects of src/NAME/:
+ *
+ *   NAME_physics      struct physics              engine/physics.h
+ *   NAME_schema       struct schema_table         the rows of its section (scene/schema.h)
+ *   NAME_fields       void (struct particles *)   registers its fields (particles/fields.h)
+ *   NAME_observables  struct observable_table     its observables (observe/observables_kinds.h) */
+#ifndef SCREE_PHYSICS_TABLE_H
+#define SCREE_PHYSICS_TABLE_H
+
+#define PHYSICS_TABLE(ROW)                                                                                   \
+    ROW(density, number_density, "the SPH number density of each particle, sum of W(|x_ij|, support)")
+
+#define PHYSICS_ENUMERATOR(name, key, summary) PHYSICS_##name,
+enum physics_number { PHYSICS_TABLE(PHYSICS_ENUMERATOR) PHYSICS_COUNT };
+#undef PHYSICS_ENUMERATOR
+
+/* Every file that uses or defines such an object declares it in this way. */
+struct particles;
+#define PHYSICS_DECLARE(name, key, summary)                                                                  \
+    extern const struct physics name##_physics;                                                              \
+    extern const struct schema_table name##_schema;                                                          \
+    extern const struct observable_table name##_observables;                                                 \
+    void name##_fields(struct particles *particles);
+PHYSICS_TABLE(PHYSICS_DECLARE)
+#undef PHYSICS_DECLARE
+
+/* Doubles that the options of one physics may take in a scene. */
+enum { PHYSICS_OPTIONS_MAX = 32 };
+
+#endif

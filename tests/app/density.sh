@@ -1,0 +1,108 @@
+#!/usr/bin/env bash
+# Number density, the example of a physics of its own folder: against a sum over all pairs, on each index, on ranks and
+# threads, in periodic and open boxes, in two and three dimensions; and that the program knows of it in two lines.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+cd "$out" || exit 1
+
+cat >cloud.yaml <<'YAML'
+units: none
+box: {lower: [-1, -1, -1], upper: [4, 4, 4], periodic: true}
+step: {count: 20}
+contact: {law: hooke}
+materials: [{name: a, density: 1}]
+material_pairs: [{k_n: 1000, restitution: 0.9, friction: 0.3}]
+particles:
+  sources:
+    - {from: single, position: [1, 1, 1.5], radius: 0.9}
+    - {from: random, count: 250, sizes: {law: uniform, min: 0.15, max: 0.25}, velocity_sigma: 1}
+skin: 0.05
+number_density: {support: 0.9}
+observables: {every: 10, list: [{name: number_density}]}
+output: {dump: {every: 20, fields: [id, position, number_density]}}
+YAML
+
+# sums DIR EDGE DIMENSION PARTICLES: the dump's last frame against a double loop, the last row of observables against the frame.
+# EDGE 0: an open box
+sums() {
+    tail -n "+$(grep -n '^ITEM: TIMESTEP' "$1/dump.lammpstrj" | tail -n 1 | cut -d : -f 1)" "$1/dump.lammpstrj" >last
+    awk -v edge="$2" -v dimension="$3" -v h=0.9 -v particles="$4" '
+        /^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; reading = 1; next }
+        reading { n++; x[n] = $at["x"]; y[n] = $at["y"]; z[n] = $at["z"]; shown[n] = $at["number_density"] }
+        function near(d) { return edge == 0 ? d : d - edge * int(d / edge + (d > 0 ? 0.5 : -0.5)) }
+        END {
+            pi = atan2(0, -1); w = dimension == 2 ? 7 / (pi * h^2) : 21 / (2 * pi * h^3); min = 1e300
+            for (i = 1; i <= n; i++) {
+                sum = 0
+                for (j = 1; j <= n; j++) {
+                    dx = near(x[i] - x[j]); dy = near(y[i] - y[j]); dz = dimension == 2 ? 0 : near(z[i] - z[j])
+                    r = sqrt(dx * dx + dy * dy + dz * dz) / h
+                    if (r < 1) sum += w * (1 - r)^4 * (1 + 4 * r)
+                }
+                e = shown[i] / sum - 1; if (e < 0) e = -e; if (!(e <= worst)) worst = e
+                total += sum; if (sum < min) min = sum; if (sum > max) max = sum; alone += sum < 1.0001 * w
+            }
+            printf "  %d particles, largest difference %.2g; %.12g %.12g %.12g\n", n, worst, min, total / n, max
+            exit !(worst < 1e-9 && n == particles && alone < n / 2)
+        }' last >said || { cat said; return 1; }
+    awk -F '[,; ]+' 'NR == FNR { min = $(NF - 2); mean = $(NF - 1); max = $NF; next } { last = $0 }
+        END { split(last, v, ","); exit !(v[2] / min - 1 < 1e-9 && v[3] / mean - 1 < 1e-9 && v[4] / max - 1 < 1e-9 &&
+            v[2] / min - 1 > -1e-9 && v[3] / mean - 1 > -1e-9 && v[4] / max - 1 > -1e-9) }' said "$1/observables.csv" ||
+        { cat said; tail -n 1 "$1/observables.csv"; return 1; }
+}
+
+follows() { # RANKS THREADS EDGE DIMENSION SETTING...
+    local ranks=$1 threads=$2 edge=$3 dimension=$4
+    shift 4
+    rm -rf run
+    run_scene "$ranks" cloud.yaml run --set "threads=$threads" "$@" && sums run "$edge" "$dimension" 251
+}
+for index in brute linkcell multi bytype hgrid auto; do
+    check "$index" follows 1 2 5 3 --set index.name=$index
+done
+check 'open' follows 1 1 0 3 --set box.periodic=false
+for ranks in 2 3 4; do
+    check "$ranks ranks, as many threads" follows $ranks $ranks 5 3
+done
+check '4 ranks, open, 2 threads' follows 4 2 0 3 --set box.periodic=false
+check '2 ranks, newton off' follows 2 1 5 3 --set newton=off
+check '3 ranks, reproducible' follows 3 2 5 3 --set reproducible=true
+check 'pass after pass' follows 2 2 5 3 --set step.fused=off
+
+sed 's/count: 250/count: 60/; s/radius: 0.9}/radius: 0.4}/' cloud.yaml >flat.yaml
+flat() {
+    rm -rf run
+    run_scene "$1" flat.yaml run --set box.dimension=2 && sums run 5 2 61
+}
+check 'two dimensions' flat 1
+check 'two dimensions, 2 ranks' flat 2
+
+# Absent unless asked for: the same bits without it, no field, no pair
+absent() {
+    run_scene 1 cloud.yaml with --set threads=1 --set output.dump.fields='[id, position]' &&
+        run_scene 1 cloud.yaml without --set threads=1 --set output.dump.fields='[id, position]' --set 'number_density=~' \
+            --set 'observables.list=[{name: energy}]' && cmp with/dump.lammpstrj without/dump.lammpstrj &&
+        ! "$scree" check cloud.yaml --set 'number_density=~' --set 'observables.list=[{name: energy}]' --set 'output.dump.fields=[id]' | grep -q '^  number_density  *8'
+}
+
+check 'absent unless asked for' absent
+
+refused() {
+    ! "$scree" check cloud.yaml --set 'number_density.support=~' >told 2>&1 && grep -q 'number_density.support: is missing' told &&
+        ! "$scree" check cloud.yaml --set number_density.support=5 >told 2>&1 && grep -q 'too short' told
+}
+check 'a support is needed, and fits the box' refused
+
+# What the rest of the program knows of it
+two_lines() {
+    (cd "$top_srcdir" && grep -rnE 'number_density|density_(physics|schema|fields|observables)|src/density|libdensity|PHYSICS_density' \
+        --include='*.c' --include='*.h' --include='*.mk' --include=Makefile.am src index Makefile.am | grep -vE '^src/density/|: \* ') >known
+    cat known
+    [ "$(wc -l <known)" = 2 ] && grep -q '^src/physics_table.h' known && grep -q '^Makefile.am' known
+}
+check 'a row of a table and a line of the makefile' two_lines
+short() {
+    [ "$(cat "$top_srcdir"/src/density/*.[ch] | wc -l)" -le 150 ]
+}
+check 'in 150 lines' short
+finish
