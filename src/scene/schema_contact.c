@@ -121,7 +121,3 @@ static const struct schema_row contact_rows[] = {
 };
 const struct schema_table schema_contact = TABLE(contact_rows);
 /* clang-format on */
-
-const char *scene_law_name(enum law_normal law) {
-    return law_names[law].name;
-}

@@ -61,9 +61,10 @@ struct schema_row {
                          "a=b & c=d" */
     const struct schema_table *sub; /* SECTION, LIST */
     const char *main;               /* SECTION: a bare value instead of a mapping means this key of it */
-    bool optional; /* SECTION: without it its keys are not read, and the int at `count_offset` stays 0, not 1 */
-    bool short_form;                /* LIST: its section may hold the keys of a single element itself */
-    int first; /* LIST: number of the first element read; those before are filled by the program */
+    bool
+        optional; /* SECTION: without it its keys are not read, and the int at `count_offset` stays 0, not 1 */
+    bool short_form; /* LIST: its section may hold the keys of a single element itself */
+    int first;       /* LIST: number of the first element read; those before are filled by the program */
     size_t offset, size, count_offset;
     int max;
     const char *help, *example;
