@@ -146,3 +146,12 @@ void plan_print(const struct plan *plan, FILE *file) {
         fprintf(file, "\n");
     }
 }
+
+void plan_print_visits(const struct plan_visit *first, const struct plan_visit *second, FILE *file) {
+    const char *separator = "";
+    for (int p = 0; p < first->count + second->count; p++) {
+        const struct plan_pass *pass = p < first->count ? &first->pass[p] : &second->pass[p - first->count];
+        fprintf(file, "%s%s", separator, pass->name);
+        separator = ", ";
+    }
+}

@@ -80,4 +80,7 @@ void plan_abandon(const struct plan_visit *pairs);
 /* A line a pass: name, what brings it, what it reads and writes. */
 void plan_print(const struct plan *plan, FILE *file);
 
+/* "advance, contact": the passes of a visit, and of a second one, in one line. */
+void plan_print_visits(const struct plan_visit *first, const struct plan_visit *second, FILE *file);
+
 #endif

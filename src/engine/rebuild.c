@@ -1,5 +1,6 @@
-/* The full rebuild. It stands between a drift and the forces: positions are new, forces are zero, histories
- * are those of the last evaluation. Copies appear, vanish and migrate only here. */
+/* The full rebuild: a list of passes (at the end of this file), as the step is one. It stands between a drift and
+ * the forces: positions are new, forces are zero, histories are those of the last evaluation. Copies appear,
+ * vanish and migrate only here. */
 #include "engine/guards.h"
 #include "engine/load.h"
 #include "core/memory.h"
@@ -44,7 +45,9 @@ void rebuild_rows_free(struct rebuild_rows *rows) {
     history_rows_free(&rows->pairs);
     history_kept_free(&rows->kept);
     memory_free(rows->place);
+    memory_free(rows->order);
     wall_rows_free(&rows->walls);
+    *rows = (struct rebuild_rows){0};
 }
 
 /* Who stays keeps its histories here, and gets a place among those who do; what concerns others becomes rows.
@@ -53,7 +56,6 @@ static void part_with_leavers(struct simulation *s, struct rebuild_rows *rows) {
     size_t owned = s->particles->owned;
     double lower[3], upper[3];
     domain_bounds(s->domain, s->comm->rank, lower, upper);
-    timer_start(&s->timers, TIMER_HISTORY);
     rows->before = owned;
     rows->place = memory_allocate(owned, sizeof *rows->place, "places of particles");
     uint8_t *leaves = memory_allocate(owned, 1, "particles that leave");
@@ -64,7 +66,6 @@ static void part_with_leavers(struct simulation *s, struct rebuild_rows *rows) {
     particles_places(leaves, owned, rows->place);
     memory_free(leaves);
     history_detach(s->history, s->list, s->particles, true, rows->place, &rows->pairs);
-    timer_stop(&s->timers, TIMER_HISTORY);
 }
 
 /* Particles go to their owners, with their rows. */
@@ -88,11 +89,11 @@ static void migrate(struct simulation *s, struct rebuild_rows *rows) {
         rows->walls = (struct wall_rows){set[walls].start, set[walls].row, set[walls].count};
 }
 
-/* Sorts the particles; returns the order, which the caller frees. */
-static uint32_t *reorder(struct simulation *s, struct rebuild_rows *rows) {
+static void reorder(struct simulation *s, struct rebuild_rows *rows) {
     size_t owned = s->particles->owned;
-    uint32_t *order = memory_allocate(owned, sizeof *order, "particle order");
+    uint32_t *order = rows->order = memory_allocate(owned, sizeof *order, "particle order");
     struct index_view view;
+    tune_begin(s);
     simulation_index_view(s, &view);
     index_order(s->index, &view, order);
     kinds_sort(s->particles, &s->classes, order);
@@ -101,11 +102,10 @@ static uint32_t *reorder(struct simulation *s, struct rebuild_rows *rows) {
         history_rows_reorder(&rows->pairs, order, owned);
     if (rows->walls.start)
         wall_rows_reorder(&rows->walls, order, owned);
-    return order;
 }
 
-static void keep(struct simulation *s, struct rebuild_rows *rows, const uint32_t *order) {
-    struct history_numbers numbers = {order, s->particles->owned, rows->place,
+static void keep(struct simulation *s, struct rebuild_rows *rows) {
+    struct history_numbers numbers = {rows->order, s->particles->owned, rows->place,
                                       rows->place ? rows->before : s->particles->owned};
     if (rows->keep)
         history_keep(s->history, s->list, &numbers, &rows->kept);
@@ -125,31 +125,34 @@ static void attach(struct simulation *s, struct rebuild_rows *rows) {
         history_attach(s->history, &rows->pairs, s->list, s->particles, images_apart(s));
     if (rows->walls.start)
         walls_attach(s->walls, &rows->walls, s->particles);
-    rebuild_rows_free(rows);
+    skin_reset(s->skin, s->particles);
 }
 
-/* The copies, the index and the pairs of the particles where they now are. */
-static void search(struct simulation *s) {
-    timer_start(&s->timers, TIMER_GHOSTS);
+static void ghosts_pass(struct simulation *s, struct rebuild_rows *rows) {
+    (void)rows;
     if (!s->alone)
         ghosts_make(s->ghosts, s->particles, &s->classes);
     if (s->error.kind == ERROR_NONE)
         ghosts_fit(s->ghosts, &s->error);
-    timer_stop(&s->timers, TIMER_GHOSTS);
-    timer_start(&s->timers, TIMER_INDEX);
+}
+
+static void index_pass(struct simulation *s, struct rebuild_rows *rows) {
+    (void)rows;
     simulation_index_view(s, &s->view);
     s->view.ordered = true;
     index_build(s->index, &s->view);
-    timer_stop(&s->timers, TIMER_INDEX);
-    timer_start(&s->timers, TIMER_PAIRS);
+}
+
+static void pairs_pass(struct simulation *s, struct rebuild_rows *rows) {
     double start = timer_now();
+    (void)rows;
     pairlist_build(s->interactions.all, s->index, &s->view, &s->scene->box);
     if (s->scene->ghosts.in_place && !s->alone)
         pairlist_add_images(s->interactions.all, s->particles->owned,
                             ghosts_unshift(s->ghosts, s->particles));
     interactions_select(&s->interactions, &s->classes, &s->view);
     s->pairs_seconds += timer_now() - start;
-    timer_stop(&s->timers, TIMER_PAIRS);
+    tune_end(s);
 }
 
 void rebuild_plan(struct simulation *s) {
@@ -163,7 +166,8 @@ void rebuild_plan(struct simulation *s) {
 }
 
 /* Size classes: those that travelled have none, and where classes are chosen anew everybody's change. */
-static void classify(struct simulation *s) {
+static void classify(struct simulation *s, struct rebuild_rows *rows) {
+    (void)rows;
     bool anew = s->classes_stale || !s->alone;
     if (s->classes_stale)
         simulation_classify(s, &s->error);
@@ -186,69 +190,132 @@ static void walls_reach(struct simulation *s) {
     walls_set_extent(s->walls, lower, upper);
 }
 
-void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
-    timer_start(&s->timers, TIMER_MIGRATE);
+static void walls_pass(struct simulation *s, struct rebuild_rows *rows) {
+    (void)rows;
+    walls_reach(s);
+    walls_build(s->walls, s->particles, &s->classes);
+}
+
+/* Springs find their pairs by separations where images matter: copies must stand where particles now are. */
+static void follow(struct simulation *s, struct rebuild_rows *rows) {
+    (void)rows;
+    if (one_image(s))
+        return;
+    struct field_list fields = fields_with(s->particles, FIELD_FORWARD);
+    ghosts_forward_begin(s->ghosts, s->particles, &fields);
+    ghosts_forward_end(s->ghosts, s->particles);
+}
+
+static void balance(struct simulation *s, struct rebuild_rows *rows) {
+    (void)rows;
+    load_balance(s);
+}
+
+static void detach(struct simulation *s, struct rebuild_rows *rows) {
+    bool none_lost = !sources_due(s) && !simulation_may_lose(s);
+    bool keeps = s->history && none_lost && one_image(s);
+    if (!keeps)
+        rebuild_detach(s, !s->alone, rows);
+    else if (s->walls)
+        walls_detach(s->walls, s->particles, &rows->walls);
+    rows->keep = keeps;
+}
+
+static void wrap(struct simulation *s, struct rebuild_rows *rows) {
+    (void)rows;
     ghosts_drop(s->ghosts, s->particles);
-    if (!particles_wrap(s->particles, &s->scene->box)) {
-        guards_check_positions(s);
-        guards_check_images(s);
-    }
+    if (particles_wrap(s->particles, &s->scene->box))
+        return;
+    guards_check_positions(s);
+    guards_check_images(s);
+}
+
+/* Whom walls will meet depends on who is prescribed. */
+static void come_and_go(struct simulation *s, struct rebuild_rows *rows) {
     sources_run(s, rows);
-    integrator_prescribe(s->particles, &s->motion); /* whom walls will meet depends on it */
+    integrator_prescribe(s->particles, &s->motion);
     load_begin(s);
-    if (!s->alone && rows->keep)
-        part_with_leavers(s, rows);
-    if (!s->alone)
-        migrate(s, rows);
-    classify(s);
-    timer_stop(&s->timers, TIMER_MIGRATE);
-    tune_begin(s);
-    timer_start(&s->timers, TIMER_REORDER);
-    uint32_t *order = reorder(s, rows);
-    timer_stop(&s->timers, TIMER_REORDER);
-    timer_start(&s->timers, TIMER_HISTORY);
-    keep(s, rows, order);
-    memory_free(order);
-    timer_stop(&s->timers, TIMER_HISTORY);
-    search(s);
-    tune_end(s);
-    timer_start(&s->timers, TIMER_WALL);
-    if (s->walls) {
-        walls_reach(s);
-        walls_build(s->walls, s->particles, &s->classes);
-    }
-    timer_stop(&s->timers, TIMER_WALL);
-    timer_start(&s->timers, TIMER_HISTORY);
-    attach(s, rows);
-    skin_reset(s->skin, s->particles);
-    timer_stop(&s->timers, TIMER_HISTORY);
+}
+
+static void tell_physics(struct simulation *s, struct rebuild_rows *rows) {
+    (void)rows;
     physics_rebuilt(&s->physics, s->alone ? NULL : s->ghosts);
     if (s->sweep)
         s->sweep->stale = true;
 }
 
-/* Springs find their pairs by separations where images matter: copies must stand where particles now are. */
-static void copies_follow(struct simulation *s) {
-    if (s->alone || s->history == NULL || one_image(s))
-        return;
-    timer_start(&s->timers, TIMER_COMM);
-    struct field_list fields = fields_with(s->particles, FIELD_FORWARD);
-    ghosts_forward_begin(s->ghosts, s->particles, &fields);
-    ghosts_forward_end(s->ghosts, s->particles);
-    timer_stop(&s->timers, TIMER_COMM);
+static bool many_ranks(const struct simulation *s, const struct rebuild_rows *rows) {
+    (void)rows;
+    return !s->alone;
+}
+static bool many_with_history(const struct simulation *s, const struct rebuild_rows *rows) {
+    (void)rows;
+    return !s->alone && s->history;
+}
+static bool many_that_keep(const struct simulation *s, const struct rebuild_rows *rows) {
+    return !s->alone && (rows == NULL || rows->keep);
+}
+static bool with_walls(const struct simulation *s, const struct rebuild_rows *rows) {
+    (void)rows;
+    return s->walls != NULL;
+}
+static bool with_history(const struct simulation *s, const struct rebuild_rows *rows) {
+    (void)rows;
+    return s->law.history_components > 0;
+}
+
+/* A pass of the rebuild. `needed`: rows NULL asks whether it may ever run. */
+struct rebuild_pass {
+    const char *name, *why; /* why NULL: always */
+    enum timer_stage timer;
+    bool (*needed)(const struct simulation *s, const struct rebuild_rows *rows);
+    void (*run)(struct simulation *s, struct rebuild_rows *rows);
+};
+
+/* Those before `wrap` are left out where histories come from elsewhere. */
+static const struct rebuild_pass passes[] = {
+    {"balance", "several ranks", TIMER_MIGRATE, many_ranks, balance},
+    {"follow", "history, several ranks", TIMER_COMM, many_with_history, follow},
+    {"detach", "history", TIMER_HISTORY, with_history, detach},
+    {"wrap", NULL, TIMER_MIGRATE, NULL, wrap},
+    {"sources", NULL, TIMER_MIGRATE, NULL, come_and_go},
+    {"part", "history, several ranks", TIMER_HISTORY, many_that_keep, part_with_leavers},
+    {"migrate", "several ranks", TIMER_MIGRATE, many_ranks, migrate},
+    {"classify", NULL, TIMER_MIGRATE, NULL, classify},
+    {"reorder", NULL, TIMER_REORDER, NULL, reorder},
+    {"keep", "history", TIMER_HISTORY, with_history, keep},
+    {"ghosts", NULL, TIMER_GHOSTS, NULL, ghosts_pass},
+    {"index", NULL, TIMER_INDEX, NULL, index_pass},
+    {"pairs", NULL, TIMER_PAIRS, NULL, pairs_pass},
+    {"walls", "walls", TIMER_WALL, with_walls, walls_pass},
+    {"attach", NULL, TIMER_HISTORY, NULL, attach},
+    {"physics", NULL, TIMER_PAIRS, NULL, tell_physics},
+};
+enum { REBUILD_PASSES = sizeof passes / sizeof passes[0], REBUILD_WRAP = 3 };
+
+static void passes_run(struct simulation *s, struct rebuild_rows *rows, int first) {
+    for (int p = first; p < REBUILD_PASSES; p++) {
+        if (passes[p].needed && !passes[p].needed(s, rows))
+            continue;
+        timer_start(&s->timers, passes[p].timer);
+        passes[p].run(s, rows);
+        timer_stop(&s->timers, passes[p].timer);
+    }
+    rebuild_rows_free(rows);
+}
+
+void rebuild_print(const struct simulation *s, FILE *file) {
+    for (int p = 0; p < REBUILD_PASSES; p++)
+        if (passes[p].needed == NULL || passes[p].needed(s, NULL))
+            fprintf(file, "  %-10s %s%s\n", passes[p].name, passes[p].why ? "for " : "always",
+                    passes[p].why ? passes[p].why : "");
+}
+
+void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
+    passes_run(s, rows, REBUILD_WRAP);
 }
 
 void rebuild_run(struct simulation *s) {
     struct rebuild_rows rows = {0};
-    load_balance(s);
-    bool none_lost = !sources_due(s) && !simulation_may_lose(s);
-    copies_follow(s);
-    timer_start(&s->timers, TIMER_HISTORY);
-    rows.keep = s->history && none_lost && one_image(s);
-    if (!rows.keep)
-        rebuild_detach(s, !s->alone, &rows);
-    else if (s->walls)
-        walls_detach(s->walls, s->particles, &rows.walls);
-    timer_stop(&s->timers, TIMER_HISTORY);
-    rebuild_from_rows(s, &rows);
+    passes_run(s, &rows, 0);
 }

@@ -182,6 +182,9 @@ void timing_look(struct simulation *simulation);
  * searched; history attached. Collective. */
 void rebuild_run(struct simulation *simulation);
 
+/* Prints the passes of a rebuild, a line each. */
+void rebuild_print(const struct simulation *simulation, FILE *file);
+
 /* Makes the plan of the sweep, if there is none since the last rebuild. Before a fused step. */
 void rebuild_plan(struct simulation *simulation);
 
@@ -200,6 +203,7 @@ struct rebuild_rows {
                 */
     uint32_t *place; /* several ranks: number after the migration of each of `before` particles */
     size_t before;
+    uint32_t *order; /* new particle k is old order[k] */
     struct history_kept kept; /* made between reorder and search */
     struct wall_rows walls;
 };

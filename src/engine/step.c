@@ -26,87 +26,8 @@
  * Both give the same bits. A step is fused unless a rebuild must come or is to be expected
  * (docs/architecture.md). The lists are made once from the scene: what a scene does not need is not in them.
  */
-#include "engine/guards.h"
-#include <assert.h>
-#include <math.h>
+#include "engine/decide.h"
 #include <string.h>
-
-/* Bounds of the displacements grow by the largest speeds; where they reach a skin, displacements are
- * measured. */
-static void decide_skin(struct simulation *s) {
-    double speed[CLASS_MAX] = {0};
-    int classes = s->classes.count;
-    for (int t = 0; t < s->threads; t++)
-        for (int c = 0; c < classes; c++)
-            speed[c] = fmax(speed[c], s->speed[t][c]);
-    for (int c = 0; c < classes; c++)
-        speed[c] = sqrt(speed[c]);
-    skin_moved(s->skin, speed, classes, s->dt, s->walls ? walls_displacement(s->walls) : 0);
-}
-
-/* Bounds, signals and errors on their way to being the same on all ranks. */
-static void agree_begin(struct simulation *s) {
-    double *value = s->agreed;
-    int n = s->classes.count;
-    decide_skin(s);
-    if (s->alone)
-        return;
-    memcpy(value, s->skin->bound, (size_t)n * sizeof *value);
-    memcpy(value + n, s->skin->second, (size_t)n * sizeof *value);
-    value[2 * n] = s->signals.rebuild;
-    value[2 * n + 1] = s->signals.stop;
-    value[2 * n + 2] = s->signals.checkpoint;
-    value[2 * n + 3] = s->signals.error;
-    comm_max_begin(s->comm, value, 2 * n + 4, &s->reduction);
-}
-
-static void agree_end(struct simulation *s) {
-    const double *value = s->agreed;
-    int n = s->classes.count;
-    if (!s->alone) {
-        comm_max_end(&s->reduction);
-        memcpy(s->skin->bound, value, (size_t)n * sizeof *value);
-        memcpy(s->skin->second, value + n, (size_t)n * sizeof *value);
-        s->signals.rebuild = value[2 * n] > 0;
-        s->signals.stop = value[2 * n + 1] > 0;
-        s->signals.checkpoint = value[2 * n + 2] > 0;
-        s->signals.error = value[2 * n + 3] > 0;
-    }
-    skin_settle(s->skin, n);
-}
-
-/* The two largest displacements of each class, on all ranks. */
-static void measure_all(struct simulation *s) {
-    double two[CLASS_MAX][2];
-    int n = s->classes.count;
-    skin_measure(s->skin, s->particles, n);
-    for (int c = 0; c < n; c++) {
-        two[c][0] = s->skin->bound[c];
-        two[c][1] = s->skin->second[c];
-    }
-    comm_max_two(s->comm, two, n);
-    for (int c = 0; c < n; c++) {
-        s->skin->bound[c] = two[c][0];
-        s->skin->second[c] = two[c][1];
-    }
-}
-
-/* Where the bounds say that a rebuild may be due, displacements are measured. */
-static void measure(struct simulation *s) {
-    if (s->signals.rebuild || !skin_due(s->skin, &s->classes))
-        return;
-    s->signals.rebuild = skin_surely_due(s->skin, &s->classes);
-    if (s->signals.rebuild)
-        return;
-    measure_all(s);
-    s->signals.rebuild = skin_due(s->skin, &s->classes);
-}
-
-static void decide_run(struct simulation *s) {
-    agree_begin(s);
-    agree_end(s);
-    measure(s);
-}
 
 /* Copies carry no force yet. */
 static void copies_clear(struct simulation *s) {
@@ -168,7 +89,7 @@ static void sweep_run(struct simulation *s) {
         for (int t = 0; t < s->threads; t++)
             late_sweep(s, t);
     }
-    agree_begin(s);
+    decide_begin(s);
 }
 
 static void receive_run(struct simulation *s) {
@@ -184,8 +105,8 @@ static void copies_run(struct simulation *s) {
 }
 
 static void verify_run(struct simulation *s) {
-    agree_end(s);
-    measure(s);
+    decide_end(s);
+    decide_measure(s);
     if (!s->signals.rebuild)
         return;
     size_t doubles = (s->particles->owned + s->particles->ghosts) * (size_t)s->particles->force_stride;
@@ -232,11 +153,15 @@ void step_plan(struct simulation *s) {
 
 void step_plan_print(const struct simulation *s, FILE *file) {
     if (s->scene->step.fused) {
-        fprintf(file, " fused:\n");
+        fprintf(file, " fused; sweep: ");
+        plan_print_visits(&s->plan.moves, &s->plan.pairs, file);
+        fprintf(file, "\n");
         plan_print(&s->plan.fused, file);
         fprintf(file, " at rebuilds:\n");
     }
     plan_print(&s->plan.plain, file);
+    fprintf(file, "\npasses of a rebuild\n");
+    rebuild_print(s, file);
 }
 
 /* Seconds in the stages whose work is dealt out to threads and that wait for no other rank. */

@@ -1,0 +1,81 @@
+/* Is a rebuild due? Bounds of the displacements, on all ranks (pairs/skin.h). */
+#include "engine/decide.h"
+#include <math.h>
+#include <string.h>
+
+/* Bounds of the displacements grow by the largest speeds; where they reach a skin, displacements are
+ * measured. */
+static void decide_skin(struct simulation *s) {
+    double speed[CLASS_MAX] = {0};
+    int classes = s->classes.count;
+    for (int t = 0; t < s->threads; t++)
+        for (int c = 0; c < classes; c++)
+            speed[c] = fmax(speed[c], s->speed[t][c]);
+    for (int c = 0; c < classes; c++)
+        speed[c] = sqrt(speed[c]);
+    skin_moved(s->skin, speed, classes, s->dt, s->walls ? walls_displacement(s->walls) : 0);
+}
+
+/* Bounds, signals and errors on their way to being the same on all ranks. */
+void decide_begin(struct simulation *s) {
+    double *value = s->agreed;
+    int n = s->classes.count;
+    decide_skin(s);
+    if (s->alone)
+        return;
+    memcpy(value, s->skin->bound, (size_t)n * sizeof *value);
+    memcpy(value + n, s->skin->second, (size_t)n * sizeof *value);
+    value[2 * n] = s->signals.rebuild;
+    value[2 * n + 1] = s->signals.stop;
+    value[2 * n + 2] = s->signals.checkpoint;
+    value[2 * n + 3] = s->signals.error;
+    comm_max_begin(s->comm, value, 2 * n + 4, &s->reduction);
+}
+
+void decide_end(struct simulation *s) {
+    const double *value = s->agreed;
+    int n = s->classes.count;
+    if (!s->alone) {
+        comm_max_end(&s->reduction);
+        memcpy(s->skin->bound, value, (size_t)n * sizeof *value);
+        memcpy(s->skin->second, value + n, (size_t)n * sizeof *value);
+        s->signals.rebuild = value[2 * n] > 0;
+        s->signals.stop = value[2 * n + 1] > 0;
+        s->signals.checkpoint = value[2 * n + 2] > 0;
+        s->signals.error = value[2 * n + 3] > 0;
+    }
+    skin_settle(s->skin, n);
+}
+
+/* The two largest displacements of each class, on all ranks. */
+static void measure_all(struct simulation *s) {
+    double two[CLASS_MAX][2];
+    int n = s->classes.count;
+    skin_measure(s->skin, s->particles, n);
+    for (int c = 0; c < n; c++) {
+        two[c][0] = s->skin->bound[c];
+        two[c][1] = s->skin->second[c];
+    }
+    comm_max_two(s->comm, two, n);
+    for (int c = 0; c < n; c++) {
+        s->skin->bound[c] = two[c][0];
+        s->skin->second[c] = two[c][1];
+    }
+}
+
+/* Where the bounds say that a rebuild may be due, displacements are measured. */
+void decide_measure(struct simulation *s) {
+    if (s->signals.rebuild || !skin_due(s->skin, &s->classes))
+        return;
+    s->signals.rebuild = skin_surely_due(s->skin, &s->classes);
+    if (s->signals.rebuild)
+        return;
+    measure_all(s);
+    s->signals.rebuild = skin_due(s->skin, &s->classes);
+}
+
+void decide_run(struct simulation *s) {
+    decide_begin(s);
+    decide_end(s);
+    decide_measure(s);
+}
