@@ -1,6 +1,7 @@
 /* The full rebuild: a list of passes (at the end of this file), as the step is one. It stands between a drift and
  * the forces: positions are new, forces are zero, histories are those of the last evaluation. Copies appear,
  * vanish and migrate only here. */
+#include "engine/classify.h"
 #include "engine/guards.h"
 #include "engine/load.h"
 #include "core/memory.h"
@@ -170,7 +171,7 @@ static void classify(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
     bool anew = s->classes_stale || !s->alone;
     if (s->classes_stale)
-        simulation_classify(s, &s->error);
+        classify_choose(s, &s->error);
     if (anew)
         particles_classify(s->particles, &s->classes);
 }

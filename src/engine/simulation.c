@@ -1,3 +1,4 @@
+#include "engine/classify.h"
 #include "engine/grains.h"
 #include "engine/guards.h"
 #include "engine/load.h"
@@ -12,128 +13,6 @@
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
-
-/* Radii that stand for all when classes are chosen: of each of so many logarithmic bins the smallest and the
- * largest, and more by weight. */
-enum { CLASS_BINS = 1024, CLASS_SAMPLE = 64 };
-
-struct radius_bins {
-    double least[CLASS_BINS], most[CLASS_BINS], count[CLASS_BINS];
-};
-
-static int radius_bin(double radius, double smallest, double largest) {
-    if (!(largest > smallest))
-        return 0;
-    int bin = (int)(CLASS_BINS * log(radius / smallest) / log(largest / smallest));
-    return bin < 0 ? 0 : bin >= CLASS_BINS ? CLASS_BINS - 1 : bin;
-}
-
-static void radius_bins_fill(struct simulation *s, struct radius_bins *bins) {
-    double bound[2] = {INFINITY, INFINITY}; /* smallest, minus largest */
-    for (size_t k = 0; k < s->particles->owned; k++) {
-        double radius = s->particles->state[k].radius;
-        bound[0] = fmin(bound[0], radius);
-        bound[1] = fmin(bound[1], -radius);
-    }
-    comm_min(s->comm, bound, 2);
-    for (int b = 0; b < CLASS_BINS; b++) {
-        bins->least[b] = INFINITY;
-        bins->most[b] = bins->count[b] = 0;
-    }
-    for (size_t k = 0; k < s->particles->owned; k++) {
-        double radius = s->particles->state[k].radius;
-        int b = radius_bin(radius, bound[0], -bound[1]);
-        bins->least[b] = fmin(bins->least[b], radius);
-        bins->most[b] = fmax(bins->most[b], radius);
-        bins->count[b]++;
-    }
-    comm_min(s->comm, bins->least, CLASS_BINS);
-    comm_max(s->comm, bins->most, CLASS_BINS);
-    comm_sum(s->comm, bins->count, CLASS_BINS);
-}
-
-static size_t radius_sample(const struct radius_bins *bins, double total, double *sample) {
-    size_t n = 0;
-    for (int b = 0; b < CLASS_BINS; b++) {
-        if (bins->count[b] == 0)
-            continue;
-        sample[n++] = bins->least[b];
-        sample[n++] = bins->most[b];
-        for (double w = 1; w < bins->count[b] / total * CLASS_SAMPLE * CLASS_BINS && w < bins->count[b]; w++)
-            sample[n++] = bins->most[b];
-    }
-    return n;
-}
-
-/* What choosing may know of the scene: functions of the radii and the box alone, so that a resume chooses
- * alike. */
-static struct classes_options classes_wanted(const struct simulation *s, const struct radius_bins *bins,
-                                             double total) {
-    struct classes_options options = s->scene->classes;
-    const struct box *box = &s->scene->box;
-    double solid = 0, space = 1;
-    for (int b = 0; b < CLASS_BINS; b++) {
-        double radius = bins->most[b];
-        if (bins->count[b] > 0)
-            solid += bins->count[b] * M_PI * radius * radius * (box->dimension == 3 ? 4 * radius / 3 : 1);
-    }
-    for (int d = 0; d < box->dimension; d++)
-        space *= box->edge[d];
-    options.fraction = solid / space;
-    options.dimension = box->dimension;
-    options.particles = total;
-    return options;
-}
-
-/* Exact bounds and populations of the classes that were chosen from a sample. */
-static void classes_count(struct simulation *s) {
-    struct size_classes *classes = &s->classes;
-    double least[CLASS_MAX], most[CLASS_MAX];
-    int64_t population[CLASS_MAX] = {0};
-    for (int c = 0; c < classes->count; c++) {
-        least[c] = INFINITY;
-        most[c] = 0;
-    }
-    for (size_t k = 0; k < s->particles->owned; k++) {
-        double radius = s->particles->state[k].radius;
-        int c = classes_of(classes, radius);
-        least[c] = fmin(least[c], radius);
-        most[c] = fmax(most[c], radius);
-        population[c]++;
-    }
-    comm_min(s->comm, least, classes->count);
-    comm_max(s->comm, most, classes->count);
-    comm_sum_int(s->comm, population, classes->count);
-    for (int c = 0; c < classes->count; c++) {
-        classes->population[c] = (uint64_t)population[c];
-        if (population[c] == 0)
-            continue;
-        classes->radius_min[c] = least[c];
-        classes->radius_max[c] = most[c];
-    }
-    struct classes_range range = interactions_range(&s->interactions);
-    classes_set_margins(classes, &s->scene->classes, &range);
-}
-
-bool simulation_classify(struct simulation *s, struct error *error) {
-    struct radius_bins *bins = memory_allocate(1, sizeof *bins, "radius histogram");
-    radius_bins_fill(s, bins);
-    double total = 0;
-    for (int b = 0; b < CLASS_BINS; b++)
-        total += bins->count[b];
-    double *sample =
-        memory_allocate((size_t)CLASS_BINS * (CLASS_SAMPLE + 4), sizeof *sample, "radius sample");
-    size_t n = radius_sample(bins, total, sample);
-    struct classes_options options = classes_wanted(s, bins, total);
-    struct classes_range range = interactions_range(&s->interactions);
-    bool good = classes_choose(&s->classes, &options, &range, sample, n, error);
-    memory_free(sample);
-    memory_free(bins);
-    if (good)
-        classes_count(s);
-    s->classes_stale = false;
-    return good;
-}
 
 void simulation_index_view(struct simulation *s, struct index_view *view) {
     pairlist_view(view, s->particles, &s->classes, &s->scene->box, s->wrap);
@@ -362,7 +241,7 @@ static bool particles_suit(struct simulation *s, struct error *error) {
         return error_set(error, ERROR_USER,
                          "%llu particles on %d ranks: allowed are up to %llu a rank, copies included",
                          (unsigned long long)s->total, s->comm->size, 1ull << PARTICLE_INDEX_BITS);
-    if (!simulation_classify(s, error) || !box_suffices(s, error) || !timing_choose(s, error))
+    if (!classify_choose(s, error) || !box_suffices(s, error) || !timing_choose(s, error))
         return false;
     particles_classify(s->particles, &s->classes);
     interactions_divide(&s->interactions, &s->classes, &(struct pairlist_options){.threads = s->threads});

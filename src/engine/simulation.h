@@ -157,9 +157,6 @@ void simulation_destroy(struct simulation **simulation);
  * simulation_create. */
 bool simulation_prepare(struct simulation *simulation, struct error *error);
 
-/* Chooses size classes from the radii on all ranks and counts their populations. Collective. */
-bool simulation_classify(struct simulation *simulation, struct error *error);
-
 /* The view that output/ looks at. Borrows everything. */
 struct output_view simulation_view(const struct simulation *simulation);
 

@@ -1,0 +1,11 @@
+/* Size classes from the radii on all ranks. */
+#ifndef SCREE_ENGINE_CLASSIFY_H
+#define SCREE_ENGINE_CLASSIFY_H
+
+#include "engine/simulation.h"
+
+/* Chooses size classes from the radii on all ranks, counts their populations, and sets margins by what the
+ * interactions want. Collective. */
+bool classify_choose(struct simulation *simulation, struct error *error);
+
+#endif
