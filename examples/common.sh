@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Sourced by the scripts of the examples (sh, with `here` set to their folder): finds the program, starts it on ranks.
 #
 # SCREE, if set, is the program to run; else build/scree of this checkout, else the installed scree.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Examples: all of a folder ships and is installed; results of runs (out*) do not and are not.
 nobase_dist_pkgdata_DATA = \
 	examples/README.md examples/column/README.md examples/column/scene.yaml examples/common.sh

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Speed against error of the examples, as docs/speed-error.md shows it: speed-error.sh [column|penetration|drum|angle]...
 #
 # Each of them takes minutes to a quarter of an hour on one core. Results in out-speed-error/NAME (speed_error.txt, .csv, .svg); the pictures

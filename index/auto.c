@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* auto: decides by the cost model which classes share a grid and how large its cells are. With one grid it is
  * `linkcell`, with one a class `bytype`, between these `hgrid`.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* brute: every pair, every image. The oracle of the tests and the file to copy when writing an index; its
  * time grows as the square of the number of particles. */
 #include "core/memory.h"

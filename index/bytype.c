@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* bytype: one grid for each size class. Like particles are searched one-sidedly in their own grid; of unlike
  * ones the smaller look up the larger, or the larger the smaller where that costs less (cross.h); with newton
  * off owned large ones look up small ghosts too. After section 3 of the ARCHER eCSE report on multi-level

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The one exact test of the contract, in double precision: every index decides with it, so that all of them
  * find the same set of pairs to the last bit. The separation is formed as (x_j - x_i) + shift, whose rounding
  * is the same whichever of the two is the row. (The build switches off fused multiply-adds, which would break

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* hgrid: a hierarchy of grids. Each level holds a run of neighbouring size classes and has its own cell size;
  * a particle searches its own level, and all coarser or finer ones (Ogarko and Luding, Comput. Phys. Commun.
  * 183 (2012) 931; Krijgsman, Ogarko and Luding, Comput. Part. Mech. 1 (2014) 357, on the choice of levels).

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The wrappers: the only place that calls through the table of an index. */
 #include "index/index.h"
 

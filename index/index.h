@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The spatial index: positions and radii in, pairs out. This is the contract.
  *
  * A pair is (i, j, image): i an owned particle, j an owned one or a ghost, with

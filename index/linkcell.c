@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* linkcell: one grid for all particles, its cells as large as the largest cut-off. Good where all particles
  * are of about one size; a cell full of small ones is searched for every other small one if large ones are
  * about. */

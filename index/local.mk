@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libindex.la
 libindex_la_SOURCES = \
 	index/auto.c \

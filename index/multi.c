@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* multi: one grid for all particles, its cells from the *smallest* cut-off, and a stencil for each class,
  * long where the class has far partners. The approach of in 't Veld, Plimpton and Grest (Comput. Phys.
  * Commun. 179 (2008) 320), as section 2.1 of the ARCHER eCSE report on multi-level contact detection (2018)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The physics that a scene may ask for beside its grains: one row each, NAME, the key of its section in a scene,
  * and what it is. engine/physics.h has the contract and the recipe. A row stands for these objects of src/NAME/:
  *

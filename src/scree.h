@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* scree as a library: its contact search, and the whole program, for other codes.
  *
  *     cc mycode.c $(pkg-config --cflags --libs scree)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Times the force loop and the integrator on a dense cloud: spheres on a jittered cubic lattice in memory
  * order, with about 3.2 pairs and 1.1 contacts each (as the bidisperse benchmark has). Not a test; make
  * tests/bench_force.

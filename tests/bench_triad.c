@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What the memory and the units of this machine give at most, by loops of our own: the roof under which
  * examples/bench/roofline.sh puts the stages of a step. Not a test; make tests/bench_triad.
  *

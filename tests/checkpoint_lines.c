@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Prints a checkpoint as lines that can be sorted and compared: a line a particle, a remembered contact, a
  * wall, every number by its bytes. What depends on the layout is left out: the order, and sums that each rank
  * keeps for itself.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The bidisperse example against LAMMPS's forces and positions: every index, newton on and off, 1, 2, 4 ranks, 1, 2 threads.
 # `brute` takes long: two layouts in `make check`, all in `make check-long`.
 set -eu

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Sets of particles with the fields that a test asks for, as scenes bring them. */
 #ifndef TESTS_FIELDS_BY_HAND_H
 #define TESTS_FIELDS_BY_HAND_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A cloud and a force loop over it, for tests. Include after cmocka.h. */
 #ifndef SCREE_TESTS_FORCES_BY_HAND_H
 #define SCREE_TESTS_FORCES_BY_HAND_H

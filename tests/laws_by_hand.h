@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Laws for tests. Include after cmocka.h. */
 #ifndef SCREE_TESTS_LAWS_BY_HAND_H
 #define SCREE_TESTS_LAWS_BY_HAND_H

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # A test program names what it links with; cmocka comes by TEST_LIBS. A program that calls MPI states in the first
 # comment of its source on how many ranks it is run: "Ranks: 1 2 3 4 8" (and "Long: 27" for check-long).
 TEST_LIBS = $(CMOCKA_LIBS)

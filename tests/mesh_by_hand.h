@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Meshes for tests, written as tables. Include after walls_by_hand.h. */
 #ifndef SCREE_TESTS_MESH_BY_HAND_H
 #define SCREE_TESTS_MESH_BY_HAND_H

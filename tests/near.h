@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* assert_near: two doubles differ by at most a tolerance, compared in double (assert_float_equal compares in
  * float). Include after cmocka.h. */
 #ifndef SCREE_TESTS_NEAR_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A pair list made by brute force, with all the segments that a real one has, for tests of what uses one. */
 #ifndef SCREE_TESTS_PAIRS_BY_HAND_H
 #define SCREE_TESTS_PAIRS_BY_HAND_H

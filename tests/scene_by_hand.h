@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* For tests of scene/: a small good scene, and parsing of texts. */
 #ifndef SCREE_TESTS_SCENE_BY_HAND_H
 #define SCREE_TESTS_SCENE_BY_HAND_H

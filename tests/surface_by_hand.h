@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Surfaces of walls from texts. Include after cmocka.h and near.h. */
 #ifndef SCREE_TESTS_SURFACE_BY_HAND_H
 #define SCREE_TESTS_SURFACE_BY_HAND_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Checksums of tables: published values, and what changes them. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* docs/output.md against the program: its tables, and the keys of report.json. */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Errors: the first one wins, fatal ones end the program. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Exact sums: closed forms, cancellation that rounding would hide, and no dependence on order or division. */
 #include "core/exact.h"
 #include "core/random.h"

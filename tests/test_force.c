@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The force loop against a scalar loop over all pairs, for every law, kernel and layout over threads. */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What holds of the force loop by itself: kernels agree, momentum is conserved, springs mirror each other,
  * contacts are listed, special cases do no harm. */
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles that the program makes itself: lattices and random packings. */
 #include "tests/scene_by_hand.h"
 

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Insertion: what is due, where, and what finds no room; deletion. */
 #include "scene/insertion.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Integrators: closed forms of single particles, and a contact through the force loop. */
 #include "contact/force.h"
 #include "integrate/integrator.h"

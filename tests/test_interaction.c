@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Several interactions over one search: lists of their own, rows of both particles, and sums over them by the walk. */
 #include "core/memory.h"
 #include "core/random.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* LAMMPS's text files at the edge of what they may hold: comments, numbers out of range, many columns. */
 #include "core/memory.h"
 #include "formats/dump.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Contact laws: symmetry, limits, energy, what is refused and what a law needs. */
 #include <setjmp.h>
 #include <stdarg.h>

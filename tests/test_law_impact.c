@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Contact laws against closed forms: two-body impacts, sliding and rolling, integrated with the scheme of the
  * program and a fine step. */
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The public library: pairs of a cloud against all pairs. */
 #include "core/random.h"
 #include "scree.h"

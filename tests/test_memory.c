@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Memory: alignment, contents, counts, and sizes that cannot be. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Reading of meshes: what is accepted, and what is refused with which place. */
 #include "walls/mesh.h"
 #include "files/numbers.h"

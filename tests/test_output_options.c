@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* When output is due. */
 #include <setjmp.h>
 #include <stdarg.h>

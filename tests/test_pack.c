@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Packings: what they promise, against brute force. Everything is made in full by pack_make. */
 #include "pack/pack.h"
 

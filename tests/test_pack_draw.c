@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The laws of sizes of packings, by the Kolmogorov-Smirnov distance from their closed forms, and their
  * options. */
 #include "pack/draw.h"

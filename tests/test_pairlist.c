@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The pair list on any number of threads, with ghosts and busy particles, and the history over rebuilds. */
 #include "core/memory.h"
 #include "core/random.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The particle set, its field table, size classes and images. */
 #include "core/random.h"
 #include "particles/fields.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The grid of placed spheres against brute force. */
 #include "scene/placegrid.h"
 

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Random numbers: published values, independence, moments. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

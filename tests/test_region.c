@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Regions: what they contain, their volumes, points drawn from them. */
 #include "scene/region.h"
 
 #include <math.h>

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Sums of what precedes: against the plain loop, with threads. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

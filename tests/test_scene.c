@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What a scene becomes: option structs, defaults, derived values, the echo. */
 #include "tests/scene_by_hand.h"
 #include "scene/scene_text.h"

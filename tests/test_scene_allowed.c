@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Scenes beside those that are refused (test_scene_check.c): these are good. */
 #include "tests/scene_by_hand.h"
 

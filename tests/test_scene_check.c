@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Bad scenes: each is refused with its place, its key, and what is allowed. */
 #include "tests/scene_by_hand.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What differs between two effective scenes. */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Scenes with very many entries, and sources that ask for too much: answered in a moment. */
 #include "tests/scene_by_hand.h"
 

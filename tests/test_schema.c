@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The table of keys itself: that its rows are sound, and that what is made of them agrees. */
 #include "scene/scene_text.h"
 #include "scene/schema.h"

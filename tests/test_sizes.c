@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Size laws against their moments and shares in closed form. */
 #include "scene/sizes.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* When a rebuild is due. */
 #include "pairs/skin.h"
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles from files: what is read, and what is refused with file, line and column. */
 #include "tests/scene_by_hand.h"
 

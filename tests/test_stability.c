@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The bound on the stable step against the largest frequency of an assembly, found by power iteration of its
  * dynamic matrix contact by contact: never above, and how near; for crystals, random clouds, sizes apart by
  * 50. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The plan of the fused sweep on any number of threads, with ghosts and busy particles: every particle moves
  * once, and before it is read. */
 #include "core/memory.h"

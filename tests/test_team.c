@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* How many threads work at a time, on machines made of a few formulas: cores of its own, cores that others
  * use. */
 #include <setjmp.h>

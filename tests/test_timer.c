@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Timers: nested stages, names, counts. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

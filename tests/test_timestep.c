@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The stable time step against plain simulation of the scheme, and for the published cases. */
 #include "integrate/timestep.h"
 #include <math.h>

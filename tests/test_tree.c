@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* YAML trees: lines of nodes, changes, what is refused. */
 #include "scene/tree.h"
 
 #include <stdarg.h>

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Units and decimal numbers. */
 #include "scene/decimal.h"
 #include "scene/schema_value.h"
 #include "scene/units.h"

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* What the binary says of itself. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

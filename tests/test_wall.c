@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Walls in the step: closed forms, planes against meshes, edges, periodic images, what is refused. */
 #include "walls/wall.h"
 #include "contact/law_kernel.h"

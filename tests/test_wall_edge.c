@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Springs of wall contacts round a convex edge. */
 #include "walls/wall.h"
 #include "contact/law_kernel.h"

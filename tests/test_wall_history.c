@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Histories of wall contacts: over threads, reorderings and migration, after a resume; sums and energy. */
 #include "walls/wall.h"
 #include "contact/law_kernel.h"

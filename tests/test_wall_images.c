@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Walls felt through periodic images: springs of contacts with several of them, and walls far outside of the
  * box. */
 #include "walls/wall.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Surfaces of meshes: vertices merged, patches and features found, repairs noted, triangles found by the
  * grid. */
 #include "walls/wall_grid.h"

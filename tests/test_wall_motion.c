@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Motions: closed forms, velocities against displacements, composition, tables, servo. */
 #include "walls/wall_motion.h"
 #include <setjmp.h>

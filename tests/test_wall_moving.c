@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Walls that move: piston, servo, drum, conveyor, bounds of displacements. */
 #include "walls/wall.h"
 #include "contact/law_kernel.h"

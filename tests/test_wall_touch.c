@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Where a sphere touches a mesh or a cylinder, against exact distances. */
 #include "walls/wall_grid.h"
 #include "walls/wall_mesh.h"

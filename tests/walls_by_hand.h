@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A world of spheres and walls without an index, for tests of walls: spheres do not meet each other. Include
  * after cmocka.h and near.h. */
 #ifndef SCREE_TESTS_WALLS_BY_HAND_H

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # The index that chooses itself against a sweep: auto.sh [--quick]
 #
 # For 24 scenes made by scree pack (one size, bidisperse, sand, exponential, lognormal, power laws, uniform by number and by volume,

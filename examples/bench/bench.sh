@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Sourced by the benchmarks (sh, with `here` set to this folder): how they are called and where they work; what a run of either
 # code tells about itself.
 

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # The bidisperse benchmark against LAMMPS, side by side: bidisperse.sh R [--quick]
 #
 # R is the ratio of radii, 10, 20 or 40: the systems of Table 1 of Stratford, Shire and Hanley (spheres of radius 1 and R in a

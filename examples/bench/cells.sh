@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Time against cell size, Figures 3 and 4 of Stratford, Shire and Hanley: cells.sh R [--quick]
 #
 # The bidisperse systems of their Table 1, R = 10, 20 or 40, skin 0.5, a rebuild every four steps, on CORES ranks of one thread.

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # The chute benchmark against LAMMPS, side by side: chute.sh [--quick]
 #
 # 32,000 spheres flow down an incline of 26 degrees over a base of fixed ones (the physics of LAMMPS's own benchmark: Hooke contacts with

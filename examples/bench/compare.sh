@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Two settings, or two programs, in turns: compare.sh [--quick] A B, where A and B are settings of a scene ("" for none)
 #
 #   compare.sh "" step.fused=false               what the fused step gains

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Continuous size laws against LAMMPS: continuous.sh dunkirk 10|20|40 [--quick]; continuous.sh exponential 50 [--quick]
 #
 # The packings of section 4.2 of Stratford, Shire and Hanley (Dunkirk sand, and an exponential law), made by scree pack with the

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # How time and memory grow: growth.sh [--quick]
 #
 # particles: packings of radii 1 ... 10, number density ~ r^-3, solid fraction 0.4, of 10^4, 10^5, 10^6 and 10^7 particles.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # What each term of a scene costs: bytes a particle and time of a step, from discs without friction to Hertz and Mindlin with rolling
 # resistance. A line of JSON a variant: the processor's time of one thread, less that of a run of one step; the runs take turns, and the
 # fastest of REPEAT (5) counts.

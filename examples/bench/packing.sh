@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Sourced by the benchmarks of packings (sh, with `here` set to this folder): makes packings, runs packing.yaml on them.
 
 . "$here/bench.sh"

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Writes performance.md and its pictures from the results of the benchmarks: page.sh RESULTS DOCUMENTS (called by report.sh)
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # The penetration case against LAMMPS, side by side: penetration.sh [--quick]
 #
 # Both codes run examples/penetration/scene.yaml from the throw on, with plain velocity Verlet and equal dampers: 200,000 steps of

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs the benchmarks and writes docs/performance.md with its pictures: report.sh [--quick] [--only "NAME..."] [--tables]
 #
 # --quick: the scaled-down form of those that matter most, ten minutes; without it all of them at full size: hours, 24 GiB.
@@ -28,7 +29,7 @@ while [ $# -gt 0 ]; do
     --tables) run= ;;
     --list) run=list ;;
     *)
-        sed -n '2,7s/^# \{0,1\}//p' "$0" >&2
+        sed -n '3,8s/^# \{0,1\}//p' "$0" >&2
         exit 2
         ;;
     esac

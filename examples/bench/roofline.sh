@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Each stage under the roof of this machine: roofline.sh [--quick]
 #
 # The roof: a triad and multiplications with additions, on one thread and on all (tests/bench_triad). Under it the step and the

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # The systems of Table 1 of Stratford, Shire and Hanley in scree alone: table1.sh R [--quick]
 #
 # R is 10, 20, 40, 80 or 100 (0.7 ... 66 million spheres). Prints seconds a step and a rebuild, and bytes a particle. Where memory is

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Sourced by page.sh (sh): values out of the results of benchmarks, tables, pictures, and what is missing. Wants `here`, `results`,
 # `documents` and `data`.
 

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Levels of the hierarchical grid: univol.sh NU [--quick]
 #
 # 125,001 spheres of size ratio 50 whose sizes each hold the same volume (number density ~ r^-3), at volume fraction NU between

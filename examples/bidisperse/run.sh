@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs the case and compares it with LAMMPS, on the default index alone: run.sh [DIR]. `check` does all layouts.
 set -e
 here=$(cd "$(dirname "$0")" && pwd)

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs the case and draws the zone counts: run.sh [DIR [SECONDS]]
 set -e
 here=$(cd "$(dirname "$0")" && pwd)

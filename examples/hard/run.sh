@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Cases on which codes break: what must hold, and what comes out.
 #
 #   run.sh [--quick] [--table FILE] [--index NAME] [--ranks N] [--threads N] [CASE...]
@@ -20,7 +21,7 @@ while [ $# -gt 0 ]; do
     --index) layout=(--set index.name="$2"); shift ;;
     --ranks) asked=$2; shift ;;
     --threads) export OMP_NUM_THREADS=$2; shift ;;
-    -*) sed -n '4s/^#  */usage: /p' "$0" >&2; exit 2 ;;
+    -*) sed -n '5s/^#  */usage: /p' "$0" >&2; exit 2 ;;
     *) cases+=("$1") ;;
     esac
     shift

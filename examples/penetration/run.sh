@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # The demonstration: run.sh [DIR]
 # Runs the case of scene.yaml from just above the bed, where the ball arrives after 20.5 ms of free fall, until it has
 # bounced; prints how deep it went and draws DIR/depth.svg and DIR/penetration.png. DIR is out beside this script if not given.

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Particle updates per core and second: run.sh [DIR [RANKS_X_THREADS ...]]
 # Runs the scenarios with both ways of synchronising on each layout ("1x1 2x1 1x2" if none is named) and prints a JSON line
 # for each, the median of RUNS (3), taken in turns. SCENARIOS and STEPS, if set, name some of them and their steps; DIR (out beside

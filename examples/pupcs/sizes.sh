@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # What a larger and larger particle costs: sizes.sh [DIR [GRID...]]
 #
 # Eibl and Ruede, section 4.3: the cube of edge 80 of the scenario `large`, its sphere with a radius of 1 ... 30 (RADII), among

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Full and reduced ghosts against what geometry predicts: ghosts.sh [DIR]
 #
 # Spheres of radius 1 and R (10, 20, 40; RATIOS) at rest in a periodic cube on 8 ranks, newton on: LARGE (200) large ones take

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Writes scaling.md, and its pictures into images/: page.sh RUNS DOCUMENTS (run.sh calls it)
 #
 # RUNS holds PART.jsonl of the parts of run.sh; a part that is missing leaves its section out. LATENCY (2e-6 s a message) and

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Scaling over ranks x threads: run.sh [--quick] [DIR [PART...]]
 #
 # PARTs, all of them if none is named:
@@ -30,7 +31,7 @@ if [ "${1:-}" = --quick ]; then
 fi
 case ${1:-} in
 -*)
-    sed -n '2,20s/^# \{0,1\}//p' "$0"
+    sed -n '3,21s/^# \{0,1\}//p' "$0"
     [ "$1" = --help ]
     exit
     ;;

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Sourced by the check of each case (sh, with `here` set to the case's folder): runs scenes, judges figures.
 #
 # A check runs its scene with `scene`, takes numbers out with `column`, `final` and awk, and hands each figure to one of

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Sourced by the checks of single impacts: what scree and the independent integration (impact.c) make of them.
 tool impact
 

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs the quick verification cases and the hard cases on every index and on 1, 2 and 4 ranks of 1 and 2 threads: layouts.sh [--all] [CASE...]
 #
 # Every index on one rank, and every number of ranks and threads with one of the indexes in turn; --all: all of them together. A line a

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Verification cases: all of a folder ships.
 nobase_dist_pkgdata_DATA += \
 	examples/verify/README.md \

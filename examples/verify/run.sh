@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs the verification cases and says which hold: run.sh [--quick] [--ranks N] [--threads N] [--index NAME] [CASE...],
 # or run.sh --layouts [--all] [CASE...]: quick ones on every index and on several ranks and threads (layouts.sh)
 #
@@ -19,7 +20,7 @@ while [ $# -gt 0 ]; do
     --layouts) shift && exec "$here/layouts.sh" "$@" ;;
     --index) args="$args --set index=$2" && shift ;;
     --help | -*)
-        sed -n '2,7s/^# //p' "$0"
+        sed -n '3,8s/^# //p' "$0"
         [ "$1" = --help ]
         exit
         ;;

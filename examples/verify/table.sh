@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Writes accuracy.md from the figures of the cases: table.sh RESULTS DOCUMENTS CASE...
 set -u
 results=$1

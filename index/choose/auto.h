@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Choosing by the cost model (cost.h): cuts between size classes, and which classes share a grid, and how
  * large its cells are. Everything is a function of the particles as they are, the same wherever these are the
  * same: no clock, no state. So a run that is repeated, or resumed, chooses alike, and a scene that grows is

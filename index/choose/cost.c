@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The cost model: counts the steps of a search by grids of levels and prices them. Read cost.h first. */
 #include "index/choose/cost.h"
 
 #include "index/grids/levels.h"

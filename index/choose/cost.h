@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What a search costs: a model of order + build + visit for grids of levels, from the number, sizes and
  * density of the particles alone. `auto` chooses by it.
  *

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The prices of the steps of a search. Read prices.h first. */
 #include "index/choose/prices.h"
 
 /* Nanoseconds an event, on an AMD EPYC (Zen 4), AVX-512: from three fits, which agree in particles, windows,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What the steps of a search cost, in nanoseconds: the one list of prices, by which `auto` chooses an index
  * (cost.h) and an index of levels chooses the side that finds pairs of unlike levels. */
 #ifndef SCREE_INDEX_CHOOSE_PRICES_H

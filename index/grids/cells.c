@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Building a table, in three sweeps over the particles:
  *
  * 1. Keys: every particle's cell, and, hoping that the particles are in order already (they are after a

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A table of particles in cell order: the part of a grid that holds the owned particles, or the ghosts.
  *
  * Slots are sorted by (z cell, y cell, x cell), and within a cell by particle number. A *pencil* is a row of

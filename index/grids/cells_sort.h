@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The threaded sort of particles by cell; stable, and the same for any number of threads. Two passes: into
  * buckets of neighbouring cells (a histogram a thread, so that nobody waits for anybody), then every bucket
  * by itself. For cells.c alone. */

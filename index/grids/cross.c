@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Pairs of unlike levels, found from the larger side. Read cross.h first. */
 #include "index/grids/cross.h"
 
 #include "core/memory.h"

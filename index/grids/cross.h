@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Pairs of unlike levels that are found from the larger side.
  *
  * A few large particles among many small ones find each other fastest if each large one looks through the

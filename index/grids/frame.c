@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Where the tolerance comes from: let M be the largest coordinate of the frame and e = 2^-24. Two coordinates
  * carry e M each; a periodic edge, at most 2 M (and a millionth), carries 2 e M, the coordinate shifted by it
  * 3 e M more, and their difference, near the cut-off, next to nothing. That is below 8 e M a direction, so

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The frame: positions and radii as floats, in which the search filters.
  *
  * A coordinate is (x - centre) * scale, rounded to float, with scale = 1 / smallest cut-off. One frame serves

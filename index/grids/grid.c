@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Lays a grid into the frame, for open and for periodic directions. Read grid.h first. */
 #include "index/grids/grid.h"
 
 #include <math.h>

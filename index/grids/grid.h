@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The geometry of one grid: how frame coordinates map to cells.
  *
  * A cell is found by the same float operations for a particle and for the ends of a search window, and they

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* A set of grids: laid, built, searched, checked, described. Read levels.h first. */
 #include "index/grids/levels.h"
 
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A set of grids, each with the particles of some classes, and what rows of each class search: the common
  * body of linkcell, multi, bytype and hgrid, which differ in how they share out the classes and size the
  * cells.

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The operations of the index contract (index.h) for a set of grids. Read levels_index.h first. */
 #include "index/grids/levels_index.h"
 
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The operations of the contract for an index made of levels: an index of this kind supplies its plan alone.
  */
 #ifndef SCREE_INDEX_GRIDS_LEVELS_INDEX_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What a set of grids consists of; levels.h has the functions, and the table of what rows search. For the
  * files of the grids and the search, and for tests. */
 #ifndef SCREE_INDEX_GRIDS_LEVELS_PARTS_H

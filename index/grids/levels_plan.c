@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Which tables the rows of each class search (the table at the head of levels.h). Classes that do not meet
  * shorten it: a row leaves out the tables in which there is nobody for it. Where a table holds some that the
  * row's class meets and others that it does not, the exact test tells them apart. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Plans the grids and the searches of an index of levels. For levels.c, and those who plan. */
 #ifndef SCREE_INDEX_GRIDS_LEVELS_PLAN_H
 #define SCREE_INDEX_GRIDS_LEVELS_PLAN_H

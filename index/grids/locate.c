@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The batches of locate.h, as plain loops. */
 #include "index/grids/locate.h"
 
 /* Coordinates in direction d; true if one was clamped. Not a number is. */

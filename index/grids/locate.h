@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles to frame coordinates, and these to cells, a batch at a time: plain loops over small arrays, which
  * compilers turn into vector instructions. To the last bit what frame_coordinate and grid_cell give. */
 #ifndef SCREE_INDEX_GRIDS_LOCATE_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Counts and places the members of groups, with threads. Read members.h first. */
 #include "index/grids/members.h"
 
 #include "core/memory.h"

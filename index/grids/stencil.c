@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Finds the offsets of a stencil. Read stencil.h first. */
 #include "index/grids/stencil.h"
 
 #include "core/memory.h"

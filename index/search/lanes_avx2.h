@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Eight lanes of AVX2. See lanes_plain.h. */
 #ifndef SCREE_INDEX_SEARCH_LANES_AVX2_H
 #define SCREE_INDEX_SEARCH_LANES_AVX2_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Sixteen lanes of AVX-512. See lanes_plain.h. */
 #ifndef SCREE_INDEX_SEARCH_LANES_AVX512_H
 #define SCREE_INDEX_SEARCH_LANES_AVX512_H

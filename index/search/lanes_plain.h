@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Eight lanes in plain C, for any CPU. What a lanes_*.h must define, see here. */
 #ifndef SCREE_INDEX_SEARCH_LANES_PLAIN_H
 #define SCREE_INDEX_SEARCH_LANES_PLAIN_H

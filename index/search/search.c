@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Which compiled form of the search runs (search_rows.h). */
 #include "index/search/search.h"
 

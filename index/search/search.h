@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The search itself: one function for each instruction set, the same loop (search_rows.h) over different
  * vector instructions (lanes_*.h). For levels.c and tests alone. */
 #ifndef SCREE_INDEX_SEARCH_SEARCH_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The search of search_rows.h for the instructions AVX2. */
 #include "index/search/search.h"
 
 #if defined(__x86_64__)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The search of a dense table by rows of its own, or by larger ones (search_rows.h tells the whole): each row
  * looks up its own window in every pencil and tests it where it lies. Such windows are about as long as a
  * vector, and to copy candidates together for a span of rows costs more than it saves. Included after a

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The middle part of the search (search_rows.h tells the whole): which slices of a table hold candidates of a
  * span of rows, by windows around the span, or by the stencil of the class. */
 #ifndef SCREE_INDEX_SEARCH_SEARCH_GATHER_H

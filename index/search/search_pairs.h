@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The inner part of the search (search_rows.h tells the whole): the candidates of a span of rows, and the
  * test of every row against them. Included after a lanes_*.h. */
 #ifndef SCREE_INDEX_SEARCH_SEARCH_PAIRS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The search of a range of rows, written once for all instruction sets: a file that includes this one has
  * included a lanes_*.h before.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Sizes of the search's loops, which its cost depends on. */
 #ifndef SCREE_INDEX_SEARCH_SIZES_H
 #define SCREE_INDEX_SEARCH_SIZES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* `scree ablate`: variants of one scene, run one after the other in this process. */
 #ifndef SCREE_APP_ABLATE_H
 #define SCREE_APP_ABLATE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* `scree ablate --error`: what settings cost in time and in error, for one scene.
  *
  *     probe       the scene's step and its limits

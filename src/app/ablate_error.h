@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* `scree ablate --error`: settings by time and by error. */
 #ifndef SCREE_APP_ABLATE_ERROR_H
 #define SCREE_APP_ABLATE_ERROR_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Runs a scene of a comparison and makes an error of a signal that ends it. */
 #include "app/ablate_run.h"
 #include "core/memory.h"

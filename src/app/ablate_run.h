@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* One run of a comparison, without files. */
 #ifndef SCREE_APP_ABLATE_RUN_H
 #define SCREE_APP_ABLATE_RUN_H

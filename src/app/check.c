@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* `scree check`: what a scene needs, and why. */
 #include "app/check.h"
 #include "engine/notes.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* `scree check`. */
 #ifndef SCREE_APP_CHECK_H
 #define SCREE_APP_CHECK_H

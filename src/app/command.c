@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The table of subcommands, their usage, and those of them that take a few lines: run, info, convert. */
 #include "app/command.h"
 #include "app/ablate.h"

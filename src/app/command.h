@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The subcommands: one table row a command. */
 #ifndef SCREE_APP_COMMAND_H
 #define SCREE_APP_COMMAND_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Reads the command line by the table of flags. */
 #include "app/command_line.h"
 #include "core/memory.h"

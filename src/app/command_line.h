@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The command line: what a command takes, and how its words are read. One table row a flag. */
 #ifndef SCREE_APP_COMMAND_LINE_H
 #define SCREE_APP_COMMAND_LINE_H

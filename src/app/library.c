@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The public functions of libscree (scree.h). */
 #include "scree.h"
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libapp.la
 libapp_la_SOURCES = \
 	src/app/ablate.c \

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* scree pack: makes a packing and writes it. One rank works, with threads; others wait. */
 #include "app/pack.h"
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* `scree pack`. */
 #ifndef SCREE_APP_PACK_H
 #define SCREE_APP_PACK_H

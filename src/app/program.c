@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The program from its arguments to its exit status: help and version, MPI, the command, its error. */
 #include "app/command.h"
 #include "core/version.h"
 #include "formats/output.h"

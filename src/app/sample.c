@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Takes the samples of a run while it runs. Read sample.h first. */
 #include "app/sample.h"
 #include "core/memory.h"
 #include "core/random.h"

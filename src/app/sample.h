@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What `scree ablate --error` remembers of a run: at even times the scene's own observables, the energies and
  * momentum, and where some of the particles are. Two runs with samples at the same times can be compared. */
 #ifndef SCREE_APP_SAMPLE_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The reference, its errors, and the errors and the front of the rows. Read speed_error.h first. */
 #include "app/speed_error.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Speed against error: what a variant's record says beside that of the reference run, which variants are on
  * the front, and the files and the sentence that tell it. Plain numbers; rank 0 alone.
  *

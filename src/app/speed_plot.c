@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Places labels and writes the script of the plot. Read speed_plot.h first. */
 #include "app/speed_plot.h"
 #include <errno.h>
 #include <math.h>

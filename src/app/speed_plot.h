@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The picture of speed against error. Labels are placed here, as gnuplot would print one over the other. */
 #ifndef SCREE_APP_SPEED_PLOT_H
 #define SCREE_APP_SPEED_PLOT_H

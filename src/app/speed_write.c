@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Tables and words of speed against error. */
 #include "app/speed_error.h"
 #include "app/speed_plot.h"

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Runs the first steps of a scene and notes what happens in them. Read trial.h first. */
 #include "app/trial.h"
 #include "engine/run.h"
 #include "observe/progress.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The first steps of a scene before a comparison: does anything happen that the comparison is for, and how
  * long does a step take? */
 #ifndef SCREE_APP_TRIAL_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Lists the variants of a scene and applies one. Read variant.h first. */
 #include "app/variant.h"
 #include "contact/material.h"
 #include <math.h>

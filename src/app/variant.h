@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The variants that `scree ablate --error` tries: a scene with one setting changed, or a few. Settings are
  * changed in the scene as read, so that a scene needs no new keys for them (stiffnesses for another
  * law, say). */

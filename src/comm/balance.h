@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Divides the box anew so that all ranks get like loads: recursive coordinate bisection by Zoltan. Without
  * that library (balance_none.c) there are only bricks. */
 #ifndef SCREE_COMM_BALANCE_H

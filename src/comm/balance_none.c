@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The division by load, where the program is built without Zoltan: there is none. Read balance.h first. */
 #include "comm/balance.h"
 
 bool balance_available(struct error *error) {

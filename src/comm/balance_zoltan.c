@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The division by load, by Zoltan's recursive coordinate bisection. Read balance.h first. */
 #include "comm/balance.h"
 
 #include "comm/domain_tree.h"

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Start and end of MPI, and collective sums, maxima and gathers, each checked. Read comm.h first. */
 #include "comm/comm.h"
 
 #include "core/memory.h"

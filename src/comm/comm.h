@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The start and end of MPI and the few collective helpers that others need. The only folder that calls MPI is
  * src/comm.
  *

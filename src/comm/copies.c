@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Finds the ranks that need a copy of a particle, and packs the copies. Read copies.h first. */
 #include "comm/copies.h"
 
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Which ranks need a copy of which particle, for ghosts.c.
  *
  * Rank q computes the pairs that are at home there. With newton on, the home of a pair is its smaller

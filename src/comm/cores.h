@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Which share of a machine's cores a rank has. */
 #ifndef SCREE_COMM_CORES_H
 #define SCREE_COMM_CORES_H

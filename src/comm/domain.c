@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The questions about the division of the box, for bricks and for bisection. Read domain.h first. */
 #include "comm/domain.h"
 
 #include "comm/domain_grid.h"

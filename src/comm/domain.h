@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Who owns which part of the box. Everything else asks only these questions, whatever the form of the
  * division: bricks, or recursive bisection (domain_tree.h), which follows the load (balance.h). Positions are
  * box-relative.

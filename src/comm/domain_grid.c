@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Chooses the grid of bricks, by area or by load. Read domain_grid.h first. */
 #include "comm/domain_grid.h"
 
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Which grid of bricks divides the box among ranks, for domain.c and for whoever knows where the particles
  * are. */
 #ifndef SCREE_COMM_DOMAIN_GRID_H

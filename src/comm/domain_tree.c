@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Makes the tree of cuts and looks into it. Read domain_tree.h first. */
 #include "comm/domain_tree.h"
 
 #include "core/memory.h"

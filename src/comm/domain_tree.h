@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A division of the box by recursive bisection: a binary tree of cuts across the axes, with the ranks as its
  * leaves, for domain.c. The ranks of a node are a range [first, last), divided at `middle` into those below
  * and those above the cut. The nodes lie in one array: the lower child of a node follows it, the upper one

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Both forms of exchange: sparse consensus, and messages that are planned. Read exchange.h first. */
 #include "comm/exchange.h"
 
 #include "core/memory.h"

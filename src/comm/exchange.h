@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Messages between ranks, for migrate.c and ghosts.c: one aggregated message per neighbour and direction.
  *
  * Two forms:

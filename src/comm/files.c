@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Takes MPI's calls on files in between and keeps what failed. Read files.h first. */
 #include "comm/files.h"
 
 #include <mpi.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Calls on files that fail on one rank, noticed below the library that makes them: MPI's calls by which HDF5
  * opens, reads, writes and closes files are taken in between by MPI's profiling interface. */
 #ifndef SCREE_COMM_FILES_H

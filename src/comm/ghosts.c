@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The plan of the copies.
  *
  * Invariants, from ghosts_make until ghosts_drop:

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Migration, and copies of particles that other ranks need (ghosts): made at a rebuild, valid until the next;
  * between rebuilds only values travel, along a plan that was made once. Neighbours are a graph, never "the
  * 26".

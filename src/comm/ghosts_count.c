@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What the plan of the copies counts, and whether it holds together. */
 #include "comm/ghosts_parts.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Inside of the plan of the copies, whose invariants ghosts.c tells. Nobody else includes this. */
 #ifndef SCREE_COMM_GHOSTS_PARTS_H
 #define SCREE_COMM_GHOSTS_PARTS_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Sorts items by rank, with a small table of the ranks that occur. Read groups.h first. */
 #include "comm/groups.h"
 
 #include "core/memory.h"

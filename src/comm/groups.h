@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Items sorted by the rank that they concern, for migrate.c and copies.c: the step between "who needs what"
  * and one message per neighbour. Time and memory follow the items, however many ranks there are. */
 #ifndef SCREE_COMM_GROUPS_H

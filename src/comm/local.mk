@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libcomm.la
 libcomm_la_SOURCES = \
 	src/comm/balance.h \

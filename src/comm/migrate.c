@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A message holds, for n particles: n (8 bytes), their MIGRATE fields (fields_pack), and for each row set n
  * counts (8 bytes each) and the rows themselves, particle after particle. The receiver checks that the parts
  * add up to the length that came. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles change ranks, with whatever travels with them. */
 #ifndef SCREE_COMM_MIGRATE_H
 #define SCREE_COMM_MIGRATE_H

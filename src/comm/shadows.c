@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The rounds in which copies are registered and spread. Read shadows.h first. */
 #include "comm/shadows.h"
 
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* How copies come to be: registered with their owner, and spread from neighbour to neighbour (Eibl and Ruede,
  * "A local parallel communication algorithm for polydisperse rigid body dynamics", Parallel Computing 80
  * (2018) 36-48), for ghosts.c.

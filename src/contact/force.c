@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The force loop: the contact laws as a client of the walk over pairs. Read pairs/walk.h first. */
 #include "contact/force.h"
 #include "contact/force_kernel.h"

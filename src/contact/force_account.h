@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What the force loop notes of a batch beside forces: the largest overlap, energies, the virial. Included by
  * force_block.c alone, which is compiled for several instruction sets. */
 #ifndef SCREE_CONTACT_FORCE_ACCOUNT_H

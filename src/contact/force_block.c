@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A batch of contacts through the law: coefficients, geometry, the law, sums (force_kernel.h). Compiled once
  * for each instruction set, under the name that FORCE_KERNEL gives. Read pairs/walk.h first. */
 #include "contact/force_account.h"

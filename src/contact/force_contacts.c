@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The list of present contacts, for output: a plain loop over the pairs with the law of the force loop. */
 #include "contact/force.h"
 #include "contact/law_kernel.h"

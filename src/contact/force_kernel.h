@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Inside of the force loop: the contact laws as a client of the walk over pairs (pairs/walk.h), a batch of
  * contacts at a time. The walls use batches and `respond` for their contacts (walls_force.c). Nobody else but
  * tests includes this.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The physics phase of the force loop: the law over a batch, once for each combination of law and flags.
  * Included by force_block.c alone, which is compiled for several instruction sets. */
 #ifndef SCREE_CONTACT_FORCE_PHYSICS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Contact laws: what two spheres (or a sphere and a wall) that touch do to each other.
  *
  * A law sees two particles and a contact; never a loop, a thread or a rank. The functions that the force

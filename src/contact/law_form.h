@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A contact law's form: how the elastic force between two spheres, or a sphere and a wall, depends on their
  * overlap. Damping, friction and rolling are the same for all forms (law_kernel.h); a form brings the springs
  * that they go with.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Hertz and Mindlin: elastic spheres. With the effective moduli E* and G* of the two materials and the contact
  * radius a = sqrt(R* d),
  *

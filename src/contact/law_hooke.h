@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Hooke: a linear spring, F = k_n d. The dashpot of a linear spring gives any impact the same restitution and
  * the same duration. */
 #ifndef SCREE_CONTACT_LAW_HOOKE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The contact laws themselves, as `static inline` functions: one contact in, forces and torques out. Sphere
  * against sphere and sphere against wall use the same function; the caller brings geometry, this file the
  * physics (docs/physics.md).

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Dampers from restitutions (law_restitution.h; docs/physics.md). */
 #include "contact/law_restitution.h"
 #include <float.h>

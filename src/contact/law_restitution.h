@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The damper that belongs to a restitution, in closed form. */
 #ifndef SCREE_CONTACT_LAW_RESTITUTION_H
 #define SCREE_CONTACT_LAW_RESTITUTION_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The rows of the table of contact laws (law_table.h), for whoever does not need them at compile time. */
 #include "contact/law_table.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The table of contact laws. Read law_form.h first: the recipe is there.
  *
  * A row: LAW_NAME for the number, the name in scenes, the traits that keys of a scene ask for (scene/schema.h),

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libcontact.la
 libcontact_la_SOURCES = \
 	src/contact/force.c \

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The field that tells materials apart. */
 #include "contact/material.h"
 

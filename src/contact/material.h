@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The material of each particle: which row of the law's coefficients it has. Registered where a scene has
  * more than one. */
 #ifndef SCREE_CONTACT_MATERIAL_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The fields of particles that turn. */
 #include "contact/spin.h"
 

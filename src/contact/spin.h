@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Spin: particles that turn have an angular velocity and a torque. Registered where the law has a force along
  * the surface (law.spin); without, neither exists. */
 #ifndef SCREE_CONTACT_SPIN_H

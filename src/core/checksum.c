@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The hash of a row and the sum of a table. Read checksum.h first. */
 #include "core/checksum.h"
 
 #include <string.h>

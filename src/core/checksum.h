@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* An order-independent checksum of a table: each row is hashed with its key, and the hashes are added modulo
  * 2^64. Partial sums of any distribution over threads and ranks add up to the same value. */
 #ifndef SCREE_CORE_CHECKSUM_H

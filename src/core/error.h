@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The kinds of failure, and the one way each is reported.
  *
  * A function that can fail because of the user or of the system takes a `struct error *` as its last

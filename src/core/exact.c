@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Adds a double to the accumulator, carries, and rounds once at the end. Read exact.h first. */
 #include "core/exact.h"
 #include <math.h>
 #include <stdbool.h>

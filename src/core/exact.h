@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Sums of doubles without rounding: a fixed-point number as wide as all doubles, so that the sum does not
  * depend on the order of its terms, nor on how they were shared out among threads and ranks (the long
  * accumulator of Kulisch). Words of two sums may be added one by one, with any integer sum over ranks. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Image codes: which periodic image of a particle is meant. An image is a vector of {-1, 0, 1}^3, in edges of
  * the box; its code has 5 bits, 0 is no shift, and the code of the opposite vector is (27 - code) % 27. */
 #ifndef SCREE_CORE_IMAGE_H

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libcore.la
 libcore_la_SOURCES = \
 	src/core/checksum.c \

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A block is what the system gave, an array is what the caller sees:
  *
  *   block ... header | array (count * size bytes) | padding of at least one cache line ... end of block

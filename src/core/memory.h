@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Aligned, counted memory. Every large array of the program comes from here, so that the report can state
  * bytes per particle, and so that arrays are aligned to cache lines. */
 #ifndef SCREE_CORE_MEMORY_H

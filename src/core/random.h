@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Counter-based random numbers (Random123's Philox4x32-10): a value depends on the seed, a stream and a
  * counter alone, never on the rank or thread that asks. */
 #ifndef SCREE_CORE_RANDOM_H

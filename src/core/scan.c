@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Two passes over the counts: every thread sums its block, then, knowing the sum of the blocks before its
  * own, writes its offsets. The three public functions differ in the width of counts and offsets alone. */
 #include "core/scan.h"

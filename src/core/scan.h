@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Exclusive prefix sums: counts become offsets. The middle step of count, scan, fill. */
 #ifndef SCREE_CORE_SCAN_H
 #define SCREE_CORE_SCAN_H

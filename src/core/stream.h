@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Writes past the caches, for arrays so large that what is written will be gone from them before it is read:
  * a plain write of a cache line fetches it first, which is a third of the traffic of a copy. On CPUs without
  * such instructions these are plain writes. */

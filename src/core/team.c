@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Measures whether other programs use the cores, and chooses the size of the team. Read team.h first. */
 #include "core/team.h"
 #include "core/timer.h"
 

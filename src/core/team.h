@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* How many of a run's threads work at a time. The work is dealt out to a fixed number of threads, and that
  * deal alone decides the bits; a team of fewer takes several threads' shares each. Where other programs use
  * the cores, a thread that the system has put aside holds up all others at each barrier, and one thread alone

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Sets the number of threads of the program's teams. Read threads.h first. */
 #include "core/threads.h"
 
 #include <omp.h>

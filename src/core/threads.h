@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* How many threads a program's teams have. */
 #ifndef SCREE_CORE_THREADS_H
 #define SCREE_CORE_THREADS_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Charges wall-clock time to the innermost stage. Read timer.h first. */
 #include "core/timer.h"
 
 #include <assert.h>

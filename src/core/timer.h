@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Wall-clock timers per stage of a run, nested calls allowed. One `struct timers` belongs to one simulation;
  * only the main thread starts and stops. */
 #ifndef SCREE_CORE_TIMER_H

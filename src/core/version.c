@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Version, revision, compiler, flags, host and processor of this binary. Read version.h first. */
 #include "core/version.h"
 
 #include "config.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What this binary is, for the report and for every file that it writes. */
 #ifndef SCREE_CORE_VERSION_H
 #define SCREE_CORE_VERSION_H

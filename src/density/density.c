@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Number density as a physics: one interaction, one field, one pass before output (engine/physics.h). */
 #include "density/density.h"
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Size classes from the radii on all ranks. Read particles/classes.h first. */
 #include "engine/classify.h"
 #include "core/memory.h"

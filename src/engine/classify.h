@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Size classes from the radii on all ranks. */
 #ifndef SCREE_ENGINE_CLASSIFY_H
 #define SCREE_ENGINE_CLASSIFY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Is a rebuild due? Bounds of the displacements, on all ranks (pairs/skin.h). */
 #include "engine/decide.h"
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Is a rebuild due? All ranks agree on it, and on the signals of a step, in one reduction. */
 #ifndef SCREE_ENGINE_DECIDE_H
 #define SCREE_ENGINE_DECIDE_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Checks, locks, clears and rewinds the folder of a run. Read folder.h first. */
 #include "engine/folder.h"
 #include "formats/checkpoint.h"
 #include "files/file.h"

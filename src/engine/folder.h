@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The folder that a run writes to: one run at a time, and nothing in it of a run that it replaces. */
 #ifndef SCREE_ENGINE_FOLDER_H
 #define SCREE_ENGINE_FOLDER_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Grains as a physics: contacts between them and with walls, and the integrator that moves them. Its self is the
  * simulation, whose parts are still those of grains. Read physics.h first. */
 #include "engine/grains.h"

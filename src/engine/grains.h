@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Grains: the physics that every scene has (physics.h). */
 #ifndef SCREE_ENGINE_GRAINS_H
 #define SCREE_ENGINE_GRAINS_H

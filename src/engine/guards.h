@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Guards: what stops a run (or warns, once) when its state is physical nonsense. They fill simulation->error
  * on the rank that sees it. */
 #ifndef SCREE_ENGINE_GUARDS_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Puts the contacts of all ranks before stability.h and iterates. Read limit.h first. */
 #include "engine/limit.h"
 #include "core/memory.h"
 #include "integrate/stability.h"

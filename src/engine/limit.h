@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The stable step of the contacts that there are: what integrate/stability.h finds, over all ranks. */
 #ifndef SCREE_ENGINE_LIMIT_H
 #define SCREE_ENGINE_LIMIT_H

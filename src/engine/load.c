@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The load of ranks, and the division of the box that follows it.
  *
  * Bricks are laid once, by the particles at the start; a bisection follows the load. A resume on as many

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Balance of the load among ranks (`domain: bisection`), and what of a rank's time is work. */
 #ifndef SCREE_ENGINE_LOAD_H
 #define SCREE_ENGINE_LOAD_H

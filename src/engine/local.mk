@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libengine.la
 libengine_la_SOURCES = \
 	src/engine/classify.c \

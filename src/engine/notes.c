@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Looks at a simulation for what is seldom meant. Read notes.h first. */
 #include "engine/notes.h"
 #include "core/memory.h"
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What people should look at again before they trust a run: `scree check` shows it, and `scree run` repeats
  * it before the first step. Whatever is seldom meant, and no error, gets its note here. */
 #ifndef SCREE_ENGINE_NOTES_H

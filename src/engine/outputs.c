@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Opens the files of a run and writes into them when they are due. Read outputs.h first. */
 #include "engine/outputs.h"
 #include "core/memory.h"
 #include "formats/contact_list.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The files of a run: which are open, when they are due. */
 #ifndef SCREE_ENGINE_OUTPUTS_H
 #define SCREE_ENGINE_OUTPUTS_H

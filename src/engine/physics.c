@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The physics of a run: who is asked for, and what they are told. Read physics.h first. */
 #include "engine/physics.h"
 #include <math.h>

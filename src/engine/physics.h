@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A physics: what happens to particles, as one folder and one row of a table. Grains (engine/grains.c) are one, and
  * always there; others come with their section of a scene (physics_table.h).
  *

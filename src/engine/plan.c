@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Merging passes into a plan, and running it. Read plan.h first. */
 #include "engine/plan.h"
 #include <assert.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The plan of a step: the passes of all active physics and of the engine itself, merged into one list that runs
  * from top to bottom and that `scree check` prints.
  *

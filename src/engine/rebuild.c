@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The full rebuild: a list of passes (at the end of this file), as the step is one. It stands between a drift and
  * the forces: positions are new, forces are zero, histories are those of the last evaluation. Copies appear,
  * vanish and migrate only here. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Checkpoints and going on from them. A checkpoint step rebuilds, so the particles stand in the order that a
  * rebuild gives, and a resume on the same layout rebuilds into the same order: its trajectory is the
  * uninterrupted one's, bit for bit. */

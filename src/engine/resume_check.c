@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What a scene may change between a checkpoint and its resume, and what it must not. */
 #include "engine/resume.h"
 #include "contact/material.h"

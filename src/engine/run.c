@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The life of a run: folder, simulation, loop, signals, checkpoints, report. Read run.h first. */
 #include "engine/run.h"
 #include "engine/folder.h"
 #include "engine/guards.h"

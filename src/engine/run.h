@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The life of a run: from a scene to its files. */
 #ifndef SCREE_ENGINE_RUN_H
 #define SCREE_ENGINE_RUN_H

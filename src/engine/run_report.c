@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Fills the report of a run (observe/report.h) from the simulation. Read run_report.h first. */
 #include "engine/run_report.h"
 #include "engine/load.h"
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What a run reports of itself at its end. */
 #ifndef SCREE_ENGINE_RUN_REPORT_H
 #define SCREE_ENGINE_RUN_REPORT_H

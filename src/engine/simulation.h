@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A simulation: everything that a run holds, and the verbs of its life.
  *
  *     simulation_create   scene -> law, walls, particles, domain, index; first rebuild, first forces

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles that come and go during a run: inserted, deleted, or leaving through an open side. All of it
  * happens at a rebuild, while there are no copies. Insertion regions are looked at every SOURCES_EVERY steps,
  * so that the steps at which particles appear do not depend on ranks, threads or index. */

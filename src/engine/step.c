@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* THE STEP. State at its start: positions x(n), velocities v(n-1/2), forces f(n).
  *
  * In plain order, pass after pass:

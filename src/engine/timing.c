@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The time step of a run: given, or a fraction of the stable one; refused where it lies above. The stable one
  * depends on the speeds of the particles at the start, so a resume by the same rule keeps the step that it
  * finds. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Trials of the variants that an index offers: each for two rebuilds, of which the second counts, as the
  * first one sorts into a new order. */
 #include "engine/simulation.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Files that appear whole or not at all: written under a temporary name, flushed to disk, renamed. */
 #ifndef SCREE_FILES_FILE_H
 #define SCREE_FILES_FILE_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Reads lines, packed by gzip or not, and keeps count of them. Read lines.h first. */
 #include "files/lines.h"
 
 #include "core/memory.h"

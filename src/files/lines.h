@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Text files line by line, with the place for messages. Files packed by gzip are unpacked on the way. */
 #ifndef SCREE_FILES_LINES_H
 #define SCREE_FILES_LINES_H

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libfiles.la
 libfiles_la_SOURCES = \
 	src/files/file.c \

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Reads a table of numbers. Read numbers.h first. */
 #include "files/numbers.h"
 #include "core/memory.h"
 #include <errno.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Text files that hold a table of numbers: one row a line, separated by blanks, commas or semicolons. Empty
  * lines and lines that begin with # are skipped, carriage returns are tolerated, and the first line may be a
  * header: it is, if its first word is no number. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Writing. Every dataset is a table of rows, this rank's rows together, in the order of the ranks; its
  * checksum comes from memory. Then the closed file is compared with these checksums, so what is renamed is
  * known to be whole. */

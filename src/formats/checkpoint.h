@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Checkpoints: the whole state of a run, so that a resume on the same layout goes on bit for bit, and on any
  * other layout goes on.
  *

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Reads datasets of a checkpoint without HDF5, by its table. Read checkpoint_file.h first. */
 #include "formats/checkpoint_file.h"
 
 #include "core/checksum.h"

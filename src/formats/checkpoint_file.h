@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A checkpoint that is open for reading: plain reads at the places of its table, none by HDF5. What a rank
  * reads is summed in its memory and compared with the table before anybody uses it, so neither damage nor a
  * read that fails can pass for data.

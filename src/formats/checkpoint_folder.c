@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The checkpoints in a folder: which there are, which are deleted. */
 #include "formats/checkpoint_parts.h"
 

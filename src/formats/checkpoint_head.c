@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Writing what is small: numbers by name, the division of the box, box, law, materials, groups, walls, and
  * the runs that led here. */
 #include "formats/checkpoint_parts.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What the files of checkpoints share: checkpoint.c writes, with checkpoint_head.c, checkpoint_read.c reads,
  * with checkpoint_read_head.c; checkpoint_folder.c finds and deletes. */
 #ifndef SCREE_FORMATS_CHECKPOINT_PARTS_H

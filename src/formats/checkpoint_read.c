@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Reading, by plain reads (checkpoint_file.h). The file's bytes have been compared with its table before; the
  * shape of each dataset is still checked, since a file may come from a program that differs. */
 #include "formats/checkpoint_parts.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Reading what is small: the counterpart of checkpoint_head.c. */
 #include "formats/checkpoint_parts.h"
 

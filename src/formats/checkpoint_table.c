@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The table of a checkpoint: where each dataset lies, and its checksum. Read checkpoint_table.h first. */
 #include "formats/checkpoint_table.h"
 
 #include "core/checksum.h"

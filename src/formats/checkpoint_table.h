@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The table at the start of a checkpoint: text in the first CHECKPOINT_BLOCK bytes, which HDF5 leaves to us.
  *
  *   scree checkpoint 2

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Collects the contacts of a rank into a list. Read contact_list.h first. */
 #include "formats/contact_list.h"
 
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The contacts of a moment, between particles and with walls, for files and statistics (force chains). */
 #ifndef SCREE_FORMATS_CONTACT_LIST_H
 #define SCREE_FORMATS_CONTACT_LIST_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Converts between the formats, frame by frame. Read convert.h first. */
 #include "formats/convert.h"
 
 #include "contact/material.h"

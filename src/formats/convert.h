@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Conversions between file formats: LAMMPS data, LAMMPS dump, H5MD and checkpoints in; LAMMPS data, dump,
  * H5MD (with XDMF) and the XDMF of an H5MD file out. Of a checkpoint the particles are taken, to be looked
  * at: their velocities are those that it holds, of the half step before its positions. */

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Writes dumps as LAMMPS does. Read dump.h first. */
 #include "formats/dump.h"
 
 #include "core/memory.h"

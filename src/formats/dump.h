@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* LAMMPS text dumps: DIR/dump.lammpstrj, all frames in one file, particles sorted by id. OVITO reads it. */
 #ifndef SCREE_FORMATS_DUMP_H
 #define SCREE_FORMATS_DUMP_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Reads the dumps that dump.c writes, and those of LAMMPS. Read dump.h first. */
 #include "formats/dump.h"
 
 #include "core/memory.h"

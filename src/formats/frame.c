@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Making a frame: resolve columns -> copy each field of the owned particles, in the user's terms -> send
  * every particle to the rank that has its stretch of ids -> sort each stretch. The stretches are equal parts
  * of the range of ids, so they are balanced as long as ids are spread evenly, and right in any case. */

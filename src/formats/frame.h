@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A frame: what a file shows of the particles at one moment. Columns in the user's terms (positions with the
  * box's origin, velocities of the full step, the force of contacts and walls without gravity, mass), rows
  * sorted by id over all ranks, each rank holding one slab. So row k is the same particle in every frame as

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* A frame of rows that were read from a file. Read frame.h first. */
 #include "formats/frame.h"
 
 #include <string.h>

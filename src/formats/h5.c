@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Opens, closes and makes HDF5 files, groups and attributes, each call checked. Read h5.h first. */
 #include "formats/h5.h"
 
 #include "core/memory.h"

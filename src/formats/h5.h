@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The few calls of HDF5 that the other files of formats/ need, each checked. HDF5's own printing is off; its
  * innermost message goes into ours, which names file and object.
  *

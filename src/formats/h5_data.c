@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Datasets: tables, tables a frame, series. The dimensions of a dataset are [frames][rows][width], each place
  * only where there is such a thing. */
 #include "formats/h5.h"

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Ends the job where ranks lose each other inside HDF5. Read h5_watch.h first. */
 #include "formats/h5_watch.h"
 
 #include "comm/files.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Ranks that lose each other inside HDF5. Its calls are collective, but where one fails, or ends too early,
  * on one rank alone, that rank goes on to another of its steps than the rest, and all wait for ever.
  * Therefore:

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The life of an H5MD writer: open, flush, close. Read h5md_file.h first. */
 #include "formats/h5md.h"
 #include "formats/h5md_file.h"

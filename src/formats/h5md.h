@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* DIR/trajectory.h5: H5MD 1.1 by parallel HDF5, with DIR/trajectory.xdmf beside it for ParaView.
  *
  * The file is open only while something is added, so a run that dies leaves a whole file. All elements of a

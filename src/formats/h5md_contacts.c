@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Contact lists: /connectivity/contacts holds the pairs of ids, /connectivity/wall_contacts the ids of
  * particles that touch a wall. What belongs to each contact stands row by row beside, in
  * /observables/contact_list and /observables/wall_contact_list. All share one step and time. Absent rows have

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The H5MD file as it stands: its elements and frames, room on the disk, units, and the XDMF file beside it. */
 #include "formats/h5md_file.h"
 

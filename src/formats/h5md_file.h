@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Inside of the H5MD writer: the file as it stands, and what all that write into it share. Above it lie
  * h5md_head.h (the head), h5md_frame.h, h5md_contacts.h, h5md_observables.h (what is added), h5md_resume.h, and
  * h5md.h (life). */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles of one moment. The first frame makes the elements; later ones must bring the same columns. */
 #include "formats/h5md_frame.h"
 #include "formats/h5md_file.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A frame in the H5MD file. */
 #ifndef SCREE_FORMATS_H5MD_FRAME_H
 #define SCREE_FORMATS_H5MD_FRAME_H

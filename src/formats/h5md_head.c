@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The head of the H5MD file: who made it, box, parameters, the runs that led here. */
 #include "formats/h5md_head.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Inside of the H5MD writer: the file when it is made, with all but particles. */
 #ifndef SCREE_FORMATS_H5MD_HEAD_H
 #define SCREE_FORMATS_H5MD_HEAD_H

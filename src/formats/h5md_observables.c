@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Rows of observables, kept in memory until the file is open next. */
 #include "formats/h5md_observables.h"
 #include "formats/h5md_file.h"

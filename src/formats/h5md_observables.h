@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Rows of observables in the H5MD file. */
 #ifndef SCREE_FORMATS_H5MD_OBSERVABLES_H
 #define SCREE_FORMATS_H5MD_OBSERVABLES_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Finds elements, moments and boxes in H5MD files and reads them. Read h5md_read.h first. */
 #include "formats/h5md_read.h"
 
 #include "core/memory.h"

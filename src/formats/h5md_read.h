@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Reads particles from any H5MD file, not only from our own: elements fixed or time-dependent, any number
  * type, a 2D or 3D box, rows that the id's fill value marks as absent, `species` where there is no
  * `material`. */

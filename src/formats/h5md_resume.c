@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Going on with a trajectory: what came after the step of the checkpoint is cut off, the rest is kept. */
 #include "formats/h5md_resume.h"
 #include "formats/h5md_head.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Inside of the H5MD writer: going on with a file that is there. */
 #ifndef SCREE_FORMATS_H5MD_RESUME_H
 #define SCREE_FORMATS_H5MD_RESUME_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Prints what is in a file, by its kind. Read info.h first. */
 #include "formats/info.h"
 
 #include "formats/checkpoint.h"

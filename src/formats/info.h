@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What is in a file, as text for a reader: H5MD trajectories, checkpoints, LAMMPS data files and dumps. The
  * kind is found from the content. */
 #ifndef SCREE_FORMATS_INFO_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Reads and writes the sections of LAMMPS data files. Read lammps_data.h first. */
 #include "formats/lammps_data.h"
 
 #include "core/memory.h"

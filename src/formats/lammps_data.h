@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* LAMMPS data files of atom style sphere ("Atoms # sphere": id type diameter density x y z [ix iy iz];
  * Velocities: id v omega). */
 #ifndef SCREE_FORMATS_LAMMPS_DATA_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Adds a run to a lineage. Read lineage.h first. */
 #include "formats/lineage.h"
 
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The runs that led to a state, the first one first: from which step on, by which program, with which scene.
  * Files carry it, so that what was computed with what stays known after a resume. */
 #ifndef SCREE_FORMATS_LINEAGE_H

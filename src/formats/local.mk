@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libformats.la
 libformats_la_SOURCES = \
 	src/formats/checkpoint.c \

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What all writers look at: a view of the run at one full step, and what stays the same during a run. Both
  * are filled by engine/ and borrowed for a call. formats/ alone knows HDF5; files are written by all ranks
  * together, text files by rank 0. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What a scene may ask of the output. Plain structs by value: scene/ fills them, engine/ hands them to the
  * writers. An interval is given in steps or in simulated time; both zero means never. */
 #ifndef SCREE_FORMATS_OUTPUT_OPTIONS_H

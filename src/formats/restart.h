@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Numbers of a run that a resume needs, by name. Whoever owns some lists them once: under which name, of
  * which kind, where they lie. A checkpoint writes what is listed, and a resume puts what it finds under these
  * names back. */

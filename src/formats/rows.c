@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Makes and frees rows. Read rows.h first. */
 #include "formats/rows.h"
 
 #include "core/memory.h"

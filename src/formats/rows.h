@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles as a file gives them: plain arrays, in the user's coordinates. What a file does not have is NULL.
  */
 #ifndef SCREE_FORMATS_ROWS_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Writes the XDMF file. Read xdmf.h first. */
 #include "formats/xdmf.h"
 
 #include "files/file.h"

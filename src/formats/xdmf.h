@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The XDMF file that lets ParaView open an H5MD trajectory: a collection in time of point sets, each pointing
  * into the HDF5 file. It is written anew each time, whole or not at all. */
 #ifndef SCREE_FORMATS_XDMF_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The fields of particles whose motion may be prescribed. */
 #include "integrate/groups.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The groups of particles, whose motion may be prescribed (integrator.h). Registered where a scene has groups
  * other than "free". */
 #ifndef SCREE_INTEGRATE_GROUPS_H

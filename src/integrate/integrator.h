@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Integrators. Both are leapfrog forms of velocity Verlet: the state holds v(n-1/2), one pass kicks by dt
  * f(n)/m and drifts by dt v(n+1/2); they differ in the contact's history only (law_options.synchronised):
  *

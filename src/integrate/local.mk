@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libintegrate.la
 libintegrate_la_SOURCES = \
 	src/integrate/groups.c \

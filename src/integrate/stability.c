@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Collects the stiffness of contacts and finds the largest eigenvalue. Read stability.h first. */
 #include "integrate/stability.h"
 #include "contact/material.h"
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Stability of the contacts that there are: is a time step stable for the springs and dampers between the
  * particles as they now touch, whatever their number, directions and overlaps?
  *

@@ -1,3 +1,6 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The limits of the step, pair of materials by pair. Read timestep.h first; the formulas are in
+ * docs/physics.md. */
 #include "integrate/timestep.h"
 #include <math.h>
 

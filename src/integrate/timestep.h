@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The stable time step of the leapfrog scheme, from the contacts' frequencies and dampers, beside Rayleigh's
  * time. Formulas with their sources in docs/physics.md; in short:
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Writes the tables of docs/output.md from the tables of the program. */
 #include "observe/describe.h"
 

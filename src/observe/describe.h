@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The tables of docs/output.md that follow from the field table, the registry of observables and the entries of
  * the report. */
 #ifndef SCREE_OBSERVE_DESCRIBE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Makes the tables of a page anew: make src/observe/document && src/observe/document <docs/output.md >new */
 #include "observe/describe.h"
 

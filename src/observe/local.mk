@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libobserve.la
 libobserve_la_SOURCES = \
 	src/observe/describe.c \

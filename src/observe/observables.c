@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Requests become items (one kind, one target), items have parts (numbers that ranks sum or compare) and
  * columns (what is shown). Computing and writing rows: observables_row.c. */
 #include "observe/observables.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables: numbers about the whole run, a row at a time, in DIR/observables.csv. One registry row an
  * observable: name, unit, how the part of one rank is found and how parts combine. To add one: write its
  * local function, add its row, name it in docs. Velocities are those of the full step. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables of the whole run: energies, momenta, stress, counts. */
 #include "observe/observables_kinds.h"
 #include "contact/spin.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The registry of observables, for observables.c alone. */
 #ifndef SCREE_OBSERVE_OBSERVABLES_KINDS_H
 #define SCREE_OBSERVE_OBSERVABLES_KINDS_H

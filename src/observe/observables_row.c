@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A row: each rank's parts -> one sum and one maximum over ranks -> components -> columns. Sums over
  * particles go chunk by chunk, the chunks in order, so that the number of threads does not change a bit.
  * Where the run is reproducible they are summed without rounding (core/exact.h), so that ranks and index do

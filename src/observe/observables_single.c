@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables of one wall, one particle, one region. */
 #include "observe/observables_kinds.h"
 #include "contact/material.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The mean stress, of the whole box or of the particles whose centres lie in a region:
  *
  *     sigma = (sum over free particles of m v (x) v  +  sum over contacts of w l (x) f) / V

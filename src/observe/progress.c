@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Draws the bar, or prints lines. Read progress.h first. */
 #include "observe/progress.h"
 
 #include "core/timer.h"

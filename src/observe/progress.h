@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The progress of a run on a terminal: a bar with the time left and particle-steps per second in a line that
  * fits the width of the terminal, or plain lines. Rank 0 alone. */
 #ifndef SCREE_OBSERVE_PROGRESS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Makes a report, gathers what ranks have one by one, and derives speeds. */
 #include "observe/report.h"
 

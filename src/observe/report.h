@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The run report: one plain struct that engine/ fills. report_rows.h says what its entries are, report_print.h
  * prints them on the terminal, report_json.h writes DIR/report.json. */
 #ifndef SCREE_OBSERVE_REPORT_H

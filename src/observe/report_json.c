@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Writes report.json from the rows of the report. Read report_rows.h first. */
 #include "observe/report_json.h"
 #include "observe/report_rows.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* DIR/report.json. */
 #ifndef SCREE_OBSERVE_REPORT_JSON_H
 #define SCREE_OBSERVE_REPORT_JSON_H

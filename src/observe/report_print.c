@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The report on the terminal: lines of text with the entries of the report in them. Read report_rows.h first. */
 #include "observe/report_print.h"
 #include "observe/report_rows.h"

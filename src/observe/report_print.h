@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The report on the terminal. */
 #ifndef SCREE_OBSERVE_REPORT_PRINT_H
 #define SCREE_OBSERVE_REPORT_PRINT_H

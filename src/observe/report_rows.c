@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The entries of a run report, a row each, in the order of report.json. Read report_rows.h first. */
 #include "observe/report_rows.h"
 

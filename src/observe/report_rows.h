@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The entries of a run report: one row an entry. The report on the terminal (report_print.c), report.json
  * (report_json.c) and their description in docs/output.md (describe.c) are written from these rows. A new entry is
  * a member of struct report, a line that fills it in engine/run_report.c, a row here and, if the terminal shows it,

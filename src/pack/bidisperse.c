@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Two relaxed random systems, of small and of large spheres, in one cube; small ones that overlap a large one
  * are removed. So the neighbours of a large sphere stand as chance has them, and not pressed against it. */
 #include "pack/parts.h"

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Draws radii from a law of sizes. Read draw.h first. */
 #include "pack/draw.h"
 
 #include "core/random.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Radii of a packing, drawn from its law: that of particle k depends on the seed, the law and k alone. */
 #ifndef SCREE_PACK_DRAW_H
 #define SCREE_PACK_DRAW_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The rows of the laws and of their keys, and their help. Read laws.h first. */
 #include "pack/laws.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The tables of the laws and of their keys. */
 #ifndef SCREE_PACK_LAWS_H
 #define SCREE_PACK_LAWS_H

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libpack.la
 libpack_la_SOURCES = \
 	src/pack/bidisperse.c \

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Reads KEY=VALUE by the tables of laws.c, and derives what is not given. Read options.h first. */
 #include "pack/options.h"
 
 #include "pack/laws.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What a packing is to be: a law of sizes and its keys. The tables of options.c give parsing, defaults,
  * bounds and help. */
 #ifndef SCREE_PACK_OPTIONS_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Makes a packing: box, spheres, relaxation, rows. Read pack.h first. */
 #include "pack/parts.h"
 
 #include "core/memory.h"

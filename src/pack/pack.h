@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Makes packings: spheres of a law of sizes in a cube, at random, without overlap. One process with threads;
  * the result is the same bits for any number of threads. */
 #ifndef SCREE_PACK_PACK_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What every packing is made of: spheres at random places, relaxed until none overlap. Read pack.h first. */
 #include "pack/parts.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What the files of pack_make share. */
 #ifndef SCREE_PACK_PARTS_H
 #define SCREE_PACK_PARTS_H

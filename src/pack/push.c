@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* One sweep: the pushes of all pairs, then the moves. Read push.h and relax.h first. */
 #include "pack/push.h"
 
 #include "core/memory.h"

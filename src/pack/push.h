@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* One sweep of the relaxation. See relax.h. */
 #ifndef SCREE_PACK_PUSH_H
 #define SCREE_PACK_PUSH_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Repeats sweeps until nothing overlaps. Read relax.h first. */
 #include "pack/relax.h"
 
 #include "pack/push.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Relaxation: particles move out of each other until none overlap.
  *
  * A sweep looks at all pairs at once and then moves all particles (Jacobi). A pair that is nearer than (1 +

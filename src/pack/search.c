@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Index, pair list and skin of a packing. Read search.h first. */
 #include "pack/search.h"
 
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The pairs of a packing that may overlap, found by the program's own index and kept in its own pair list
  * while particles move. */
 #ifndef SCREE_PACK_SEARCH_H

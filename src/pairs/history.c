@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Records of contacts, how they leave a list and enter the next. Read history.h first. */
 #include "pairs/history.h"
 #include "core/memory.h"
 #include <assert.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What contacts remember (the tangential spring, the rolling spring), compact: one record a *contact*, none
  * for pairs that do not touch.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles keep their places but for a few, so both lists run through memory in nearly the same way, and so
  * do the records. No thread writes what another reads or writes: every thread first turns its own records
  * into pairs of new numbers, and then sorts those whose lower number lies in its share of the particles,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The short way of history.h over a rebuild: records of two particles that both stay on this rank stay where
  * they are and are found again by local numbers; only the others (pairs with copies, particles that change
  * ranks) go as rows, keyed by ids. Needs that no two particles can meet through several images. */

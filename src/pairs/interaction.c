@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The interactions of a scene and the pair lists that they have of their own (interaction.h). */
 #include "pairs/interaction.h"
 #include "core/memory.h"

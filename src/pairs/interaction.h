@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Interactions: who meets whom, and how far. An interaction is what a sum over pairs goes over: contacts, the
  * support of a kernel, a cohesive force with a range.
  *

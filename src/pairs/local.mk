@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libpairs.la
 libpairs_la_SOURCES = \
 	src/pairs/history.c src/pairs/history.h \

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The life of a pair list, its slots, and whether it still holds all pairs. Read pairlist.h first. */
 #include "pairs/pairlist.h"
 #include "core/memory.h"
 #include "pairs/pairlist_build.h"

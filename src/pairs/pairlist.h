@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The pair list: every pair nearer than r_i + r_j + margin, laid out for the force loop.
  *
  * Threads own contiguous ranges of particles (of each size class, as classes lie one after another in

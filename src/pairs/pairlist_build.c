@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* How a pair list is built; the layout is told in pairlist.h. The order of events in one pass:
  *
  *   1. every thread visits its row blocks and sorts what it finds: into the segments of the block, into

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Scratch of a pair list build, for pairlist.c and pairlist_build.c alone. It lives as long as the list, so
  * that a rebuild allocates nothing new. */
 #ifndef SCREE_PAIRS_PAIRLIST_BUILD_H

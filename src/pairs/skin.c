@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Measures displacements and compares them with the skins. Read skin.h first. */
 #include "pairs/skin.h"
 #include "core/memory.h"
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* When is a rebuild due? A pair list stays complete as long as the two largest displacements of each class
  * pair add up to no more than its skin. Moving walls count as one more class. Class pairs that are not wanted
  * (index.h) have no list, and so no skin.

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Plans a fused sweep: which particles move early, in which order blocks go. Read sweep.h first. */
 #include "pairs/sweep.h"
 #include "core/memory.h"
 #include "index/grids/members.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The plan of a fused sweep: when each particle moves, so that one visit to the memory serves the drift and
  * the forces.
  *

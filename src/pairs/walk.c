@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The memory and the order of a walk over pairs; the stages of a block are in walk_block.c. */
 #include "pairs/walk.h"
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The walk over pairs: the one traversal of the pair list that every sum over neighbours goes through.
  *
  * A block of the list (pairlist.h) goes through these stages:

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* One block of the pair list through the stages of walk.h. Compiled once for each instruction set, under the
  * name that WALK_KERNEL gives. Read walk.h first. */
 #include "pairs/walk_four.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Four doubles that move together through the walk over pairs; lowered to narrower registers where the CPU
  * has none so wide. Included by walk_block.c alone, which is compiled for several instruction sets. */
 #ifndef SCREE_PAIRS_WALK_FOUR_H

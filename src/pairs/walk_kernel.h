@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The compiled forms of the walk: walk_block.c once for each instruction set. Included by walk*.c alone. */
 #ifndef SCREE_PAIRS_WALK_KERNEL_H
 #define SCREE_PAIRS_WALK_KERNEL_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The instruction sets for which the walk and its clients are compiled, and which of them this CPU runs. */
 #include "pairs/walk_kernel.h"
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The particles are cut into as many ranges as there are threads. A thread looks through all ledgers for the
  * entries of its range and sorts them by particle (count, scan, fill), then those of each particle by source:
  * no thread waits for another, and none writes where another does. */

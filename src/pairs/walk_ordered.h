@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Forces summed in an order that no layout changes (scene key `reproducible`): what contacts give to
  * particles is written down, and added up when all is known, per particle by the partner's id, and by image
  * where the same two particles meet twice.

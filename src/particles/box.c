@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Shifts of the images of the box. Read box.h first. */
 #include "particles/box.h"
 
 void box_image_shifts(const struct box *box, double shift[IMAGE_CODES][4]) {

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The simulation box. Everything inside the program is box-relative: the box's lower corner is the origin, so
  * a scene far from zero loses no digits. Only scene/ and output/ add or subtract `origin`. */
 #ifndef SCREE_PARTICLES_BOX_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Chooses the cuts between size classes. Read classes.h first. */
 #include "particles/classes.h"
 #include "core/memory.h"
 #include "index/choose/auto.h"

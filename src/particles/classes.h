@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Size classes: particles of like radius, whatever their material. A search, a ghost layer and a skin are
  * bounded per class pair, never by the largest radius of all.
  *

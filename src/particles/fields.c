@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The table of fields of a set, and their way into buffers and back. */
 #include "particles/fields.h"
 #include "core/memory.h"

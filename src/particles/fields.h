@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Fields: what a particle has. A field is registered by whoever needs it, in the set of particles that has
  * it; there is no list of all fields. Allocation, growth, reorder, packing for MPI, H5MD, restart, the docs
  * and `scree check` walk the table of the set.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The kinds of particles, and which classes and which range of particles are of a kind. */
 #include "particles/kinds.h"
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Kinds: what sort of thing a particle is. Grains are one; fluid and boundary particles will be others.
  *
  * Particles lie kind by kind, and class by class inside a kind: a size class is (kind, interval of radii),

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libparticles.la
 libparticles_la_SOURCES = \
 	src/particles/box.c src/particles/box.h \

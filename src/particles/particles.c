@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The life of a set of particles: room, append, remove, reorder, wrap. Read particles.h first. */
 #include "particles/particles.h"
 #include "core/memory.h"
 #include "core/stream.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The particle set of one rank: owned particles first (0 ... owned-1), then ghosts (owned ...
  * owned+ghosts-1).
  *

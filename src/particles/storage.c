@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The arrays behind the fields: the first ones, and what keeps struct particles and the table alike. */
 #include "particles/storage.h"
 

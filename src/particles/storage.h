@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The arrays behind the fields, for particles.c and fields.c alone: several fields may share one array (the
  * hot record, the force record), and memory is handled array by array. */
 #ifndef SCREE_PARTICLES_STORAGE_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Compares the trees of two scenes, entry by entry. Read compare.h first. */
 #include "scene/compare.h"
 
 #include "core/memory.h"

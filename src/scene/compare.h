@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What differs between two effective scenes. */
 #ifndef SCREE_SCENE_COMPARE_H
 #define SCREE_SCENE_COMPARE_H

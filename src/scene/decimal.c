@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Reads decimal numbers and shifts their point without rounding. Read decimal.h first. */
 #include "scene/decimal.h"
 
 #include <math.h>

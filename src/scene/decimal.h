@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Inside of scene/: decimal numbers as a scene writes them. */
 #ifndef SCREE_SCENE_DECIMAL_H
 #define SCREE_SCENE_DECIMAL_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Writes docs/scene.md: make src/scene/document && src/scene/document > docs/scene.md */
 #include "scene/schema_help.h"
 

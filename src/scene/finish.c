@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* From what was read to what the modules take: the box, sides, pairs of materials, unit vectors, defaults
  * that depend on other keys. */
 #include "scene/finish.h"

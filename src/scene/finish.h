@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What happens to a scene before and after it is read: names, derived values. */
 #ifndef SCREE_SCENE_FINISH_H
 #define SCREE_SCENE_FINISH_H

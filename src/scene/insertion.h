@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles inserted during a run, and deleted. What is to be inserted depends on seed, region and the number
  * of the particle alone: no rank or thread enters. Whether a place is free is for the caller to find out,
  * with all ranks:

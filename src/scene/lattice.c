@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Lattices as rectangular cells with a basis: places run through the cells with x fastest, basis innermost.
  */
 #include "scene/lattice.h"

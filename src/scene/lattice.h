@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Spheres on a lattice. */
 #ifndef SCREE_SCENE_LATTICE_H
 #define SCREE_SCENE_LATTICE_H

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libscene.la
 libscene_la_SOURCES = \
 	src/scene/compare.c \

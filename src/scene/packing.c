@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Random sequential addition: radii are drawn first, then placed from large to small, each at the first of
  * its random places that is free. The places of a sphere come from a sequence of its own, so that the packing
  * depends on seed and scene alone. Without moving what is placed the density is bounded: equal spheres end at

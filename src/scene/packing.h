@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Spheres at random places. */
 #ifndef SCREE_SCENE_PACKING_H
 #define SCREE_SCENE_PACKING_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The hashed cells of placed spheres. Read placegrid.h first. */
 #include "scene/placegrid.h"
 
 #include "core/memory.h"

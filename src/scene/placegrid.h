@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Spheres that were placed, to be asked whether a new one would touch any of them. Hashed cells on levels of
  * doubling size, so that neither the size ratio nor the extent of the box matters; periodic directions wrap.
  * Box-relative coordinates. */

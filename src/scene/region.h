@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A part of space: where particles are made, inserted, deleted, selected. Lengths are the user's coordinates.
  */
 #ifndef SCREE_SCENE_REGION_H

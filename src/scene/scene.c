@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What modules ask of a scene, and messages about it. */
 #include "scene/scene.h"
 

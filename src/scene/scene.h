@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The scene: all that a user sets, read from a YAML file against one schema (schema.h), as the option structs
  * of the modules by value, plus what belongs to the scene alone. Nobody else knows the file.
  *

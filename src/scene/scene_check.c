@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Combinations of keys that cannot be: each is refused with its place before anything runs. */
 #include "scene/scene_check.h"
 #include "scene/scene_check_walls.h"

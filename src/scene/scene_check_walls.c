@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Walls that cannot be: their places in a periodic box, and their motions. */
 #include "scene/scene_check_walls.h"
 

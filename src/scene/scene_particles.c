@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* From sources to particles. Every rank walks through all rows of all sources in the same order; what depends
  * on a particle's number (id, random velocity) is therefore the same everywhere, and each rank keeps its own.
  * Two searches over the whole stream, for ids and for places that occur twice, are divided by hash: rank r

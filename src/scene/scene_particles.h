@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The particles of a scene, from its sources. */
 #ifndef SCREE_SCENE_SCENE_PARTICLES_H
 #define SCREE_SCENE_SCENE_PARTICLES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Text to scene: the tree, the schema, then derived values and checks. Read scene.h first. */
 #include "scene/scene_read.h"
 

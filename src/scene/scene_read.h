@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* From text to a scene and back. */
 #ifndef SCREE_SCENE_SCENE_READ_H
 #define SCREE_SCENE_SCENE_READ_H

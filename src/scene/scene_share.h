@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* How the particles of a scene are shared out among ranks. */
 #ifndef SCREE_SCENE_SCENE_SHARE_H
 #define SCREE_SCENE_SCENE_SHARE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Reads a text file as a whole, packed by gzip or not. */
 #include "scene/scene_text.h"
 

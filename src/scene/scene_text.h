@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A text file as a whole, packed by gzip or not. */
 #ifndef SCREE_SCENE_SCENE_TEXT_H
 #define SCREE_SCENE_SCENE_TEXT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Looks into the rows of the schema: finds, walks, suggests, tells what is allowed. Read schema_rows.h first. */
 #include "scene/schema.h"
 #include "scene/schema_root.h"

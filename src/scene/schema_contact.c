@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Rows of the schema: materials, their pairs, the contact law. */
 #include "scene/scene.h"
 #include "scene/schema_contact.h"

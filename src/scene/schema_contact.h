@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Rows of the schema: materials, their pairs, the contact law. */
 #ifndef SCREE_SCENE_SCHEMA_CONTACT_H
 #define SCREE_SCENE_SCHEMA_CONTACT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The schema for people: `scree help` and docs/scene.md. */
 #include "scene/schema_help.h"
 #include "scene/schema.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The schema for people. */
 #ifndef SCREE_SCENE_SCHEMA_HELP_H
 #define SCREE_SCENE_SCHEMA_HELP_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Short forms in the tree of a scene become full forms, so that the rest sees full forms only:
  *
  *     index: hgrid               ->  index: {name: hgrid}

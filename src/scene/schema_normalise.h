@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Short forms in the tree of a scene. */
 #ifndef SCREE_SCENE_SCHEMA_NORMALISE_H
 #define SCREE_SCENE_SCHEMA_NORMALISE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Rows of the schema: output and observables. */
 #include "observe/observables.h"
 #include "formats/output_options.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Rows of the schema: output and observables. */
 #ifndef SCREE_SCENE_SCHEMA_OUTPUT_H
 #define SCREE_SCENE_SCHEMA_OUTPUT_H

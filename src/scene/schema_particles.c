@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Rows of the schema: particle sources, size laws, regions, groups, insertion and deletion. */
 #include "scene/scene.h"
 #include "scene/schema_particles.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Rows of the schema: particle sources, size laws, regions, groups, insertion and deletion. */
 #ifndef SCREE_SCENE_SCHEMA_PARTICLES_H
 #define SCREE_SCENE_SCHEMA_PARTICLES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* From the tree, whose short forms are resolved (schema_normalise.h), to the struct. Rows that do not apply are
  * left as they are (the struct comes zeroed): two keys may share a place. */
 #include "scene/schema_read.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* From the tree to the struct. */
 #ifndef SCREE_SCENE_SCHEMA_READ_H
 #define SCREE_SCENE_SCHEMA_READ_H

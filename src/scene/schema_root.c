@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Rows of the schema: the top level, box, step, index, classes, ghosts, domain, guards. */
 #include "scene/scene.h"
 #include "scene/schema_root.h"

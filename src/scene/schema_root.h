@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The rows of a whole scene. */
 #ifndef SCREE_SCENE_SCHEMA_ROOT_H
 #define SCREE_SCENE_SCHEMA_ROOT_H

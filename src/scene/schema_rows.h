@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The schema: one row a key. Parsing, `scree help`, docs/scene.md and the echo of the effective scene all
  * walk these rows, so that none of them can know a key that the others do not.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* One value: from a node to where the row says. */
 #include "scene/schema_value.h"
 #include "scene/decimal.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* One value: from a node to where the row says. */
 #ifndef SCREE_SCENE_SCHEMA_VALUE_H
 #define SCREE_SCENE_SCHEMA_VALUE_H

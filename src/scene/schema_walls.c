@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Rows of the schema: walls and their motions. */
 #include "scene/scene.h"
 #include "scene/schema_walls.h"

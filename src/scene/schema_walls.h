@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Rows of the schema: walls and their motions. */
 #ifndef SCREE_SCENE_SCHEMA_WALLS_H
 #define SCREE_SCENE_SCHEMA_WALLS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* From the struct to text. */
 #ifndef SCREE_SCENE_SCHEMA_WRITE_H
 #define SCREE_SCENE_SCHEMA_WRITE_H

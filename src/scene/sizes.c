@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Laws are given by number or by mass; radii are always drawn by number. A sieve curve by mass is taken as
  * linear in the radius between two sieves, so that the number density there is as r^-3. */
 #include "scene/sizes.h"

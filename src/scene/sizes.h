@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Size laws: how large the particles of a source are. A law is options (plain data); a sampler is what is
  * prepared from them once. Radii depend on the random sequence alone. */
 #ifndef SCREE_SCENE_SIZES_H

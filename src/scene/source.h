@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Particle sources: files and generators. Every rank reads or generates the whole stream of spheres in the
  * same order and keeps its own, so that ids, radii and places depend on the scene alone, whatever the ranks
  * and threads. */

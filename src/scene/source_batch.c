@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What the kinds of particle source share: the life of a batch, keys for messages, the region that is meant. */
 #include "scene/source_batch.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What the kinds of particle source share. Each kind (table.h, lattice.h, packing.h) fills a batch, in the
  * user's coordinates; source_sphere.h turns the rows of a batch into spheres, scene_particles.h spheres into
  * particles. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* One sphere of a source: from its row to a particle's material, density, velocity and group, and to a place
  * in the box; or why it cannot be one. */
 #include "scene/source_sphere.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* One sphere of a source. */
 #ifndef SCREE_SCENE_SOURCE_SPHERE_H
 #define SCREE_SCENE_SOURCE_SPHERE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Plain tables: a row of numbers a particle, columns apart by blanks, tabs, commas or semicolons; `#` begins
  * a comment. The columns are named by the scene or by a header line ("Radius[m] PosX[m] PosY[m] PosZ[m]"),
  * which has no number in it; units of the header hold where the scene gives none. A row with more or fewer

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Plain tables of particles. */
 #ifndef SCREE_SCENE_TABLE_H
 #define SCREE_SCENE_TABLE_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Reads the lines of a plain table and cuts them into words. Read table_lines.h first. */
 #include "scene/table_lines.h"
 
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Inside of scene/: the lines of a plain table and their words, whatever their lengths. */
 #ifndef SCREE_SCENE_TABLE_LINES_H
 #define SCREE_SCENE_TABLE_LINES_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Parses YAML into a tree and changes it. Read tree.h first. */
 #include "scene/tree.h"
 
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A YAML text as a tree of nodes that know their lines. Anchors, aliases, tags and several documents are
  * refused: a scene says what it means in place. Duplicate keys are refused here. */
 #ifndef SCREE_SCENE_TREE_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Sorts keys and finds the first that occurs twice. Read unique.h first. */
 #include "scene/unique.h"
 
 #include "core/memory.h"

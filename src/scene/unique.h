@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Finds what occurs twice in a stream: keys are collected, sorted once, and neighbours compared. */
 #ifndef SCREE_SCENE_UNIQUE_H
 #define SCREE_SCENE_UNIQUE_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The tables of symbols and prefixes, and how a unit is parsed. Read units.h first. */
 #include "scene/units.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Units of measurement in scene and data files: "mm", "m/s2", "kg m-3", "GPa", "rpm". */
 #ifndef SCREE_SCENE_UNITS_H
 #define SCREE_SCENE_UNITS_H

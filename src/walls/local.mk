@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libwalls.la
 libwalls_la_SOURCES = \
 	src/walls/mesh.c \

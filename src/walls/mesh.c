@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Reads a mesh, by the kind of its file. Read mesh.h first. */
 #include "walls/mesh.h"
 #include "files/numbers.h"
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* STL files.
  *
  * Binary: 80 bytes of header, the number of triangles (32 bits, little-endian), then 50 bytes a triangle:

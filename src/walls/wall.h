@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Walls: planes, cylinders and triangle meshes, each with a material and a motion. They use the particles'
  * contact laws, as a partner of infinite mass and infinite radius (m* = m, R* = r).
  *

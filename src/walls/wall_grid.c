@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Enters triangles into cells and asks for those near a place. Read wall_grid.h first. */
 #include "walls/wall_grid.h"
 #include "walls/wall_touch.h"
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Triangles of a mesh binned into cells, in the body's frame: made once, as a wall that moves is asked in its
  * own frame. */
 #ifndef SCREE_WALLS_WALL_GRID_H

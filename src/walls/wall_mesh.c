@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Merges vertices, drops what has no area, and makes the surface. Read wall_mesh.h first. */
 #include "walls/wall_mesh.h"
 #include "core/memory.h"
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The surface that a wall makes of the triangles of a file: vertices merged, flat patches found, and the
  * edges and vertices named at which a sphere can touch something else than a patch.
  *

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The motions of a wall, each in closed form. Read wall_motion.h first. */
 #include "walls/wall_motion.h"
 #include "files/numbers.h"
 #include "core/memory.h"

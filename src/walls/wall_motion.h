@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* How a wall moves: rigid transforms as functions of time, in closed form, and the velocity of the step
  * between two times. Nothing is accumulated but the displacement of a servo, which its owner keeps.
  *

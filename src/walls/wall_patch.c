@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Flat patches and features of a mesh (rules in wall_mesh.h).
  *
  * Sides, the edges as seen from their triangles, are sorted by their two vertices, so that the triangles at

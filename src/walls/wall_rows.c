@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Rows of wall history between ranks: reordered, removed, freed. Read wall.h first. */
 #include "walls/wall.h"
 #include "core/memory.h"
 #include <string.h>

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Resolves the triangles near a sphere into contacts. Read wall_touch.h first. */
 #include "walls/wall_touch.h"
 #include <stdlib.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Where a sphere touches a wall: geometry alone, no forces.
  *
  * A mesh is resolved in two stages. First each triangle near the sphere names its point nearest to the

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Life and motion of the walls (wall.h). */
 #include "walls/mesh.h"
 #include "walls/walls_parts.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Forces of the walls on the particles: contacts are found one sphere at a time, collected, and taken through
  * the law of the pairs in batches. */
 #include "walls/walls_parts.h"

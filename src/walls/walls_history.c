@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What contacts with walls remember: which record a contact goes on with, and the way over a rebuild. */
 #include "walls/walls_parts.h"
 #include "core/memory.h"

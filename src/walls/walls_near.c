@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Candidates: which particles are near which pieces of walls (walls_parts.h). Count, scan, fill; each thread
  * its own range of particles, so that the result is the same for any number of threads. */
 #include "walls/walls_parts.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Is there a wall where a sphere is to be put? The same geometry as for forces, for one sphere at any place.
  */
 #include "walls/walls_parts.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Inside of the walls: what walls.c (life and motion), walls_near.c (candidates), walls_touch.c (geometry of
  * one sphere), walls_force.c and walls_history.c share. Nobody else includes this.
  *

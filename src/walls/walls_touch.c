@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The contacts of one sphere with one wall: the shapes under one roof. */
 #include "walls/walls_parts.h"
 #include "core/memory.h"

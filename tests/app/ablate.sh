@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Speed against error: what `scree ablate --error` finds on a scene whose errors are known to be small, how it refuses, and how a
 # signal ends it.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Bad input: scenes, data files, meshes, checkpoints, command lines. Each must end with exit status 2 and one line on
 # standard error that begins with "scree: " and names the place; nothing may be made or written over.
 #

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The program runs on any x86-64: code for newer instructions is in the dispatched kernels alone, and without them the bits are
 # the same. Looks into the object files, runs a scene with each set of instructions, and on emulated CPUs that have none of
 # them (qemu-x86_64: Debian's qemu-user; where it is missing, that part says so and is left out).

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The benchmarks run, on tiny systems and without LAMMPS: each line of JSON has the keys that others rely on, the last one is the
 # summary, and what it says follows from the lines. Then the page is made from their results.
 set -u

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Stands between a program and MPI (LD_PRELOAD) and makes one message too short or too long: a tool of
  * faults.sh.
  *

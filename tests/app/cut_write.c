@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Stands between a program and MPI (LD_PRELOAD) and makes one write to a file end too early: a tool of
  * faults.sh.
  *

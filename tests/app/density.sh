@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Number density, the example of a physics of its own folder: against a sum over all pairs, on each index, on ranks and
 # threads, in periodic and open boxes, in two and three dimensions; and that the program knows of it in two lines.
 set -u

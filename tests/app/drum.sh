@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # A sphere in a turning drum, through the whole program: it slides, then rolls up and down on the drum's rising side. Its way
 # and its spin against an independent integration of a rigid sphere.
 set -u

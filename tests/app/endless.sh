@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Runs without an end: a duration that is infinite or huge, a number of steps that is. Each makes steps until a signal ends it,
 # and leaves a checkpoint from which a run goes on to an end.
 set -u

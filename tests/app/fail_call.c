@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Stands between a program and the C library (LD_PRELOAD) and makes one call on a file fail: a tool of
  * unreadable.sh.
  *

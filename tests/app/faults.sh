@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Faults while several ranks run: a rank that is killed, signals, a disk that is full, a checkpoint cut short, a message of the
 # wrong length. Each ends the job with one message that names it, and leaves a checkpoint from which the run goes on, on
 # another number of ranks and another division of the box.

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The folder of a run: what is written over, what an earlier run leaves, two runs at once, a disk that is full, a run that is
 # killed.
 set -u

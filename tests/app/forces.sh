@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Sourced by the tests that compare forces between layouts: the last frame of a dump, what rounding allows, momentum.
 # CASE-first is the run of a case that the others are compared with; its observables hold momentum first, and overlap_max.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Guards: each stops with names, place and time, and leaves a checkpoint; `scree check` tells beforehand what it can.
 
 . "$(dirname "$0")/common.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The hard cases in their quick form.
 
 . "$(dirname "$0")/common.sh"

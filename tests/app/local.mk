@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Tests of the whole program: bash scripts, started by tests/launch.
 
 EXTRA_DIST += tests/app/common.sh tests/app/forces.sh tests/app/scenes.sh

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Only what a scene needs: bytes a particle, passes, fields in files and bytes on the wire, with one thing less at a time.
 
 . "$(dirname "$0")/common.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # scree pack as a user starts it: files for LAMMPS and H5MD that the program reads back, the same on any number of ranks
 # and threads, and mistakes that end with status 2 before anything is made.
 set -u

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Random scenes on random layouts against one rank, one thread, brute: random_scenes.sh [SEED [COUNT]]
 #
 # Scene number k is drawn from SEED + k alone (1 and 12, with SCREE_LONG 200, if they are not given), so the seed of a line

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Resuming from a checkpoint: bit for bit on the same layout, within rounding on another one; with other gravity and
 # duration; after SIGTERM, SIGINT and SIGKILL; files that go on where they stood, also where particles come and go.
 set -u

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Resuming into a scene that has changed, and what is on disk when a run breaks off: the step by rule, walls by name,
 # groups set free, rows that wait for a frame, states that a guard has condemned.
 set -u

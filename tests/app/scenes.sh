@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Sourced by tests of the whole program (bash, after common.sh): scenes that several of them run, without units, step and output.
 
 # bed: the scene, to the standard output, and step.stl here, which it names. Friction, rolling, two materials, periodic sides, a

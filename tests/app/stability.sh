@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The stable step: crystals at 0.95 of it keep their energy, at 1.1 they do not; stiff contacts of the start, of a
 # checkpoint and of the run count; energy that grows stops a run without being asked for.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The stress of regions through the whole program: a region that is the whole box has the stress of the box, on any number
 # of ranks and in two dimensions; a stack at rest carries its weight.
 set -u

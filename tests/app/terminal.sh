@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # What the program says to people: help, progress on terminals of any width, notes.
 
 . "$(dirname "$0")/common.sh"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The system may grant fewer threads than there are cores or than are asked for: all work is done all the same, or the
 # program says so.
 set -u

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # Files that cannot be opened, read or closed on one rank: each run ends, soon, with status 1 and a message that names the
 # file, or what it wrote is what it would have written. Folders of long names, and folders that cannot be written to.
 set -u

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The verification cases, quickly: all of them but those that need many particles for long.
 set -u
 . "$top_srcdir/tests/app/common.sh"

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # The readers under libFuzzer: `make fuzz`, or tests/fuzz/run.sh, which builds this program by clang in a folder of its own
 EXTRA_PROGRAMS += tests/fuzz/readers
 CLEANFILES += tests/fuzz/readers

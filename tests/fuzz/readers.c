@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The readers of text under libFuzzer (clang): what a user may hand over as a file or on the command line is
  * read, or refused with a message, and nothing else happens. The environment names the reader:
  * SCREE_FUZZ=dump. See run.sh.

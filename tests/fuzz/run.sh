@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
 # The readers of text under libFuzzer, with AddressSanitizer and UBSan: builds tests/fuzz/readers by clang, makes a corpus of
 # valid inputs, and gives each reader its share of the time, two at once.
 #

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Fits the prices. Read bench_fit.h first. */
 #include "tests/index/bench_fit.h"
 
 #include <math.h>

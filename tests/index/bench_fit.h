@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Prices of the cost model from measurements: non-negative least squares of relative errors. */
 #ifndef SCREE_TESTS_INDEX_BENCH_FIT_H
 #define SCREE_TESTS_INDEX_BENCH_FIT_H

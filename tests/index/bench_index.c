@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Times order, build, count and fill of an index, and prints what the cost model predicts. Not a test.
  *
  *     bench_index [key=value ...]

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Makes the packings of the benchmark. Read bench_scene.h first. */
 #include "tests/index/bench_scene.h"
 
 #include "core/memory.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Packings for the benchmark of the indexes: from a file, or radii by a law, large ones placed first, at
  * random. */
 #ifndef SCREE_TESTS_INDEX_BENCH_SCENE_H

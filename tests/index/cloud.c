@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Makes random clouds and compares sets of pairs. Read cloud.h first. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

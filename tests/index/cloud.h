@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Random clouds of particles for the tests of the indexes, and the comparison of sets of pairs. */
 #ifndef SCREE_TESTS_INDEX_CLOUD_H
 #define SCREE_TESTS_INDEX_CLOUD_H

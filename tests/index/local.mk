@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Tests of the indexes, each against brute force, and a benchmark (built on demand: make tests/index/bench_index)
 check_PROGRAMS += \
 	tests/index/test_auto \

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What auto chooses: levels, cuts and cells for scenes with a clear answer, and the same for the same scene.
  */
 #include "index/choose/auto.h"

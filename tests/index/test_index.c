@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The contract's other promises: names, orders, threads, memory, descriptions. */
 #include <setjmp.h>
 #include <stdarg.h>

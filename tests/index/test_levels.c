@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Every index against brute: exact sets of pairs over clouds of all kinds. */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The parts below the indexes: frames, grids, stencils, against their definitions. */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Class pairs that are not wanted: a plain double loop finds the same, and nothing is searched in vain. */
 #include <setjmp.h>
 #include <stdarg.h>

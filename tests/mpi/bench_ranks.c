@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What has the length of the rank count, timed for made-up rank counts on one process: the division of the
  * box, the search for neighbours, the owner of a position, the sorting of items by rank. None of them
  * communicates. Not a test; make tests/mpi/bench_ranks.

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Makes the cloud, and the value that each field of each particle must have. Read cloud.h first. */
 #include "cloud.h"
 
 #include "core/memory.h"

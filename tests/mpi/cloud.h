@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A cloud of particles that every rank knows as a whole, because it can make it: the oracle of the tests of
  * migration and copies. Particle k has id k + 1; every field has a value that follows from the id and a
  * number (`stamp`), so that any rank can say what it must be. */

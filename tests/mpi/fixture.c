@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Divides a cloud among ranks, makes copies, and says which there must be. Read fixture.h first. */
 #include "fixture.h"
 
 #include <setjmp.h>

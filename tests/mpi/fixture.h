@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A cloud on all ranks with the copies that its scene demands, and the rule for copies in its plain form. */
 #ifndef SCREE_TESTS_MPI_FIXTURE_H
 #define SCREE_TESTS_MPI_FIXTURE_H

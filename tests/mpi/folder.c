@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Makes and removes the folder of a test. Read folder.h first. */
 #include "folder.h"
 
 #include <dirent.h>

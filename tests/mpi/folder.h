@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A folder for a test's files that all ranks know: made before, removed with all in it after. */
 #ifndef SCREE_TESTS_MPI_FOLDER_H
 #define SCREE_TESTS_MPI_FOLDER_H

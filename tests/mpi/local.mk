@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: BSD-3-Clause
 # Tests of the communication; most run under mpirun, on the rank counts that their source states.
 
 check_PROGRAMS += \

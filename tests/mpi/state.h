@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The state of a run for tests of checkpoints. Include after cmocka.h. */
 #ifndef SCREE_TESTS_MPI_STATE_H
 #define SCREE_TESTS_MPI_STATE_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Collects failures and agrees on them. Read team.h first. */
 #include "team.h"
 
 #include "core/memory.h"

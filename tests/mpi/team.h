@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What tests under mpirun share. All ranks run the same tests side by side, so a rank that fails may not stop
  * alone, or the others would wait for it: failures are collected, and agreed upon at the end of a test. */
 #ifndef SCREE_TESTS_MPI_TEAM_H

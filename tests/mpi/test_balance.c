@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Division of the box by load: even where there are many particles, whole where there are few.
  *
  * Ranks: 1 2 3 4 8 Long: 27 */

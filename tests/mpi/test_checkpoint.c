@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Checkpoints: the same state back on the same layout, bit for bit, and on any other; old ones deleted.
  * Ranks: 1 2 3 4 */
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Checkpoints that are cut off, changed or foreign are refused; what cannot be written leaves the old one
  * whole. Ranks: 1 2 3 4 */
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Starting MPI, agreement on errors, collective helpers. Ranks: 1 2 3 4 8 */
 #include <setjmp.h>
 #include <stdarg.h>

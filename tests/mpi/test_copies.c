@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Copies against their definition, which every rank can apply to all particles: exactly the copies that the
  * rule demands, and no pair without its partner. Ranks: 1 2 3 4 8 27 */
 #include <setjmp.h>

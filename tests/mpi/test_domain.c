@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The division of the box against its definition, for any number of ranks. The domain does not communicate,
  * so the rank counts are made up, and one process is enough. Ranks: 1 */
 #include <setjmp.h>

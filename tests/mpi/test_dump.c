@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* LAMMPS's text files, conversions between formats, and what info says of them.
  * Ranks: 1 2 4 */
 #include <setjmp.h>

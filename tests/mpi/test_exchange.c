@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Exchanges with and without a plan, over random graphs, in many small pieces, and what happens when a
  * message has the wrong length. Ranks: 1 2 3 4 8 */
 #include <setjmp.h>

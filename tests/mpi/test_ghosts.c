@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* What travels along the plan: values forward, sums back; and what the plan says of itself.
  * Ranks: 1 2 3 4 8 27 */
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Sorting items by rank. Ranks: 1 */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Trajectories: what H5MD demands of the file (looked up with HDF5 itself), the same bytes of data whatever
  * the ranks. Ranks: 1 2 4 */
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Trajectories read back: our own, those of others, and broken ones. Ranks: 1 2 4 */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Trajectories over a run: numbers of particles that change, going on after a resume, contact lists,
  * observables, the XDMF beside. Ranks: 1 2 4 */
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Migration from anywhere to anywhere: nothing is lost, all fields and rows come along, in a known order.
  * Ranks: 1 2 3 4 8
  * Long: 27 */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables against closed forms and plain sums over the whole cloud, columns and their names, refusals,
  * the file and going on with it. Ranks: 1 2 4 */
 #include <setjmp.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The report and the progress lines.
  * Ranks: 1 2 4 */
 #include <setjmp.h>

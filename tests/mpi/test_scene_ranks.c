@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Particle sources on many ranks. Ranks: 1 2 3 5 */
 #include "comm/domain.h"
 #include "formats/convert.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* One sphere through the whole box, in 26 directions, with radii up to one and a half subdomains and up to
  * two subdomains a step: after each step every rank has exactly the copies that the rule demands, and the
  * state of a reference sphere that nobody synchronises. The skin is 0, so every step is a rebuild.

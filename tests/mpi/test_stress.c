@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The stress against closed forms: in two dimensions, in regions, and where a region has no volume.
  * Ranks: 1 2 4 */
 #include <setjmp.h>

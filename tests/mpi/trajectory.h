@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* A trajectory for tests, and a look into files with HDF5 alone. Include after cmocka.h. */
 #ifndef SCREE_TESTS_MPI_TRAJECTORY_H
 #define SCREE_TESTS_MPI_TRAJECTORY_H

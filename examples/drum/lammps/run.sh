@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Makes a CSV of the zone counts with LAMMPS: run.sh [RANKS] [STEPS] [CSV]
 # Needs Debian's packages lammps and openmpi-bin; the 625,000 steps (0.5 s) take an hour or more.
 set -e

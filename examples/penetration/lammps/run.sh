@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: BSD-3-Clause
 # Makes ../lammps.csv (ball against time) with LAMMPS: run.sh [RANKS] [STEPS] [CSV]
 # Needs Debian's packages lammps and openmpi-bin; the 200,000 steps take minutes.
 set -e
