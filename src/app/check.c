@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* `scree check`: what a scene needs, and why. */
 #include "app/check.h"
+#include "engine/tune.h"
+#include "engine/step.h"
 #include "engine/notes.h"
 #include "engine/outputs.h"
 #include "engine/simulation.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Runs the first steps of a scene and notes what happens in them. Read trial.h first. */
 #include "app/trial.h"
+#include "engine/simulation.h"
+#include "engine/step.h"
 #include "engine/run.h"
 #include "observe/progress.h"
 #include <inttypes.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Lists the variants of a scene and applies one. Read variant.h first. */
 #include "app/variant.h"
+#include "engine/simulation.h"
 #include "contact/material.h"
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #ifndef SCREE_ENGINE_CLASSIFY_H
 #define SCREE_ENGINE_CLASSIFY_H
 
-#include "engine/simulation.h"
+#include "engine/state.h"
 
 /* Chooses size classes from the radii on all ranks, counts their populations, and sets margins by what the
  * interactions want. Collective. */

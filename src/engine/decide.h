@@ -3,7 +3,7 @@
 #ifndef SCREE_ENGINE_DECIDE_H
 #define SCREE_ENGINE_DECIDE_H
 
-#include "engine/simulation.h"
+#include "engine/state.h"
 
 /* Bounds grow by what particles have just moved; they and the signals are sent to all ranks. decide_end waits for
  * them. Between the two other work may be done. Collective. */

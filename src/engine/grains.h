@@ -3,7 +3,7 @@
 #ifndef SCREE_ENGINE_GRAINS_H
 #define SCREE_ENGINE_GRAINS_H
 
-#include "engine/simulation.h"
+#include "engine/state.h"
 
 /* Its self is the struct simulation, its options the struct law. */
 extern const struct physics grains_physics;

@@ -4,7 +4,7 @@
 #ifndef SCREE_ENGINE_GUARDS_H
 #define SCREE_ENGINE_GUARDS_H
 
-#include "engine/simulation.h"
+#include "engine/state.h"
 #include "observe/observables.h"
 
 /* Prepares the guard of energies, where asked for; refuses scenes that it cannot judge. The simulation is

@@ -3,7 +3,7 @@
 #ifndef SCREE_ENGINE_LIMIT_H
 #define SCREE_ENGINE_LIMIT_H
 
-#include "engine/simulation.h"
+#include "engine/state.h"
 
 /* A step of at most `most` that is stable for the present contacts: `most` itself where it is. Never
  * above the true limit of these contacts, and equal to it where the bound of stability.h is sharp. Needs

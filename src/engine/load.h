@@ -3,7 +3,7 @@
 #ifndef SCREE_ENGINE_LOAD_H
 #define SCREE_ENGINE_LOAD_H
 
-#include "engine/simulation.h"
+#include "engine/state.h"
 
 /* Lays the bricks by where the particles of all ranks are, or as the checkpoint of a resume has them
  * (`resumed`: ranks per direction, 0: none) where that serves. Before the first rebuild; a bisection:

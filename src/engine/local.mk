@@ -25,9 +25,13 @@ libengine_la_SOURCES = \
 	src/engine/plan.c \
 	src/engine/plan.h \
 	src/engine/rebuild.c \
+	src/engine/rebuild.h \
+	src/engine/rebuild_rows.c \
+	src/engine/rebuild_rows.h \
 	src/engine/resume.c \
 	src/engine/resume.h \
 	src/engine/resume_check.c \
+	src/engine/resume_check.h \
 	src/engine/run.c \
 	src/engine/run.h \
 	src/engine/run_report.c \
@@ -35,7 +39,13 @@ libengine_la_SOURCES = \
 	src/engine/simulation.c \
 	src/engine/simulation.h \
 	src/engine/sources.c \
+	src/engine/sources.h \
+	src/engine/state.c \
+	src/engine/state.h \
 	src/engine/step.c \
+	src/engine/step.h \
 	src/engine/timing.c \
-	src/engine/tune.c
+	src/engine/timing.h \
+	src/engine/tune.c \
+	src/engine/tune.h
 libengine_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)

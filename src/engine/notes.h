@@ -4,7 +4,7 @@
 #ifndef SCREE_ENGINE_NOTES_H
 #define SCREE_ENGINE_NOTES_H
 
-#include "engine/simulation.h"
+#include "engine/state.h"
 #include <stdio.h>
 
 enum { NOTES_MAX = WALLS_MAX + 16, NOTE_TEXT_MAX = 320 };

@@ -3,7 +3,7 @@
 #ifndef SCREE_ENGINE_OUTPUTS_H
 #define SCREE_ENGINE_OUTPUTS_H
 
-#include "engine/simulation.h"
+#include "engine/state.h"
 #include "observe/observables.h"
 #include "formats/output.h"
 

@@ -2,7 +2,11 @@
 /* The full rebuild: a list of passes (at the end of this file), as the step is one. It stands between a drift and
  * the forces: positions are new, forces are zero, histories are those of the last evaluation. Copies appear,
  * vanish and migrate only here. */
+#include "engine/rebuild.h"
 #include "engine/classify.h"
+#include "engine/tune.h"
+#include "engine/sources.h"
+#include "engine/rebuild_rows.h"
 #include "engine/guards.h"
 #include "engine/load.h"
 #include "core/memory.h"
@@ -33,23 +37,6 @@ static double images_apart(const struct simulation *s) {
         if (s->scene->box.periodic[d])
             apart = fmin(apart, s->scene->box.edge[d]);
     return apart;
-}
-
-void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
-    *rows = (struct rebuild_rows){0};
-    if (s->history)
-        history_detach(s->history, s->list, s->particles, both_ends, NULL, &rows->pairs);
-    if (s->walls && s->law.history_components)
-        walls_detach(s->walls, s->particles, &rows->walls);
-}
-
-void rebuild_rows_free(struct rebuild_rows *rows) {
-    history_rows_free(&rows->pairs);
-    history_kept_free(&rows->kept);
-    memory_free(rows->place);
-    memory_free(rows->order);
-    wall_rows_free(&rows->walls);
-    *rows = (struct rebuild_rows){0};
 }
 
 /* Who stays keeps its histories here, and gets a place among those who do; what concerns others becomes rows.

@@ -3,6 +3,9 @@
  * rebuild gives, and a resume on the same layout rebuilds into the same order: its trajectory is the
  * uninterrupted one's, bit for bit. */
 #include "engine/load.h"
+#include "engine/resume_check.h"
+#include "engine/rebuild_rows.h"
+#include "engine/rebuild.h"
 #include "engine/resume.h"
 #include "core/memory.h"
 #include "integrate/groups.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What a scene may change between a checkpoint and its resume, and what it must not. */
-#include "engine/resume.h"
+#include "engine/resume_check.h"
 #include "contact/material.h"
 #include "core/memory.h"
 #include "integrate/groups.h"

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The life of a run: folder, simulation, loop, signals, checkpoints, report. Read run.h first. */
 #include "engine/run.h"
+#include "engine/simulation.h"
+#include "engine/timing.h"
+#include "engine/resume_check.h"
+#include "engine/step.h"
 #include "engine/folder.h"
 #include "engine/guards.h"
 #include "engine/load.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Fills the report of a run (observe/report.h) from the simulation. Read run_report.h first. */
 #include "engine/run_report.h"
+#include "engine/tune.h"
+#include "engine/sources.h"
 #include "engine/load.h"
 #include "core/memory.h"
 #include <math.h>

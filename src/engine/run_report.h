@@ -3,7 +3,7 @@
 #ifndef SCREE_ENGINE_RUN_REPORT_H
 #define SCREE_ENGINE_RUN_REPORT_H
 
-#include "engine/simulation.h"
+#include "engine/state.h"
 #include "observe/report.h"
 
 /* What the loop notes of itself for the report. */

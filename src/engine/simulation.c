@@ -1,6 +1,11 @@
-/* SPDX-License-Identifier: BSD-3-Clause */
-/* Makes a simulation from a scene, and its parts. Read simulation.h first. */
+#include "engine/simulation.h"
 #include "engine/classify.h"
+#include "engine/timing.h"
+#include "engine/sources.h"
+#include "engine/resume.h"
+#include "engine/rebuild_rows.h"
+#include "engine/rebuild.h"
+#include "engine/step.h"
 #include "engine/grains.h"
 #include "engine/guards.h"
 #include "engine/load.h"
@@ -15,40 +20,6 @@
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
-
-void simulation_index_view(struct simulation *s, struct index_view *view) {
-    pairlist_view(view, s->particles, &s->classes, &s->scene->box, s->wrap);
-    view->newton = s->scene->ghosts.newton;
-    view->threads = s->team.size;
-}
-
-struct output_view simulation_view(const struct simulation *s) {
-    struct ghosts_counts ghosts;
-    ghosts_count(s->ghosts, &ghosts);
-    return (struct output_view){.comm = s->comm,
-                                .particles = s->particles,
-                                .box = &s->scene->box,
-                                .motion = &s->motion,
-                                .walls = s->walls,
-                                .contact = &s->contact,
-                                .sums = &s->sums,
-                                .taken = s->taken,
-                                .step = s->step,
-                                .time = s->time,
-                                .load = {.ghosts = ghosts.ghosts,
-                                         .messages = ghosts.messages,
-                                         .bytes = ghosts.bytes,
-                                         .work = load_seconds(s),
-                                         .waiting = load_waiting(s)}};
-}
-
-bool simulation_may_lose(const struct simulation *s) {
-    for (int d = 0; d < 3; d++)
-        for (int side = 0; side < 2; side++)
-            if (!s->scene->box.periodic[d] && s->scene->box.leave[d][side] == BOX_DELETE)
-                return true;
-    return false;
-}
 
 static bool domain_possible(const struct simulation *s, struct error *error) {
     char place[SCENE_PATH_MAX];

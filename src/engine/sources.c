@@ -2,7 +2,8 @@
 /* Particles that come and go during a run: inserted, deleted, or leaving through an open side. All of it
  * happens at a rebuild, while there are no copies. Insertion regions are looked at every SOURCES_EVERY steps,
  * so that the steps at which particles appear do not depend on ranks, threads or index. */
-#include "engine/simulation.h"
+#include "engine/sources.h"
+#include "engine/rebuild_rows.h"
 #include "contact/material.h"
 #include "contact/spin.h"
 #include "core/memory.h"

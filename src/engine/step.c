@@ -27,7 +27,10 @@
  * Both give the same bits. A step is fused unless a rebuild must come or is to be expected
  * (docs/architecture.md). The lists are made once from the scene: what a scene does not need is not in them.
  */
+#include "engine/step.h"
 #include "engine/decide.h"
+#include "engine/sources.h"
+#include "engine/rebuild.h"
 #include <string.h>
 
 /* Copies carry no force yet. */

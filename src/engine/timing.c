@@ -2,6 +2,7 @@
 /* The time step of a run: given, or a fraction of the stable one; refused where it lies above. The stable one
  * depends on the speeds of the particles at the start, so a resume by the same rule keeps the step that it
  * finds. */
+#include "engine/timing.h"
 #include "contact/material.h"
 #include "engine/guards.h"
 #include <math.h>

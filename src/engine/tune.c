@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Trials of the variants that an index offers: each for two rebuilds, of which the second counts, as the
  * first one sorts into a new order. */
-#include "engine/simulation.h"
+#include "engine/tune.h"
 #include <math.h>
 
 void tune_begin(struct simulation *s) {

@@ -1,0 +1,20 @@
+/* The rebuild (rebuild.c tells it). */
+#ifndef SCREE_ENGINE_REBUILD_H
+#define SCREE_ENGINE_REBUILD_H
+
+#include "engine/rebuild_rows.h"
+
+/* Full rebuild: history detached, particles wrapped, inserted, deleted and migrated, sorted, copied,
+ * searched; history attached. Collective. */
+void rebuild_run(struct simulation *simulation);
+
+/* Prints the passes of a rebuild, a line each. */
+void rebuild_print(const struct simulation *simulation, FILE *file);
+
+/* Makes the plan of the sweep, if there is none since the last rebuild. Before a fused step. */
+void rebuild_plan(struct simulation *simulation);
+
+/* As rebuild_run, but with rows from elsewhere (a checkpoint); takes them over. */
+void rebuild_from_rows(struct simulation *simulation, struct rebuild_rows *rows);
+
+#endif

@@ -1,0 +1,20 @@
+/* Contact histories as rows, on the move. */
+#include "engine/rebuild_rows.h"
+#include "core/memory.h"
+
+void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
+    *rows = (struct rebuild_rows){0};
+    if (s->history)
+        history_detach(s->history, s->list, s->particles, both_ends, NULL, &rows->pairs);
+    if (s->walls && s->law.history_components)
+        walls_detach(s->walls, s->particles, &rows->walls);
+}
+
+void rebuild_rows_free(struct rebuild_rows *rows) {
+    history_rows_free(&rows->pairs);
+    history_kept_free(&rows->kept);
+    memory_free(rows->place);
+    memory_free(rows->order);
+    wall_rows_free(&rows->walls);
+    *rows = (struct rebuild_rows){0};
+}
