@@ -69,15 +69,16 @@ static void print_term(const char *term, const char *brought_by, const char *wou
 /* What the end of contacts does, at the least restitution of all pairs, beside what the other end would do.
  */
 static void print_end(const struct simulation *s) {
-    enum law_end end = s->law.options.end, other = end == LAW_END_FORCE ? LAW_END_OVERLAP : LAW_END_FORCE;
+    enum law_end end = s->grains.law.options.end,
+                 other = end == LAW_END_FORCE ? LAW_END_OVERLAP : LAW_END_FORCE;
     static const char *const what[] = {[LAW_END_OVERLAP] = "overlap: the damper pulls before surfaces part",
                                        [LAW_END_FORCE] = "force: grains never attract"};
     double e = 1.0;
-    for (int a = 0; a < s->law.materials; a++)
-        for (int b = a; b < s->law.materials; b++)
+    for (int a = 0; a < s->grains.law.materials; a++)
+        for (int b = a; b < s->grains.law.materials; b++)
             e = fmin(e, s->scene->law_pair[a][b].restitution);
     printf("  %-22s on   contact.end: %s", "end of a contact", what[end]);
-    if (s->law.options.damping == LAW_DAMPING_COEFFICIENT)
+    if (s->grains.law.options.damping == LAW_DAMPING_COEFFICIENT)
         printf("; the restitution depends on it");
     else if (e < 1.0)
         printf("; at restitution %g damping ratio %.3g, friction of sliding impacts %.3f of Coulomb's (%s: "
@@ -93,16 +94,18 @@ static void print_terms(const struct simulation *s) {
     const struct scene *scene = s->scene;
     char text[WHY_MAX] = "";
     printf("\nwhat is modelled, and why\n");
-    snprintf(text, sizeof text, "contact.law: %s", law_row_get(s->law.options.normal)->name);
+    snprintf(text, sizeof text, "contact.law: %s", law_row_get(s->grains.law.options.normal)->name);
     print_term("normal force", text, "");
     text[0] = '\0';
     print_end(s);
     pairs_with(scene, offsetof(struct law_pair, friction), text, sizeof text);
-    print_term("friction, spin, history", s->law.spin ? text[0] ? text : "contact.tangential: history" : "",
+    print_term("friction, spin, history",
+               s->grains.law.spin ? text[0] ? text : "contact.tangential: history" : "",
                "contact.tangential: none");
     text[0] = '\0';
     pairs_with(scene, offsetof(struct law_pair, rolling_friction), text, sizeof text);
-    print_term("rolling resistance", s->law.options.rolling ? text[0] ? text : "contact.rolling: spring" : "",
+    print_term("rolling resistance",
+               s->grains.law.options.rolling ? text[0] ? text : "contact.rolling: spring" : "",
                "contact.rolling: none");
     text[0] = '\0';
     walls_list(scene, text, sizeof text);
@@ -111,8 +114,8 @@ static void print_terms(const struct simulation *s) {
                scene->gravity[0] != 0 || scene->gravity[1] != 0 || scene->gravity[2] != 0 ? "gravity" : "",
                "gravity is 0");
     print_term("motion along z", scene->box.dimension == 3 ? "box.dimension: 3" : "", "box.dimension: 2");
-    print_term("exchange of copies", s->alone ? "" : "several ranks", "one rank");
-    print_term("energy sums", s->sums_each_step ? "guards.energy" : "",
+    print_term("exchange of copies", s->ranks.alone ? "" : "several ranks", "one rank");
+    print_term("energy sums", s->grains.sums_each_step ? "guards.energy" : "",
                "at rows of observables alone; each step if dissipated energy is among them");
 }
 
@@ -153,9 +156,9 @@ static void print_fields(const struct simulation *s) {
     particles_destroy(&known);
     printf("  stored: %zu bytes a particle (all fields, forces and spins padded)\n",
            particles_bytes_each(s->particles));
-    if (s->law.history_components)
+    if (s->grains.law.history_components)
         printf("  history: %zu bytes a touching pair\n",
-               2 * (sizeof(uint32_t) + (size_t)s->law.history_components * sizeof(double)));
+               2 * (sizeof(uint32_t) + (size_t)s->grains.law.history_components * sizeof(double)));
     else
         printf("  history: none (no friction)\n");
 }
@@ -167,12 +170,12 @@ static size_t bytes_of(const struct simulation *s, unsigned use) {
 }
 
 static void print_wire(const struct simulation *s) {
-    if (s->alone)
+    if (s->ranks.alone)
         return;
     printf("\nbytes on the wire: %zu a copy when made, %zu a copy and step, %zu sent back, %zu a migrating "
            "particle\n",
            bytes_of(s, FIELD_GHOST), bytes_of(s, FIELD_FORWARD),
-           s->view.newton ? bytes_of(s, FIELD_REVERSE) : (size_t)0, bytes_of(s, FIELD_MIGRATE));
+           s->search.view.newton ? bytes_of(s, FIELD_REVERSE) : (size_t)0, bytes_of(s, FIELD_MIGRATE));
 }
 
 static void print_classes(const struct simulation *s) {
@@ -184,7 +187,7 @@ static void print_classes(const struct simulation *s) {
 
 static void print_levels(const struct simulation *s) {
     struct index_description description;
-    index_describe(s->index, &description);
+    index_describe(s->search.index, &description);
     printf("\nindex %s, rank 0\n  %5s %12s %12s %12s %14s\n", s->scene->index.name, "level", "cell", "cells",
            "particles", "particles/cell");
     for (int l = 0; l < description.levels; l++) {
@@ -200,17 +203,18 @@ static void print_levels(const struct simulation *s) {
 
 static void print_step(const struct simulation *s) {
     printf("\ntime step\n");
-    printf("  stable       %.6g (contact '%s' - '%s', damping ratio %.3g)\n", s->limits.stable,
-           s->scene->material[s->limits.material_a].name, s->scene->material[s->limits.material_b].name,
-           s->limits.damping_ratio + 0.0); /* no -0 */
-    if (s->limits.stable < s->limits_expected)
+    printf("  stable       %.6g (contact '%s' - '%s', damping ratio %.3g)\n", s->timing.limits.stable,
+           s->scene->material[s->timing.limits.material_a].name,
+           s->scene->material[s->timing.limits.material_b].name,
+           s->timing.limits.damping_ratio + 0.0); /* no -0 */
+    if (s->timing.limits.stable < s->timing.expected)
         printf("               for the contacts that there are; %.6g for contacts to come\n",
-               s->limits_expected);
-    printf("  contact time %.6g\n", s->limits.contact_time);
-    if (s->limits.rayleigh > 0)
-        printf("  Rayleigh     %.6g\n", s->limits.rayleigh);
-    printf("  chosen       %.6g = %.3g of the stable one (default %.3g)\n", s->dt, s->dt / s->limits.stable,
-           timestep_default_fraction());
+               s->timing.expected);
+    printf("  contact time %.6g\n", s->timing.limits.contact_time);
+    if (s->timing.limits.rayleigh > 0)
+        printf("  Rayleigh     %.6g\n", s->timing.limits.rayleigh);
+    printf("  chosen       %.6g = %.3g of the stable one (default %.3g)\n", s->clock.dt,
+           s->clock.dt / s->timing.limits.stable, timestep_default_fraction());
 }
 
 /* All that people should look at again, together, for those who read no more; the last line says where a
@@ -233,19 +237,20 @@ static const char *guard_word(enum scene_guard guard, bool trips) {
 static void print_guards(const struct simulation *s) {
     const struct scene_guards *guards = &s->scene->guards;
     double moved = notes_moved(s);
-    printf("\nguards, at the expected speed of %.4g\n", s->speed_expected);
+    printf("\nguards, at the expected speed of %.4g\n", s->timing.speed_expected);
     printf("  speed    moves by %.3g of the smallest radius in a step (bound 1)%s\n", moved,
            guard_word(guards->speed, moved > 1));
     printf("  overlap  like particles, or one and a wall, overlap by %.3g of the radius (bound %g)%s\n",
-           s->overlap_expected, guards->overlap_bound,
-           guard_word(guards->overlap, s->overlap_expected > guards->overlap_bound));
-    if (s->overlap_started > 0)
-        printf("           overlaps at the start are up to %.3g%s\n", s->overlap_started,
-               guard_word(guards->overlap, s->overlap_started > guards->overlap_bound));
+           s->timing.overlap_expected, guards->overlap_bound,
+           guard_word(guards->overlap, s->timing.overlap_expected > guards->overlap_bound));
+    if (s->timing.overlap_started > 0)
+        printf("           overlaps at the start are up to %.3g%s\n", s->timing.overlap_started,
+               guard_word(guards->overlap, s->timing.overlap_started > guards->overlap_bound));
     printf("  energy   %s\n", guards->energy == SCENE_GUARD_OFF ? "growth is not looked at"
                                                                 : "growth without cause is looked for");
-    if (s->dt > s->limits.stable)
-        printf("  step     %.3g of the stable one: energy will grow\n", s->dt / s->limits.stable);
+    if (s->clock.dt > s->timing.limits.stable)
+        printf("  step     %.3g of the stable one: energy will grow\n",
+               s->clock.dt / s->timing.limits.stable);
 }
 
 static void print_memory(const struct simulation *s) {
@@ -254,8 +259,8 @@ static void print_memory(const struct simulation *s) {
            (double)memory_in_use() / n);
     printf("  particles %.1f, pairs %.1f, index %.1f, history %.1f MiB\n",
            (double)(particles_bytes_each(s->particles) * s->particles->capacity) / 1048576,
-           (double)pairlist_memory(s->list) / 1048576, (double)index_memory(s->index) / 1048576,
-           s->history ? (double)history_memory(s->history) / 1048576 : 0);
+           (double)pairlist_memory(s->grains.list) / 1048576, (double)index_memory(s->search.index) / 1048576,
+           s->grains.history ? (double)history_memory(s->grains.history) / 1048576 : 0);
 }
 
 static void print_extent(const char *what, const char *name, const struct extent *extent, const char *note) {
@@ -296,10 +301,10 @@ static void print_all(const struct simulation *s, const struct notes *notes) {
     printf("%s: valid\n", scene->file);
     printf("  %llu particles, %d materials, %d walls, %d groups, %s, %s, %s\n", (unsigned long long)s->total,
            scene->materials, scene->walls, scene->groups, scene->box.dimension == 2 ? "2D" : "3D",
-           scene->integrator, law_row_get(s->law.options.normal)->name);
+           scene->integrator, law_row_get(s->grains.law.options.normal)->name);
     printf("  %d rank%s, %d thread%s each, newton %s; %zu pairs and %zu contacts at the start on rank 0\n",
            s->comm->size, s->comm->size == 1 ? "" : "s", s->threads, s->threads == 1 ? "" : "s",
-           s->view.newton ? "on" : "off", s->list->primary_count, s->sums.contacts);
+           s->search.view.newton ? "on" : "off", s->grains.list->primary_count, s->grains.sums.contacts);
     if (scene->reproducible)
         printf("  reproducible: pairs across ranks are computed on both sides (newton off, full copies)\n");
     print_extents(s, notes);

@@ -4,6 +4,7 @@
 #include "app/ablate.h"
 #include "app/check.h"
 #include "app/pack.h"
+#include "formats/checkpoint.h"
 #include "engine/run.h"
 #include "formats/convert.h"
 #include "formats/info.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Takes the samples of a run while it runs. Read sample.h first. */
 #include "app/sample.h"
+#include "engine/view.h"
 #include "core/memory.h"
 #include "core/random.h"
 #include <math.h>
@@ -57,7 +58,7 @@ static bool columns_make(struct sampler *sampler, struct simulation *s, struct e
 
 static void tracked_choose(struct sampler *sampler, const struct simulation *s) {
     struct sample_record *record = sampler->record;
-    int64_t ids = s->next_id > 1 ? s->next_id - 1 : 1;
+    int64_t ids = s->sources.next_id > 1 ? s->sources.next_id - 1 : 1;
     record->stride = (ids + SAMPLE_TRACKED_MAX - 1) / SAMPLE_TRACKED_MAX;
     record->tracked = (size_t)((ids + record->stride - 1) / record->stride);
     if (s->comm->rank != 0)
@@ -125,7 +126,7 @@ static bool sampler_look(void *context, const struct simulation *s, struct error
     memcpy(row + record->own, observables_values(sampler->whole),
            (size_t)(record->columns - record->own) * sizeof *row);
     record->speed_max = fmax(record->speed_max, row[sample_column(record, "speed_max", record->own)]);
-    record->time[record->samples] = s->time;
+    record->time[record->samples] = s->clock.time;
     places_take(record, s);
     record->samples++;
     return true;
@@ -139,7 +140,7 @@ static bool sampler_begin(void *context, struct simulation *s, struct error *err
     bulk_measure(sampler->record, s);
     if (sampler->perturbation > 0)
         perturb(sampler, s);
-    s->sums_each_step = true;
+    s->grains.sums_each_step = true;
     return sampler_look(context, s, error);
 }
 

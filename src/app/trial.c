@@ -16,10 +16,11 @@ static const double seconds_least = 0.5;
 /* One step as a run makes it, without files and observers. */
 static void step_once(struct simulation *s) {
     int64_t every = s->scene->step.rebuild_every;
-    s->signals = (struct step_signals){.stop = run_signalled() != 0, .error = s->error.kind != ERROR_NONE};
-    s->contact.want_virial = false;
-    s->contact.want_sums = s->sums_each_step;
-    step_run(s, every > 0 && (s->step + 1) % (uint64_t)every == 0);
+    s->agree.signals =
+        (struct step_signals){.stop = run_signalled() != 0, .error = s->error.kind != ERROR_NONE};
+    s->grains.contact.want_virial = false;
+    s->grains.contact.want_sums = s->grains.sums_each_step;
+    step_run(s, every > 0 && (s->clock.step + 1) % (uint64_t)every == 0);
 }
 
 /* What all ranks have seen. Collective. */
@@ -34,30 +35,30 @@ static void agree(const struct simulation *s, struct trial *trial, double began)
 }
 
 static void notice(const struct simulation *s, uint64_t rebuilds, struct trial *trial) {
-    if (!trial->touched && s->sums.contact_sides > 0) {
+    if (!trial->touched && s->grains.sums.contact_sides > 0) {
         trial->touched = true;
-        trial->contact_first = s->step;
+        trial->contact_first = s->clock.step;
     }
-    if (!trial->rebuilt && s->skin->rebuilds > rebuilds) {
+    if (!trial->rebuilt && s->search.skin->rebuilds > rebuilds) {
         trial->rebuilt = true;
-        trial->rebuild_first = s->step;
+        trial->rebuild_first = s->clock.step;
     }
 }
 
 /* Returns the signal that ended it, or 0. */
 static int steps_run(struct simulation *s, struct progress *progress, struct trial *trial) {
-    uint64_t rebuilds = s->skin->rebuilds;
+    uint64_t rebuilds = s->search.skin->rebuilds;
     double began = timer_now();
     notice(s, rebuilds, trial);
     agree(s, trial, began);
-    while (s->step < trial->last) {
+    while (s->clock.step < trial->last) {
         step_once(s);
         trial->steps++;
         notice(s, rebuilds, trial);
-        progress_update(progress, s->step, s->total, s->time);
-        if (s->signals.error || (s->alone && s->error.kind != ERROR_NONE))
+        progress_update(progress, s->clock.step, s->total, s->clock.time);
+        if (s->agree.signals.error || (s->ranks.alone && s->error.kind != ERROR_NONE))
             break;
-        if (s->signals.stop) {
+        if (s->agree.signals.stop) {
             int64_t number = run_signalled();
             comm_max_int(s->comm, &number, 1);
             return (int)number;
@@ -85,7 +86,7 @@ bool trial_run(const struct comm *comm, const struct scene *scene, struct trial 
     trial->particles = s->total;
     if (comm->rank != 0)
         options.mode = PROGRESS_OFF;
-    progress_start(&progress, &options, &series, stderr, s->step, trial->last);
+    progress_start(&progress, &options, &series, stderr, s->clock.step, trial->last);
     int number = steps_run(s, &progress, trial);
     progress_finish(&progress);
     *error = s->error;

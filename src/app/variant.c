@@ -37,16 +37,16 @@ bool variant_probe(const struct comm *comm, const struct scene *scene, struct va
     struct simulation *s = simulation_create(comm, scene, NULL, error);
     if (s == NULL)
         return false;
-    *facts = (struct variant_facts){.dt = s->dt,
-                                    .stable = s->limits.stable,
-                                    .rayleigh = s->limits.rayleigh,
+    *facts = (struct variant_facts){.dt = s->clock.dt,
+                                    .stable = s->timing.limits.stable,
+                                    .rayleigh = s->timing.limits.rayleigh,
                                     .particles = s->total,
                                     .classes = s->classes.count,
                                     .materials = scene->materials};
     means_take(s, facts);
     for (int a = 0; a < scene->materials; a++)
         for (int b = 0; b < scene->materials; b++)
-            facts->coefficients[a][b] = s->law.pair[a][b];
+            facts->coefficients[a][b] = s->grains.law.pair[a][b];
     simulation_destroy(&s);
     return true;
 }

@@ -102,7 +102,7 @@ static void classes_count(struct simulation *s) {
         classes->radius_min[c] = least[c];
         classes->radius_max[c] = most[c];
     }
-    struct classes_range range = interactions_range(&s->interactions);
+    struct classes_range range = interactions_range(&s->search.interactions);
     classes_set_margins(classes, &s->scene->classes, &range);
 }
 
@@ -116,7 +116,7 @@ bool classify_choose(struct simulation *s, struct error *error) {
         memory_allocate((size_t)CLASS_BINS * (CLASS_SAMPLE + 4), sizeof *sample, "radius sample");
     size_t n = radius_sample(bins, total, sample);
     struct classes_options options = classes_wanted(s, bins, total);
-    struct classes_range range = interactions_range(&s->interactions);
+    struct classes_range range = interactions_range(&s->search.interactions);
     bool good = classes_choose(&s->classes, &options, &range, sample, n, error);
     memory_free(sample);
     memory_free(bins);

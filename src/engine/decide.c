@@ -11,68 +11,69 @@ static void decide_skin(struct simulation *s) {
     int classes = s->classes.count;
     for (int t = 0; t < s->threads; t++)
         for (int c = 0; c < classes; c++)
-            speed[c] = fmax(speed[c], s->speed[t][c]);
+            speed[c] = fmax(speed[c], s->grains.speed[t][c]);
     for (int c = 0; c < classes; c++)
         speed[c] = sqrt(speed[c]);
-    skin_moved(s->skin, speed, classes, s->dt, s->walls ? walls_displacement(s->walls) : 0);
+    skin_moved(s->search.skin, speed, classes, s->clock.dt,
+               s->grains.walls ? walls_displacement(s->grains.walls) : 0);
 }
 
 /* Bounds, signals and errors on their way to being the same on all ranks. */
 void decide_begin(struct simulation *s) {
-    double *value = s->agreed;
+    double *value = s->agree.value;
     int n = s->classes.count;
     decide_skin(s);
-    if (s->alone)
+    if (s->ranks.alone)
         return;
-    memcpy(value, s->skin->bound, (size_t)n * sizeof *value);
-    memcpy(value + n, s->skin->second, (size_t)n * sizeof *value);
-    value[2 * n] = s->signals.rebuild;
-    value[2 * n + 1] = s->signals.stop;
-    value[2 * n + 2] = s->signals.checkpoint;
-    value[2 * n + 3] = s->signals.error;
-    comm_max_begin(s->comm, value, 2 * n + 4, &s->reduction);
+    memcpy(value, s->search.skin->bound, (size_t)n * sizeof *value);
+    memcpy(value + n, s->search.skin->second, (size_t)n * sizeof *value);
+    value[2 * n] = s->agree.signals.rebuild;
+    value[2 * n + 1] = s->agree.signals.stop;
+    value[2 * n + 2] = s->agree.signals.checkpoint;
+    value[2 * n + 3] = s->agree.signals.error;
+    comm_max_begin(s->comm, value, 2 * n + 4, &s->agree.reduction);
 }
 
 void decide_end(struct simulation *s) {
-    const double *value = s->agreed;
+    const double *value = s->agree.value;
     int n = s->classes.count;
-    if (!s->alone) {
-        comm_max_end(&s->reduction);
-        memcpy(s->skin->bound, value, (size_t)n * sizeof *value);
-        memcpy(s->skin->second, value + n, (size_t)n * sizeof *value);
-        s->signals.rebuild = value[2 * n] > 0;
-        s->signals.stop = value[2 * n + 1] > 0;
-        s->signals.checkpoint = value[2 * n + 2] > 0;
-        s->signals.error = value[2 * n + 3] > 0;
+    if (!s->ranks.alone) {
+        comm_max_end(&s->agree.reduction);
+        memcpy(s->search.skin->bound, value, (size_t)n * sizeof *value);
+        memcpy(s->search.skin->second, value + n, (size_t)n * sizeof *value);
+        s->agree.signals.rebuild = value[2 * n] > 0;
+        s->agree.signals.stop = value[2 * n + 1] > 0;
+        s->agree.signals.checkpoint = value[2 * n + 2] > 0;
+        s->agree.signals.error = value[2 * n + 3] > 0;
     }
-    skin_settle(s->skin, n);
+    skin_settle(s->search.skin, n);
 }
 
 /* The two largest displacements of each class, on all ranks. */
 static void measure_all(struct simulation *s) {
     double two[CLASS_MAX][2];
     int n = s->classes.count;
-    skin_measure(s->skin, s->particles, n);
+    skin_measure(s->search.skin, s->particles, n);
     for (int c = 0; c < n; c++) {
-        two[c][0] = s->skin->bound[c];
-        two[c][1] = s->skin->second[c];
+        two[c][0] = s->search.skin->bound[c];
+        two[c][1] = s->search.skin->second[c];
     }
     comm_max_two(s->comm, two, n);
     for (int c = 0; c < n; c++) {
-        s->skin->bound[c] = two[c][0];
-        s->skin->second[c] = two[c][1];
+        s->search.skin->bound[c] = two[c][0];
+        s->search.skin->second[c] = two[c][1];
     }
 }
 
 /* Where the bounds say that a rebuild may be due, displacements are measured. */
 void decide_measure(struct simulation *s) {
-    if (s->signals.rebuild || !skin_due(s->skin, &s->classes))
+    if (s->agree.signals.rebuild || !skin_due(s->search.skin, &s->classes))
         return;
-    s->signals.rebuild = skin_surely_due(s->skin, &s->classes);
-    if (s->signals.rebuild)
+    s->agree.signals.rebuild = skin_surely_due(s->search.skin, &s->classes);
+    if (s->agree.signals.rebuild)
         return;
     measure_all(s);
-    s->signals.rebuild = skin_due(s->skin, &s->classes);
+    s->agree.signals.rebuild = skin_due(s->search.skin, &s->classes);
 }
 
 void decide_run(struct simulation *s) {

@@ -12,76 +12,77 @@
 static void servo(const struct physics_context *context) {
     struct simulation *s = context->self;
     double part[WALLS_MAX][6];
-    walls_forces(s->walls, part);
-    for (int w = 0; w < walls_count(s->walls); w++)
-        memcpy(s->servo_force[w], part[w], sizeof s->servo_force[w]);
-    comm_sum(s->comm, s->servo_force[0], 3 * walls_count(s->walls));
+    walls_forces(s->grains.walls, part);
+    for (int w = 0; w < walls_count(s->grains.walls); w++)
+        memcpy(s->grains.servo_force[w], part[w], sizeof s->grains.servo_force[w]);
+    comm_sum(s->comm, s->grains.servo_force[0], 3 * walls_count(s->grains.walls));
 }
 
 /* A speed that is no number stays: the guards look for it. */
 static void advance(const struct physics_context *context, int thread, size_t first, size_t last,
                     int size_class) {
     struct simulation *s = context->self;
-    double v2 = integrator_advance(s->particles, &s->motion, first, last);
-    double *largest = &s->speed[thread][size_class];
+    double v2 = integrator_advance(s->particles, &s->grains.motion, first, last);
+    double *largest = &s->grains.speed[thread][size_class];
     if (!isnan(*largest) && !(v2 <= *largest))
         *largest = v2;
 }
 
 static void move_walls(const struct physics_context *context) {
     struct simulation *s = context->self;
-    double before = s->time_base + (double)(s->step - 1 - s->step_base) * s->dt;
-    walls_advance(s->walls, before, s->dt, walls_have_servo(s->walls) ? s->servo_force : NULL);
+    double before = s->clock.time_base + (double)(s->clock.step - 1 - s->clock.step_base) * s->clock.dt;
+    walls_advance(s->grains.walls, before, s->clock.dt,
+                  walls_have_servo(s->grains.walls) ? s->grains.servo_force : NULL);
 }
 
 static void contact(const struct physics_context *context, int thread, int block) {
     struct simulation *s = context->self;
-    force_loop_block(s->loop, &s->contact, thread, block);
+    force_loop_block(s->grains.loop, &s->grains.contact, thread, block);
 }
 
 static void contact_abandon(const struct physics_context *context) {
     struct simulation *s = context->self;
-    force_loop_abandon(s->loop, &s->contact);
+    force_loop_abandon(s->grains.loop, &s->grains.contact);
 }
 
 static void wall(const struct physics_context *context, int thread) {
     struct simulation *s = context->self;
-    walls_force_share(s->walls, &s->contact, thread);
+    walls_force_share(s->grains.walls, &s->grains.contact, thread);
 }
 
 /* Forces on walls summed without rounding: rank 0 gets those of all ranks. */
 static void walls_agree(struct simulation *s) {
     int count;
-    int64_t *words = walls_exact(s->walls, &count);
-    if (!s->alone)
+    int64_t *words = walls_exact(s->grains.walls, &count);
+    if (!s->ranks.alone)
         comm_sum_int(s->comm, words, count);
-    walls_close(s->walls, s->contact.dt, s->comm->rank == 0);
+    walls_close(s->grains.walls, s->grains.contact.dt, s->comm->rank == 0);
 }
 
 static void finish(const struct physics_context *context) {
     struct simulation *s = context->self;
-    s->sums = (struct force_sums){0};
-    force_loop_finish(s->loop, &s->contact, &s->sums);
-    if (s->walls)
-        walls_finish(s->walls, &s->contact, &s->sums);
-    if (s->walls && s->scene->reproducible)
+    s->grains.sums = (struct force_sums){0};
+    force_loop_finish(s->grains.loop, &s->grains.contact, &s->grains.sums);
+    if (s->grains.walls)
+        walls_finish(s->grains.walls, &s->grains.contact, &s->grains.sums);
+    if (s->grains.walls && s->scene->reproducible)
         walls_agree(s);
-    s->taken += s->sums.taken;
+    s->grains.taken += s->grains.sums.taken;
 }
 
 static bool needs_servo(const struct physics_context *context) {
     const struct simulation *s = context->self;
-    return s->walls && walls_have_servo(s->walls);
+    return s->grains.walls && walls_have_servo(s->grains.walls);
 }
 
 static bool needs_walls(const struct physics_context *context) {
     const struct simulation *s = context->self;
-    return s->walls != NULL;
+    return s->grains.walls != NULL;
 }
 
 static bool needs_motion(const struct physics_context *context) {
     const struct simulation *s = context->self;
-    return s->walls && walls_move(s->walls);
+    return s->grains.walls && walls_move(s->grains.walls);
 }
 
 static const struct physics_pass passes[] = {
@@ -127,11 +128,12 @@ static double range(const void *context, int kind_a, double radius_a, int kind_b
 static void rebuilt(const struct physics_context *context) {
     struct simulation *s = context->self;
     const struct classes_range reach = {range, context->options};
-    s->contact.range = 0;
+    s->grains.contact.range = 0;
     for (int a = 0; a < s->classes.count; a++)
         for (int b = 0; b <= a; b++)
-            s->contact.range = fmax(s->contact.range, classes_range_of(&s->classes, &reach, a, b));
-    force_loop_prepare(s->loop, &s->contact);
+            s->grains.contact.range =
+                fmax(s->grains.contact.range, classes_range_of(&s->classes, &reach, a, b));
+    force_loop_prepare(s->grains.loop, &s->grains.contact);
 }
 
 static double limit(const struct physics_context *context, double most) {
@@ -145,7 +147,7 @@ static void guard(const struct physics_context *context, struct error *error) {
 
 static void restart(const struct physics_context *context, struct restart *list) {
     struct simulation *s = context->self;
-    restart_add(list, RESTART_SUM, false, &s->taken, "energy taken by contacts");
+    restart_add(list, RESTART_SUM, false, &s->grains.taken, "energy taken by contacts");
 }
 
 const struct physics grains_physics = {.name = "grains",

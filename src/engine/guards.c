@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Guards: physical nonsense stops the run (or warns, once), naming particles, place and time. */
 #include "engine/guards.h"
+#include "engine/view.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -16,8 +17,8 @@ enum { ENERGY_EVERY = 20, ENERGY_EVERY_AUTO = 100 };
 static void guard_trip(struct simulation *s, enum scene_guard guard, int which, const char *text) {
     if (guard == SCENE_GUARD_STOP) {
         error_set(&s->error, ERROR_PHYSICS, "%s", text);
-    } else if (guard == SCENE_GUARD_WARN && !(s->guard_warned & 1u << which)) {
-        s->guard_warned |= 1u << which;
+    } else if (guard == SCENE_GUARD_WARN && !(s->guards.warned & 1u << which)) {
+        s->guards.warned |= 1u << which;
         fprintf(stderr, "scree: warning: %s (said once)\n", text);
     }
 }
@@ -45,16 +46,16 @@ static void name_partner(const struct simulation *s, int64_t id, char *text, siz
 
 static void guard_overlap(struct simulation *s) {
     if (s->scene->guards.overlap == SCENE_GUARD_OFF ||
-        !(s->sums.overlap_max > s->scene->guards.overlap_bound))
+        !(s->grains.sums.overlap_max > s->scene->guards.overlap_bound))
         return;
     char text[640], one[160], other[160];
-    name_partner(s, s->sums.overlap_id[0], one, sizeof one);
-    name_partner(s, s->sums.overlap_id[1], other, sizeof other);
+    name_partner(s, s->grains.sums.overlap_id[0], one, sizeof one);
+    name_partner(s, s->grains.sums.overlap_id[1], other, sizeof other);
     snprintf(text, sizeof text,
              "guards.overlap: %s and %s overlap by %.3g of the smaller radius (bound %g) at step %llu, "
              "t = %.9g",
-             one, other, s->sums.overlap_max, s->scene->guards.overlap_bound, (unsigned long long)s->step,
-             s->time);
+             one, other, s->grains.sums.overlap_max, s->scene->guards.overlap_bound,
+             (unsigned long long)s->clock.step, s->clock.time);
     guard_trip(s, s->scene->guards.overlap, 0, text);
 }
 
@@ -81,8 +82,8 @@ static void guard_speed(struct simulation *s) {
     bool finite = true;
     for (int t = 0; t < s->threads; t++)
         for (int c = 0; c < s->classes.count; c++) {
-            finite = finite && isfinite(s->speed[t][c]);
-            fastest = fmax(fastest, s->speed[t][c]);
+            finite = finite && isfinite(s->grains.speed[t][c]);
+            fastest = fmax(fastest, s->grains.speed[t][c]);
         }
     if (!finite) {
         guards_check_positions(s);
@@ -90,17 +91,17 @@ static void guard_speed(struct simulation *s) {
     }
     double bound = s->classes.radius_min[0], speed;
     if (s->scene->guards.speed == SCENE_GUARD_OFF || s->classes.count == 0 ||
-        !(sqrt(fastest) * s->dt > bound) || s->particles->owned == 0)
+        !(sqrt(fastest) * s->clock.dt > bound) || s->particles->owned == 0)
         return;
     char text[512], one[160];
     size_t worst = fastest_find(s, &speed);
-    if (!(speed * s->dt > bound))
+    if (!(speed * s->clock.dt > bound))
         return;
     name_at(s, worst, one, sizeof one);
     snprintf(text, sizeof text,
              "guards.speed: %s moves %.3g in a step, more than the smallest radius %.3g: it may pass through "
              "others unseen (step %llu, t = %.9g)",
-             one, speed * s->dt, bound, (unsigned long long)s->step, s->time);
+             one, speed * s->clock.dt, bound, (unsigned long long)s->clock.step, s->clock.time);
     guard_trip(s, s->scene->guards.speed, 1, text);
 }
 
@@ -133,7 +134,7 @@ void guards_check_positions(struct simulation *s) {
     error_set(&s->error, ERROR_PHYSICS,
               "guards.nan: position or velocity of %s is not finite at step %llu, t = %.9g: the time step is "
               "too large, or particles coincide",
-              one, (unsigned long long)s->step, s->time);
+              one, (unsigned long long)s->clock.step, s->clock.time);
     for (size_t k = bad; k < s->particles->owned; k++) {
         struct particle_state *p = &s->particles->state[k];
         if (state_finite(p))
@@ -155,7 +156,8 @@ void guards_check_images(struct simulation *s) {
                       "particle %lld has crossed the periodic box in %c more often than 32 bits count, at "
                       "step %llu, "
                       "t = %.9g",
-                      (long long)s->particles->id[k], "xyz"[d], (unsigned long long)s -> step, s -> time);
+                      (long long)s->particles->id[k], "xyz"[d], (unsigned long long)s -> clock.step,
+                      s->clock.time);
             x[d] = 0;
         }
     }
@@ -170,37 +172,37 @@ bool guards_prepare(struct simulation *s, struct error *error) {
     char place[SCENE_PATH_MAX];
     if (scene->guards.energy == SCENE_GUARD_OFF)
         return true;
-    s->guard_energy.mechanical = scene->guards.energy == SCENE_GUARD_AUTO;
+    s->guards.energy.mechanical = scene->guards.energy == SCENE_GUARD_AUTO;
     for (int g = 0; g < scene->groups; g++)
         if (scene->group[g].motion == SCENE_MOVING)
-            return s->guard_energy.mechanical ||
+            return s->guards.energy.mechanical ||
                    error_set(
                        error, ERROR_USER,
                        "%s: guards.energy: group '%s' moves by order, and what it gives to others is in no "
                        "balance; allowed here: auto, off",
                        scene_place(scene, "guards.energy", place, sizeof place), scene->group[g].name);
-    s->sums_each_step = s->sums_each_step || !s->guard_energy.mechanical;
-    if (!observables_create(&s->guard_energy.observables, &options, &view, &run, error))
+    s->grains.sums_each_step = s->grains.sums_each_step || !s->guards.energy.mechanical;
+    if (!observables_create(&s->guards.energy.observables, &options, &view, &run, error))
         return false;
-    if (s->step == 0) /* else there are no sums before the first step */
+    if (s->clock.step == 0) /* else there are no sums before the first step */
         guards_check_energy(s);
     return true;
 }
 
 void guards_destroy(struct simulation *s) {
-    if (s->guard_energy.observables)
-        observables_destroy(&s->guard_energy.observables);
+    if (s->guards.energy.observables)
+        observables_destroy(&s->guards.energy.observables);
 }
 
 bool guards_energy_due(const struct simulation *s, uint64_t step) {
-    const struct guard_energy *energy = &s->guard_energy;
+    const struct guard_energy *energy = &s->guards.energy;
     return energy->observables && step % (energy->mechanical ? ENERGY_EVERY_AUTO : ENERGY_EVERY) == 0;
 }
 
 /* The balance, and the energy in play: the largest that any form has reached, potential energy left out, as
  * its zero is arbitrary. */
 static bool energy_measure(struct simulation *s, double *balance, double *in_play) {
-    struct observables *observables = s->guard_energy.observables;
+    struct observables *observables = s->guards.energy.observables;
     struct output_view view = simulation_view(s);
     struct error error = {0};
     double dissipated = 0;
@@ -214,7 +216,7 @@ static bool energy_measure(struct simulation *s, double *balance, double *in_pla
         double value = observables_values(observables)[c];
         if (strcmp(name, "energy_balance") == 0)
             *balance = value;
-        else if (s->guard_energy.mechanical && strcmp(name, "energy_dissipated") == 0)
+        else if (s->guards.energy.mechanical && strcmp(name, "energy_dissipated") == 0)
             dissipated = value; /* not summed each step */
         else if (strcmp(name, "energy_gravity") != 0)
             *in_play = fmax(*in_play, fabs(value));
@@ -224,20 +226,20 @@ static bool energy_measure(struct simulation *s, double *balance, double *in_pla
 }
 
 void guards_check_energy(struct simulation *s) {
-    struct guard_energy *energy = &s->guard_energy;
+    struct guard_energy *energy = &s->guards.energy;
     double balance = 0, in_play, speed;
-    uint64_t changes = s->inserted + s->deleted;
+    uint64_t changes = s->sources.inserted + s->sources.deleted;
     if (!energy_measure(s, &balance, &in_play))
         return;
     energy->in_play = fmax(energy->in_play, in_play);
-    if (!energy->begun || changes != energy->changes || s->sources_step > energy->step) {
+    if (!energy->begun || changes != energy->changes || s->sources.last_step > energy->step) {
         energy->gained += energy->begun ? balance - energy->last : 0; /* brought by particles that came */
         energy->start = energy->begun ? energy->start : balance;
         energy->begun = true;
     }
     energy->changes = changes;
     energy->last = balance;
-    energy->step = s->step;
+    energy->step = s->clock.step;
     double growth = balance - energy->start - energy->gained;
     double bound = s->scene->guards.energy_bound * (energy->mechanical ? ENERGY_AUTO : 1);
     if (energy->mechanical) /* what is lost is lost */
@@ -250,7 +252,7 @@ void guards_check_energy(struct simulation *s) {
         text, sizeof text,
         "guards.energy: energy has grown by %.3g without cause, %.3g of the %.3g in play (bound %g), at step "
         "%llu, t = %.9g; fastest is %s with %.3g: the time step is too large, or a law is given wrongly",
-        growth, growth / energy->in_play, energy->in_play, bound, (unsigned long long)s->step, s->time, one,
-        speed);
+        growth, growth / energy->in_play, energy->in_play, bound, (unsigned long long)s->clock.step,
+        s->clock.time, one, speed);
     guard_trip(s, energy->mechanical ? SCENE_GUARD_STOP : s->scene->guards.energy, 2, text);
 }

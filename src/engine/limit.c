@@ -13,7 +13,7 @@ static void sums_home(struct simulation *s, struct stability *stability) {
     struct particles *p = s->particles;
     struct field_list fields = fields_with(p, FIELD_REVERSE);
     size_t stride = (size_t)p->force_stride, sums = (size_t)stability->sums, bytes;
-    size_t width = s->law.spin ? 6 : 3;
+    size_t width = s->grains.law.spin ? 6 : 3;
     double *kept = memory_allocate(stability->count * stride, sizeof *kept, "stability of contacts");
     bytes = stability->count * stride * sizeof *kept;
     memcpy(kept, p->force, bytes);
@@ -23,7 +23,7 @@ static void sums_home(struct simulation *s, struct stability *stability) {
         for (size_t k = 0; k < stability->count; k++)
             for (size_t c = 0; c < part; c++)
                 p->force[k * stride + c + c / 3] = stability->sum[k * sums + first + c];
-        ghosts_reverse(s->ghosts, p, &fields);
+        ghosts_reverse(s->ranks.ghosts, p, &fields);
         for (size_t k = 0; k < p->owned; k++)
             for (size_t c = 0; c < part; c++)
                 stability->sum[k * sums + first + c] = p->force[k * stride + c + c / 3];
@@ -40,8 +40,8 @@ static void local_out(struct simulation *s, struct stability *stability) {
     memcpy(kept, p->state, stability->count * sizeof *kept);
     for (size_t k = 0; k < p->owned; k++)
         p->state[k].v[0] = stability->local[k];
-    ghosts_forward_begin(s->ghosts, p, &fields);
-    ghosts_forward_end(s->ghosts, p);
+    ghosts_forward_begin(s->ranks.ghosts, p, &fields);
+    ghosts_forward_end(s->ranks.ghosts, p);
     for (size_t k = p->owned; k < stability->count; k++)
         stability->local[k] = p->state[k].v[0];
     memcpy(p->state, kept, stability->count * sizeof *kept);
@@ -51,26 +51,26 @@ static void local_out(struct simulation *s, struct stability *stability) {
 static void walls_give(struct simulation *s, struct stability *stability) {
     struct force_contact *contacts = NULL;
     int material[WALLS_MAX];
-    size_t count = walls_contacts(s->walls, &s->contact, &contacts);
-    for (int w = 0; w < walls_count(s->walls); w++)
-        material[w] = walls_options(s->walls, w)->material;
-    stability_walls(stability, &s->contact, contacts, count, material);
+    size_t count = walls_contacts(s->grains.walls, &s->grains.contact, &contacts);
+    for (int w = 0; w < walls_count(s->grains.walls); w++)
+        material[w] = walls_options(s->grains.walls, w)->material;
+    stability_walls(stability, &s->grains.contact, contacts, count, material);
     memory_free(contacts);
 }
 
 /* The bound on the largest eigenvalue at step h; the scheme is stable up to 4. */
 static double eigenvalue_at(struct simulation *s, double h) {
     struct stability stability;
-    stability_create(&stability, &s->contact, h);
-    stability_pairs(&stability, &s->contact);
-    if (s->walls)
+    stability_create(&stability, &s->grains.contact, h);
+    stability_pairs(&stability, &s->grains.contact);
+    if (s->grains.walls)
         walls_give(s, &stability);
-    if (!s->alone && s->view.newton)
+    if (!s->ranks.alone && s->search.view.newton)
         sums_home(s, &stability);
     stability_solve(&stability, s->particles);
-    if (!s->alone)
+    if (!s->ranks.alone)
         local_out(s, &stability);
-    double worst = stability_worst(&stability, &s->contact);
+    double worst = stability_worst(&stability, &s->grains.contact);
     stability_free(&stability);
     comm_max(s->comm, &worst, 1);
     return worst;

@@ -39,7 +39,7 @@ double load_waiting(const struct simulation *s) {
 
 /* Weights of the owned particles by the last pair list; returns their sum. */
 static double weights_by_pairs(const struct simulation *s, double *weight) {
-    const struct pairlist *list = s->list;
+    const struct pairlist *list = s->grains.list;
     size_t owned = s->particles->owned;
     double sum = 0;
     for (size_t k = 0; k < owned; k++)
@@ -67,8 +67,8 @@ static bool divide(struct simulation *s, const double *weight) {
                 x[k][d] -= floor(x[k][d] / box->edge[d]) * box->edge[d];
         }
     struct balance_load load = {owned, (const double(*)[3])x, weight};
-    bool divided = balance_divide(s->domain, s->comm, box, &load);
-    domain_wrap(s->domain, s->wrap);
+    bool divided = balance_divide(s->ranks.domain, s->comm, box, &load);
+    domain_wrap(s->ranks.domain, s->ranks.wrap);
     memory_free(x);
     return divided;
 }
@@ -106,7 +106,7 @@ static bool grid_serves(const struct simulation *s, const int grid[3]) {
 
 void load_lay(struct simulation *s, const int resumed[3]) {
     int grid[3];
-    if (s->alone || domain_bisects(s->domain))
+    if (s->ranks.alone || domain_bisects(s->ranks.domain))
         return;
     if (grid_serves(s, resumed)) {
         memcpy(grid, resumed, sizeof grid);
@@ -115,14 +115,14 @@ void load_lay(struct simulation *s, const int resumed[3]) {
         domain_grid_choose(s->comm->size, &s->scene->box, s->scene->domain.grid, density, grid);
         memory_free(density);
     }
-    domain_lay(s->domain, grid);
-    domain_wrap(s->domain, s->wrap);
+    domain_lay(s->ranks.domain, grid);
+    domain_wrap(s->ranks.domain, s->ranks.wrap);
 }
 
 void load_begin(struct simulation *s) {
-    if (s->alone || !domain_bisects(s->domain) || s->load.begun)
+    if (s->ranks.alone || !domain_bisects(s->ranks.domain) || s->ranks.load.begun)
         return;
-    s->load.begun = true;
+    s->ranks.load.begun = true;
     double *weight = memory_allocate(s->particles->owned, sizeof *weight, "weights");
     for (size_t k = 0; k < s->particles->owned; k++)
         weight[k] = 1;
@@ -131,11 +131,11 @@ void load_begin(struct simulation *s) {
 }
 
 void load_restore(struct simulation *s, struct domain_tree *tree, bool fresh, double reached) {
-    domain_divide(s->domain, tree);
-    domain_wrap(s->domain, s->wrap);
-    s->load.begun = true;
-    s->load.fresh = fresh;
-    s->load.reached = reached;
+    domain_divide(s->ranks.domain, tree);
+    domain_wrap(s->ranks.domain, s->ranks.wrap);
+    s->ranks.load.begun = true;
+    s->ranks.load.fresh = fresh;
+    s->ranks.load.reached = reached;
 }
 
 /* The largest load over the mean. */
@@ -148,7 +148,7 @@ static double imbalance_of(const struct simulation *s, double load) {
 
 void load_balance(struct simulation *s) {
     const struct domain_options *options = &s->scene->domain;
-    if (s->alone || !domain_bisects(s->domain) || options->threshold == 0)
+    if (s->ranks.alone || !domain_bisects(s->ranks.domain) || options->threshold == 0)
         return;
     size_t owned = s->particles->owned;
     double *weight = memory_allocate(owned, sizeof *weight, "weights");
@@ -159,21 +159,21 @@ void load_balance(struct simulation *s) {
             weight[k] = 1;
     } else if (options->weights == DOMAIN_WEIGHTS_TIME) {
         double seconds = load_seconds(s);
-        load = fmax(seconds - s->load.seconds, 1e-9);
-        s->load.seconds = seconds;
+        load = fmax(seconds - s->ranks.load.seconds, 1e-9);
+        s->ranks.load.seconds = seconds;
         for (size_t k = 0; k < owned; k++)
             weight[k] *= load / sum;
     }
     double imbalance = imbalance_of(s, load);
-    if (s->load.fresh)
-        s->load.reached = imbalance;
+    if (s->ranks.load.fresh)
+        s->ranks.load.reached = imbalance;
     else
-        s->load.reached = 1 + remembered * (s->load.reached - 1);
-    s->load.fresh = false;
-    if (imbalance > options->threshold && imbalance > 1.05 * s->load.reached) {
-        s->load.fresh = divide(s, weight);
-        s->load.divisions += s->load.fresh;
-        s->load.reached = imbalance;
+        s->ranks.load.reached = 1 + remembered * (s->ranks.load.reached - 1);
+    s->ranks.load.fresh = false;
+    if (imbalance > options->threshold && imbalance > 1.05 * s->ranks.load.reached) {
+        s->ranks.load.fresh = divide(s, weight);
+        s->ranks.load.divisions += s->ranks.load.fresh;
+        s->ranks.load.reached = imbalance;
     }
     memory_free(weight);
 }

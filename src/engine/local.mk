@@ -40,12 +40,13 @@ libengine_la_SOURCES = \
 	src/engine/simulation.h \
 	src/engine/sources.c \
 	src/engine/sources.h \
-	src/engine/state.c \
 	src/engine/state.h \
 	src/engine/step.c \
 	src/engine/step.h \
 	src/engine/timing.c \
 	src/engine/timing.h \
 	src/engine/tune.c \
-	src/engine/tune.h
+	src/engine/tune.h \
+	src/engine/view.c \
+	src/engine/view.h
 libengine_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)

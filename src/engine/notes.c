@@ -41,7 +41,7 @@ struct extent notes_wall_extent(const struct simulation *s, int w) {
     const struct wall_options *wall = &s->scene->wall[w];
     struct extent extent = nothing;
     double(*triangle)[9] = NULL;
-    size_t count = walls_triangles(s->walls, w, &triangle);
+    size_t count = walls_triangles(s->grains.walls, w, &triangle);
     for (size_t k = 0; k < count; k++)
         for (int corner = 0; corner < 3; corner++)
             extent_add(&extent, triangle[k] + 3 * corner, 0);
@@ -59,7 +59,7 @@ struct extent notes_wall_extent(const struct simulation *s, int w) {
 
 double notes_moved(const struct simulation *s) {
     return s->classes.count && s->classes.radius_min[0] > 0
-               ? s->speed_expected * s->dt / s->classes.radius_min[0]
+               ? s->timing.speed_expected * s->clock.dt / s->classes.radius_min[0]
                : 0;
 }
 
@@ -104,8 +104,8 @@ static void look_at_guard(const struct simulation *s, struct notes *notes, enum 
         return;
     bool stops = guard == SCENE_GUARD_STOP;
     size_t used = strlen(notes->stops);
-    add(notes, true, "%s: at the expected speed of %.4g %s: the guard would %s", name, s->speed_expected,
-        what, stops ? "stop this run" : "warn");
+    add(notes, true, "%s: at the expected speed of %.4g %s: the guard would %s", name,
+        s->timing.speed_expected, what, stops ? "stop this run" : "warn");
     if (stops)
         snprintf(notes->stops + used, sizeof notes->stops - used, "%s%s", used ? ", " : "", name);
 }
@@ -118,14 +118,14 @@ static void look_at_guards(const struct simulation *s, struct notes *notes) {
                  notes_moved(s));
         look_at_guard(s, notes, guards->speed, "guards.speed", what);
     }
-    if (s->overlap_expected > guards->overlap_bound) {
+    if (s->timing.overlap_expected > guards->overlap_bound) {
         snprintf(what, sizeof what, "particles overlap by %.3g of their radius (bound %g)",
-                 s->overlap_expected, guards->overlap_bound);
+                 s->timing.overlap_expected, guards->overlap_bound);
         look_at_guard(s, notes, guards->overlap, "guards.overlap", what);
     }
-    if (s->dt > s->limits.stable)
+    if (s->clock.dt > s->timing.limits.stable)
         add(notes, true, "the time step is %.3g of the stable one: energy will grow",
-            s->dt / s->limits.stable);
+            s->clock.dt / s->timing.limits.stable);
 }
 
 /* A run of hours that leaves its last state alone. */

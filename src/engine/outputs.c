@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Opens the files of a run and writes into them when they are due. Read outputs.h first. */
 #include "engine/outputs.h"
+#include "engine/view.h"
 #include "core/memory.h"
 #include "formats/contact_list.h"
 #include "formats/dump.h"
@@ -37,11 +38,11 @@ static bool fail_at(const struct simulation *s, const char *key, struct error *e
 static bool observables_check_ids(const struct simulation *s, struct error *error) {
     const struct observables_options *options = &s->scene->output.observables;
     for (int k = 0; s->scene->insertions == 0 && k < options->count; k++)
-        if (options->request[k].id >= s->next_id) {
+        if (options->request[k].id >= s->sources.next_id) {
             char key[64];
             snprintf(key, sizeof key, "observables.list[%d].id", k);
             error_set(error, ERROR_USER, "%s: there is no particle %lld; ids go up to %lld", key,
-                      (long long)options->request[k].id, (long long)s->next_id - 1);
+                      (long long)options->request[k].id, (long long)s->sources.next_id - 1);
             return fail_at(s, key, error);
         }
     return true;
@@ -56,7 +57,7 @@ static bool observables_prepare(struct outputs *o, const struct simulation *s, s
 }
 
 static bool files_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
-    int64_t step = resumed ? (int64_t)s->step : -1;
+    int64_t step = resumed ? (int64_t)s->clock.step : -1;
     char path[FILE_PATH_MAX];
     if (h5md_wanted(o)) {
         struct h5md_head head = {.lineage = o->run->lineage,
@@ -109,16 +110,16 @@ bool outputs_create(struct outputs **outputs, const struct simulation *s, const 
 }
 
 bool outputs_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
-    bool good = o->observables == NULL ||
-                observables_open(o->observables, s->comm, o->run->directory, resumed ? s->time : -1, error);
+    bool good = o->observables == NULL || observables_open(o->observables, s->comm, o->run->directory,
+                                                           resumed ? s->clock.time : -1, error);
     good = good && files_open(o, s, resumed, error);
     return comm_agree(s->comm, error) && good;
 }
 
 bool outputs_want_sums(const struct outputs *o, const struct simulation *s, uint64_t step) {
-    double time = s->time_base + (double)(step - s->step_base) * s->dt;
+    double time = s->clock.time_base + (double)(step - s->clock.step_base) * s->clock.dt;
     return o->observables && observables_need_sums(o->observables) &&
-           output_interval_due(&o->options->observables.every, step, time, s->dt);
+           output_interval_due(&o->options->observables.every, step, time, s->clock.dt);
 }
 
 bool outputs_sum_each_step(const struct outputs *o) {
@@ -157,7 +158,7 @@ bool outputs_due(const struct outputs *o, const struct simulation *s) {
     const struct output_interval *every[] = {&o->options->observables.every, &o->options->trajectory.every,
                                              &o->options->trajectory.contacts, &o->options->dump.every};
     for (size_t k = 0; k < sizeof every / sizeof every[0]; k++)
-        if (output_interval_due(every[k], s->step, s->time, s->dt))
+        if (output_interval_due(every[k], s->clock.step, s->clock.time, s->clock.dt))
             return true;
     return false;
 }
@@ -166,13 +167,17 @@ bool outputs_write(struct outputs *o, const struct simulation *s, struct error *
     const struct output_options *options = o->options;
     struct output_view view = simulation_view(s);
     bool good = true;
-    if (o->observables && output_interval_due(&options->observables.every, s->step, s->time, s->dt))
+    if (o->observables &&
+        output_interval_due(&options->observables.every, s->clock.step, s->clock.time, s->clock.dt))
         good = row_write(o, &view, error);
-    if (good && o->h5md && output_interval_due(&options->trajectory.every, s->step, s->time, s->dt))
+    if (good && o->h5md &&
+        output_interval_due(&options->trajectory.every, s->clock.step, s->clock.time, s->clock.dt))
         good = frame_write(o, &view, true, error);
-    if (good && o->h5md && output_interval_due(&options->trajectory.contacts, s->step, s->time, s->dt))
+    if (good && o->h5md &&
+        output_interval_due(&options->trajectory.contacts, s->clock.step, s->clock.time, s->clock.dt))
         good = contacts_write(o, &view, error);
-    if (good && o->dump && output_interval_due(&options->dump.every, s->step, s->time, s->dt))
+    if (good && o->dump &&
+        output_interval_due(&options->dump.every, s->clock.step, s->clock.time, s->clock.dt))
         good = frame_write(o, &view, false, error);
     return good;
 }

@@ -3,6 +3,7 @@
  * the forces: positions are new, forces are zero, histories are those of the last evaluation. Copies appear,
  * vanish and migrate only here. */
 #include "engine/rebuild.h"
+#include "engine/view.h"
 #include "engine/classify.h"
 #include "engine/tune.h"
 #include "engine/sources.h"
@@ -44,17 +45,17 @@ static double images_apart(const struct simulation *s) {
 static void part_with_leavers(struct simulation *s, struct rebuild_rows *rows) {
     size_t owned = s->particles->owned;
     double lower[3], upper[3];
-    domain_bounds(s->domain, s->comm->rank, lower, upper);
+    domain_bounds(s->ranks.domain, s->comm->rank, lower, upper);
     rows->before = owned;
     rows->place = memory_allocate(owned, sizeof *rows->place, "places of particles");
     uint8_t *leaves = memory_allocate(owned, 1, "particles that leave");
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < owned; k++)
-        leaves[k] = domain_owner_from(s->domain, s->comm->rank, lower, upper, s->particles->state[k].x) !=
-                    s->comm->rank;
+        leaves[k] = domain_owner_from(s->ranks.domain, s->comm->rank, lower, upper,
+                                      s->particles->state[k].x) != s->comm->rank;
     particles_places(leaves, owned, rows->place);
     memory_free(leaves);
-    history_detach(s->history, s->list, s->particles, true, rows->place, &rows->pairs);
+    history_detach(s->grains.history, s->grains.list, s->particles, true, rows->place, &rows->pairs);
 }
 
 /* Particles go to their owners, with their rows. */
@@ -71,7 +72,7 @@ static void migrate(struct simulation *s, struct rebuild_rows *rows) {
         set[n++] = (struct migrate_rows){rows->walls.start, rows->walls.row, rows->walls.count,
                                          sizeof *rows->walls.row};
     }
-    ghosts_migrate_rows(s->ghosts, s->particles, set, n);
+    ghosts_migrate_rows(s->ranks.ghosts, s->particles, set, n);
     if (pairs >= 0)
         rows->pairs = (struct history_rows){set[pairs].start, set[pairs].row, set[pairs].count};
     if (walls >= 0)
@@ -84,7 +85,7 @@ static void reorder(struct simulation *s, struct rebuild_rows *rows) {
     struct index_view view;
     tune_begin(s);
     simulation_index_view(s, &view);
-    index_order(s->index, &view, order);
+    index_order(s->search.index, &view, order);
     kinds_sort(s->particles, &s->classes, order);
     particles_reorder(s->particles, order);
     if (rows->pairs.start)
@@ -97,67 +98,67 @@ static void keep(struct simulation *s, struct rebuild_rows *rows) {
     struct history_numbers numbers = {rows->order, s->particles->owned, rows->place,
                                       rows->place ? rows->before : s->particles->owned};
     if (rows->keep)
-        history_keep(s->history, s->list, &numbers, &rows->kept);
+        history_keep(s->grains.history, s->grains.list, &numbers, &rows->kept);
 }
 
 static void springs_restore(struct simulation *s, struct rebuild_rows *rows) {
     struct history_twins twins = {0};
-    if (!s->alone)
-        twins.original = ghosts_own(s->ghosts, &twins.first, &twins.count);
-    history_restore(s->history, &rows->kept, &rows->pairs, &twins, s->list, s->particles);
+    if (!s->ranks.alone)
+        twins.original = ghosts_own(s->ranks.ghosts, &twins.first, &twins.count);
+    history_restore(s->grains.history, &rows->kept, &rows->pairs, &twins, s->grains.list, s->particles);
 }
 
 static void attach(struct simulation *s, struct rebuild_rows *rows) {
     if (rows->kept.start)
         springs_restore(s, rows);
     else if (rows->pairs.start)
-        history_attach(s->history, &rows->pairs, s->list, s->particles, images_apart(s));
+        history_attach(s->grains.history, &rows->pairs, s->grains.list, s->particles, images_apart(s));
     if (rows->walls.start)
-        walls_attach(s->walls, &rows->walls, s->particles);
-    skin_reset(s->skin, s->particles);
+        walls_attach(s->grains.walls, &rows->walls, s->particles);
+    skin_reset(s->search.skin, s->particles);
 }
 
 static void ghosts_pass(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
-    if (!s->alone)
-        ghosts_make(s->ghosts, s->particles, &s->classes);
+    if (!s->ranks.alone)
+        ghosts_make(s->ranks.ghosts, s->particles, &s->classes);
     if (s->error.kind == ERROR_NONE)
-        ghosts_fit(s->ghosts, &s->error);
+        ghosts_fit(s->ranks.ghosts, &s->error);
 }
 
 static void index_pass(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
-    simulation_index_view(s, &s->view);
-    s->view.ordered = true;
-    index_build(s->index, &s->view);
+    simulation_index_view(s, &s->search.view);
+    s->search.view.ordered = true;
+    index_build(s->search.index, &s->search.view);
 }
 
 static void pairs_pass(struct simulation *s, struct rebuild_rows *rows) {
     double start = timer_now();
     (void)rows;
-    pairlist_build(s->interactions.all, s->index, &s->view, &s->scene->box);
-    if (s->scene->ghosts.in_place && !s->alone)
-        pairlist_add_images(s->interactions.all, s->particles->owned,
-                            ghosts_unshift(s->ghosts, s->particles));
-    interactions_select(&s->interactions, &s->classes, &s->view);
-    s->pairs_seconds += timer_now() - start;
+    pairlist_build(s->search.interactions.all, s->search.index, &s->search.view, &s->scene->box);
+    if (s->scene->ghosts.in_place && !s->ranks.alone)
+        pairlist_add_images(s->search.interactions.all, s->particles->owned,
+                            ghosts_unshift(s->ranks.ghosts, s->particles));
+    interactions_select(&s->search.interactions, &s->classes, &s->search.view);
+    s->search.pairs_seconds += timer_now() - start;
     tune_end(s);
 }
 
 void rebuild_plan(struct simulation *s) {
     size_t count = 0;
-    if (!s->sweep->stale)
+    if (!s->search.sweep->stale)
         return;
     timer_start(&s->timers, TIMER_PAIRS);
-    const uint32_t *originals = s->alone ? NULL : ghosts_originals(s->ghosts, &count);
-    sweep_build(s->sweep, s->list, s->particles->owned, originals, count);
+    const uint32_t *originals = s->ranks.alone ? NULL : ghosts_originals(s->ranks.ghosts, &count);
+    sweep_build(s->search.sweep, s->grains.list, s->particles->owned, originals, count);
     timer_stop(&s->timers, TIMER_PAIRS);
 }
 
 /* Size classes: those that travelled have none, and where classes are chosen anew everybody's change. */
 static void classify(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
-    bool anew = s->classes_stale || !s->alone;
+    bool anew = s->classes_stale || !s->ranks.alone;
     if (s->classes_stale)
         classify_choose(s, &s->error);
     if (anew)
@@ -167,7 +168,7 @@ static void classify(struct simulation *s, struct rebuild_rows *rows) {
 /* Walls that move are bounded by how far they move where particles are, those outside of an open box too. */
 static void walls_reach(struct simulation *s) {
     double lower[3] = {INFINITY, INFINITY, INFINITY}, upper[3] = {-INFINITY, -INFINITY, -INFINITY};
-    if (!walls_move(s->walls))
+    if (!walls_move(s->grains.walls))
         return;
     for (size_t k = 0; k < s->particles->owned; k++)
         for (int d = 0; d < 3; d++) {
@@ -176,13 +177,13 @@ static void walls_reach(struct simulation *s) {
         }
     comm_min(s->comm, lower, 3);
     comm_max(s->comm, upper, 3);
-    walls_set_extent(s->walls, lower, upper);
+    walls_set_extent(s->grains.walls, lower, upper);
 }
 
 static void walls_pass(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
     walls_reach(s);
-    walls_build(s->walls, s->particles, &s->classes);
+    walls_build(s->grains.walls, s->particles, &s->classes);
 }
 
 /* Springs find their pairs by separations where images matter: copies must stand where particles now are. */
@@ -191,8 +192,8 @@ static void follow(struct simulation *s, struct rebuild_rows *rows) {
     if (one_image(s))
         return;
     struct field_list fields = fields_with(s->particles, FIELD_FORWARD);
-    ghosts_forward_begin(s->ghosts, s->particles, &fields);
-    ghosts_forward_end(s->ghosts, s->particles);
+    ghosts_forward_begin(s->ranks.ghosts, s->particles, &fields);
+    ghosts_forward_end(s->ranks.ghosts, s->particles);
 }
 
 static void balance(struct simulation *s, struct rebuild_rows *rows) {
@@ -202,17 +203,17 @@ static void balance(struct simulation *s, struct rebuild_rows *rows) {
 
 static void detach(struct simulation *s, struct rebuild_rows *rows) {
     bool none_lost = !sources_due(s) && !simulation_may_lose(s);
-    bool keeps = s->history && none_lost && one_image(s);
+    bool keeps = s->grains.history && none_lost && one_image(s);
     if (!keeps)
-        rebuild_detach(s, !s->alone, rows);
-    else if (s->walls)
-        walls_detach(s->walls, s->particles, &rows->walls);
+        rebuild_detach(s, !s->ranks.alone, rows);
+    else if (s->grains.walls)
+        walls_detach(s->grains.walls, s->particles, &rows->walls);
     rows->keep = keeps;
 }
 
 static void wrap(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
-    ghosts_drop(s->ghosts, s->particles);
+    ghosts_drop(s->ranks.ghosts, s->particles);
     if (particles_wrap(s->particles, &s->scene->box))
         return;
     guards_check_positions(s);
@@ -222,35 +223,35 @@ static void wrap(struct simulation *s, struct rebuild_rows *rows) {
 /* Whom walls will meet depends on who is prescribed. */
 static void come_and_go(struct simulation *s, struct rebuild_rows *rows) {
     sources_run(s, rows);
-    integrator_prescribe(s->particles, &s->motion);
+    integrator_prescribe(s->particles, &s->grains.motion);
     load_begin(s);
 }
 
 static void tell_physics(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
-    physics_rebuilt(&s->physics, s->alone ? NULL : s->ghosts);
-    if (s->sweep)
-        s->sweep->stale = true;
+    physics_rebuilt(&s->physics, s->ranks.alone ? NULL : s->ranks.ghosts);
+    if (s->search.sweep)
+        s->search.sweep->stale = true;
 }
 
 static bool many_ranks(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
-    return !s->alone;
+    return !s->ranks.alone;
 }
 static bool many_with_history(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
-    return !s->alone && s->history;
+    return !s->ranks.alone && s->grains.history;
 }
 static bool many_that_keep(const struct simulation *s, const struct rebuild_rows *rows) {
-    return !s->alone && (rows == NULL || rows->keep);
+    return !s->ranks.alone && (rows == NULL || rows->keep);
 }
 static bool with_walls(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
-    return s->walls != NULL;
+    return s->grains.walls != NULL;
 }
 static bool with_history(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
-    return s->law.history_components > 0;
+    return s->grains.law.history_components > 0;
 }
 
 /* A pass of the rebuild. `needed`: rows NULL asks whether it may ever run. */

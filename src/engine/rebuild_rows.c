@@ -4,10 +4,10 @@
 
 void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
     *rows = (struct rebuild_rows){0};
-    if (s->history)
-        history_detach(s->history, s->list, s->particles, both_ends, NULL, &rows->pairs);
-    if (s->walls && s->law.history_components)
-        walls_detach(s->walls, s->particles, &rows->walls);
+    if (s->grains.history)
+        history_detach(s->grains.history, s->grains.list, s->particles, both_ends, NULL, &rows->pairs);
+    if (s->grains.walls && s->grains.law.history_components)
+        walls_detach(s->grains.walls, s->particles, &rows->walls);
 }
 
 void rebuild_rows_free(struct rebuild_rows *rows) {

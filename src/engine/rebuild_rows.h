@@ -3,6 +3,8 @@
 #define SCREE_ENGINE_REBUILD_ROWS_H
 
 #include "engine/state.h"
+#include "pairs/history_keep.h"
+#include "walls/wall.h"
 
 /* Contact history (pairs and walls together) on the move over a rebuild or into a checkpoint. */
 struct rebuild_rows {
@@ -11,7 +13,7 @@ struct rebuild_rows {
                 */
     uint32_t *place; /* several ranks: number after the migration of each of `before` particles */
     size_t before;
-    uint32_t *order; /* new particle k is old order[k] */
+    uint32_t *order;          /* new particle k is old order[k] */
     struct history_kept kept; /* made between reorder and search */
     struct wall_rows walls;
 };

@@ -22,17 +22,17 @@ struct resume_numbers {
 
 /* Numbers that a resume needs, under their names. */
 static void numbers_list(struct simulation *s, struct resume_numbers *own, struct restart *restart) {
-    restart_add(restart, RESTART_INTEGER, false, &s->step_base, "step base");
-    restart_add(restart, RESTART_REAL, false, &s->time_base, "time base");
+    restart_add(restart, RESTART_INTEGER, false, &s->clock.step_base, "step base");
+    restart_add(restart, RESTART_REAL, false, &s->clock.time_base, "time base");
     restart_add(restart, RESTART_REAL, false, &own->fraction, "fraction of the stable step");
-    restart_add(restart, RESTART_INTEGER, false, &s->inserted, "inserted");
-    restart_add(restart, RESTART_INTEGER, false, &s->deleted, "deleted");
+    restart_add(restart, RESTART_INTEGER, false, &s->sources.inserted, "inserted");
+    restart_add(restart, RESTART_INTEGER, false, &s->sources.deleted, "deleted");
     physics_restart(&s->physics, restart);
     restart_add(restart, RESTART_SUM, false, &own->wall_work, "work of walls");
     restart_add(restart, RESTART_SUM, false, &own->load_fresh, "load: imbalance not measured");
     restart_add(restart, RESTART_SUM, false, &own->load_reached, "load: imbalance reached");
     for (int k = 0; k < s->scene->insertions; k++) {
-        struct insertion_state *state = &s->insertion_state[k];
+        struct insertion_state *state = &s->sources.state[k];
         restart_add(restart, RESTART_INTEGER, true, &state->placed, "insertion %d: placed", k);
         restart_add(restart, RESTART_INTEGER, true, &state->tried, "insertion %d: tried", k);
         restart_add(restart, RESTART_REAL, true, &state->mass, "insertion %d: mass", k);
@@ -40,13 +40,16 @@ static void numbers_list(struct simulation *s, struct resume_numbers *own, struc
 }
 
 static void numbers_put(struct simulation *s, struct checkpoint_numbers *n, struct resume_numbers *own) {
-    *n = (struct checkpoint_numbers){
-        .step = s->step, .time = s->time, .dt = s->dt, .seed = s->scene->seed, .next_id = s->next_id};
-    domain_grid(s->domain, n->grid);
-    *own = (struct resume_numbers){.fraction = s->dt_fraction,
-                                   .wall_work = s->walls ? walls_work(s->walls) : 0,
-                                   .load_fresh = s->load.fresh,
-                                   .load_reached = s->load.reached};
+    *n = (struct checkpoint_numbers){.step = s->clock.step,
+                                     .time = s->clock.time,
+                                     .dt = s->clock.dt,
+                                     .seed = s->scene->seed,
+                                     .next_id = s->sources.next_id};
+    domain_grid(s->ranks.domain, n->grid);
+    *own = (struct resume_numbers){.fraction = s->clock.dt_fraction,
+                                   .wall_work = s->grains.walls ? walls_work(s->grains.walls) : 0,
+                                   .load_fresh = s->ranks.load.fresh,
+                                   .load_reached = s->ranks.load.reached};
 }
 
 static bool numbers_take(struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
@@ -56,14 +59,14 @@ static bool numbers_take(struct simulation *s, const char *path, const struct ch
     numbers_list(s, own, &list);
     bool good = restart_take(&list, &loaded->restart, path, error);
     restart_free(&list);
-    s->step = s->sources_step = n->step;
-    s->time = n->time;
-    s->next_id = n->next_id;
-    memcpy(s->resumed_grid, n->grid, sizeof s->resumed_grid);
-    if (s->walls)
-        walls_set_work(s->walls, own->wall_work);
-    s->resumed_dt = n->dt;
-    s->resumed_fraction = own->fraction;
+    s->clock.step = s->sources.last_step = n->step;
+    s->clock.time = n->time;
+    s->sources.next_id = n->next_id;
+    memcpy(s->resumed.grid, n->grid, sizeof s->resumed.grid);
+    if (s->grains.walls)
+        walls_set_work(s->grains.walls, own->wall_work);
+    s->resumed.dt = n->dt;
+    s->resumed.fraction = own->fraction;
     return good;
 }
 
@@ -84,11 +87,11 @@ static void rows_sort(struct history_rows *rows, size_t owned) {
 /* A resume gives all forces on walls to the first rank; so does the run that goes on. */
 static void wall_forces_gather(struct simulation *s) {
     double force[WALLS_MAX][6];
-    walls_forces(s->walls, force);
-    comm_sum(s->comm, force[0], 6 * walls_count(s->walls));
+    walls_forces(s->grains.walls, force);
+    comm_sum(s->comm, force[0], 6 * walls_count(s->grains.walls));
     if (s->comm->rank > 0)
         memset(force, 0, sizeof force);
-    walls_set_forces(s->walls, force);
+    walls_set_forces(s->grains.walls, force);
 }
 
 bool resume_write(struct simulation *s, const struct output_run *run, const char *suffix,
@@ -96,7 +99,7 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
     struct rebuild_rows rows;
     rebuild_detach(s, true, &rows); /* whoever reads it may divide the particles otherwise */
     rows_sort(&rows.pairs, s->particles->owned);
-    if (s->walls && !s->alone)
+    if (s->grains.walls && !s->ranks.alone)
         wall_forces_gather(s);
     struct resume_numbers own;
     struct restart restart = {0};
@@ -106,11 +109,11 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
     struct checkpoint checkpoint = {.restart = &restart,
                                     .particles = s->particles,
                                     .box = &s->scene->box,
-                                    .tree = domain_tree(s->domain),
-                                    .history_components = s->law.history_components,
+                                    .tree = domain_tree(s->ranks.domain),
+                                    .history_components = s->grains.law.history_components,
                                     .history = rows.pairs.start ? &rows.pairs : NULL,
                                     .wall_history = rows.walls.start ? &rows.walls : NULL,
-                                    .walls = s->walls,
+                                    .walls = s->grains.walls,
                                     .law = law_row_get(s->scene->law.normal)->name,
                                     .materials = s->scene->materials,
                                     .groups = s->scene->groups,
@@ -130,8 +133,8 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
 static void walls_restore(struct simulation *s, const struct checkpoint_loaded *loaded) {
     for (int k = 0; k < loaded->walls; k++) {
         int wall = scene_wall(s->scene, loaded->wall[k].name);
-        if (wall >= 0 && s->walls)
-            walls_set_pose(s->walls, wall, &loaded->wall[k].pose);
+        if (wall >= 0 && s->grains.walls)
+            walls_set_pose(s->grains.walls, wall, &loaded->wall[k].pose);
     }
 }
 
@@ -157,15 +160,15 @@ static bool take(struct simulation *s, const char *path, struct checkpoint_loade
     resume_apply(s, loaded);
     s->lineage = loaded->lineage;
     loaded->lineage = (struct lineage){0};
-    if (loaded->tree && domain_bisects(s->domain)) {
+    if (loaded->tree && domain_bisects(s->ranks.domain)) {
         load_restore(s, loaded->tree, own.load_fresh != 0, own.load_reached);
         loaded->tree = NULL;
     }
-    if (s->history) {
+    if (s->grains.history) {
         rows->pairs = loaded->history;
         loaded->history = (struct history_rows){0};
     }
-    if (s->walls && s->law.history_components) {
+    if (s->grains.walls && s->grains.law.history_components) {
         rows->walls = loaded->wall_history;
         loaded->wall_history = (struct wall_rows){0};
     }
@@ -183,9 +186,9 @@ bool resume_read(struct simulation *s, const char *path, struct rebuild_rows *ro
 }
 
 void resume_begin(struct simulation *s, struct rebuild_rows *rows) {
-    if (s->dt != s->resumed_dt) {
-        s->step_base = s->step;
-        s->time_base = s->time;
+    if (s->clock.dt != s->resumed.dt) {
+        s->clock.step_base = s->clock.step;
+        s->clock.time_base = s->clock.time;
     }
     rebuild_from_rows(s, rows);
 }

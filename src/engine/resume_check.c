@@ -40,11 +40,11 @@ static bool check_law(const struct simulation *s, const char *path, const struct
                          "%s: it was written with contact.law %s, the scene has %s: "
                          "contact.law must stay",
                          path, loaded->law, law);
-    if (loaded->history_components != s->law.history_components)
+    if (loaded->history_components != s->grains.law.history_components)
         return error_set(error, ERROR_USER,
                          "%s: its contacts have a history of %d numbers, the scene's law has %d: "
                          "contact.law, friction and rolling must stay",
-                         path, loaded->history_components, s->law.history_components);
+                         path, loaded->history_components, s->grains.law.history_components);
     return true;
 }
 
@@ -154,7 +154,7 @@ static void apply_groups(struct simulation *s, const struct checkpoint_loaded *l
     for (size_t i = 0; group && i < p->owned; i++) {
         struct particle_state *state = &p->state[i];
         group[i] = (uint8_t)place[written ? group[i] : first];
-        if (s->motion.motion[group[i]].prescribed)
+        if (s->grains.motion.motion[group[i]].prescribed)
             state->inverse_mass = 0;
         else if (state->inverse_mass == 0)
             state->inverse_mass = 1 / particles_sphere_mass(state->radius, density[i]);
@@ -171,7 +171,7 @@ void resume_print(const struct simulation *s, const char *path, FILE *out) {
     const struct scene_changes *changes = &s->resumed.changes;
     if (changes->count == 0)
         return;
-    fprintf(out, "%s, step %llu: the scene has changed since:\n", path, (unsigned long long)s->step);
+    fprintf(out, "%s, step %llu: the scene has changed since:\n", path, (unsigned long long)s->clock.step);
     for (size_t k = 0; k < changes->count; k++) {
         const struct scene_change *change = &changes->change[k];
         bool idle = strncmp(change->key, sources, strlen(sources)) == 0;

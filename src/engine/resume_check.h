@@ -3,6 +3,7 @@
 #define SCREE_ENGINE_RESUME_CHECK_H
 
 #include "engine/state.h"
+#include "formats/checkpoint.h"
 
 /* Refuses (user) a checkpoint that the scene cannot go on from: another box, dimension, law, history of
  * contacts or system of units, or without a material or group that particles are of. Lists in

@@ -94,10 +94,10 @@ static const uint64_t steps_most = (uint64_t)1 << 62;
 uint64_t run_last_step(const struct simulation *s) {
     const struct scene *scene = s->scene;
     if (scene->duration > 0) {
-        double left = ceil((scene->duration - s->time) / s->dt - 1e-6);
-        if (left >= (double)(steps_most - s->step))
+        double left = ceil((scene->duration - s->clock.time) / s->clock.dt - 1e-6);
+        if (left >= (double)(steps_most - s->clock.step))
             return steps_most;
-        return left > 0 ? s->step + (uint64_t)left : s->step;
+        return left > 0 ? s->clock.step + (uint64_t)left : s->clock.step;
     }
     return scene->step.count > 0 ? (uint64_t)scene->step.count : 0;
 }
@@ -111,7 +111,7 @@ static bool checkpoint_step(const struct run *run, uint64_t step) {
 /* What this rank knows before the step; decide makes it everybody's. */
 static void signals_ask(struct run *run) {
     double minutes = run->s->scene->output.checkpoint.every_minutes;
-    run->s->signals = (struct step_signals){
+    run->s->agree.signals = (struct step_signals){
         .stop = run_signal != 0,
         .checkpoint = minutes > 0 && timer_now() - run->checkpoint_last > 60 * minutes,
         .error = run->s->error.kind != ERROR_NONE,
@@ -143,30 +143,32 @@ static void crowd_tell(struct run *run) {
 /* A step that is shortened needs more steps to the end. */
 static void look_at_step(struct run *run) {
     struct simulation *s = run->s;
-    double dt = s->dt;
-    if (!timing_due(s, s->step))
+    double dt = s->clock.dt;
+    if (!timing_due(s, s->clock.step))
         return;
     timing_look(s);
-    if (s->dt != dt)
+    if (s->clock.dt != dt)
         run->last = run_last_step(s);
 }
 
 static bool step_once(struct run *run, struct error *error) {
     struct simulation *s = run->s;
     int64_t every = s->scene->step.rebuild_every;
-    bool checkpoint = checkpoint_step(run, s->step + 1);
-    bool rebuild = checkpoint || (every > 0 && (s->step + 1) % (uint64_t)every == 0);
+    bool checkpoint = checkpoint_step(run, s->clock.step + 1);
+    bool rebuild = checkpoint || (every > 0 && (s->clock.step + 1) % (uint64_t)every == 0);
     const struct run_watch *watch = run->options->watch;
-    bool watched = watch && watch->due(watch->context, s->step + 1);
+    bool watched = watch && watch->due(watch->context, s->clock.step + 1);
     signals_ask(run);
-    s->contact.want_virial = watched || (run->outputs && outputs_want_sums(run->outputs, s, s->step + 1));
-    s->contact.want_sums = s->contact.want_virial || s->sums_each_step || guards_energy_due(s, s->step + 1);
+    s->grains.contact.want_virial =
+        watched || (run->outputs && outputs_want_sums(run->outputs, s, s->clock.step + 1));
+    s->grains.contact.want_sums =
+        s->grains.contact.want_virial || s->grains.sums_each_step || guards_energy_due(s, s->clock.step + 1);
     step_run(s, rebuild);
     crowd_tell(run);
     run->record.particle_steps += (double)s->total;
-    if (s->step % POSITIONS_EVERY == 0)
+    if (s->clock.step % POSITIONS_EVERY == 0)
         guards_check_positions(s);
-    if (guards_energy_due(s, s->step))
+    if (guards_energy_due(s, s->clock.step))
         guards_check_energy(s);
     look_at_step(run);
     timer_start(&s->timers, TIMER_OUTPUT);
@@ -177,8 +179,8 @@ static bool step_once(struct run *run, struct error *error) {
         good = watch->look(watch->context, s, error);
     if (good && checkpoint)
         good = checkpoint_regular(run, error);
-    run->checkpoint_due = s->signals.stop || (s->signals.checkpoint && !checkpoint);
-    progress_update(&run->progress, s->step, s->total, s->time);
+    run->checkpoint_due = s->agree.signals.stop || (s->agree.signals.checkpoint && !checkpoint);
+    progress_update(&run->progress, s->clock.step, s->total, s->clock.time);
     timer_stop(&s->timers, TIMER_OUTPUT);
     return good;
 }
@@ -188,10 +190,10 @@ static bool step_once(struct run *run, struct error *error) {
 static bool steps(struct run *run, struct error *error) {
     struct simulation *s = run->s;
     bool stopping = false;
-    while (s->step < run->last) {
+    while (s->clock.step < run->last) {
         if (!step_once(run, error))
             return false;
-        if (s->signals.error || (s->alone && s->error.kind != ERROR_NONE))
+        if (s->agree.signals.error || (s->ranks.alone && s->error.kind != ERROR_NONE))
             return false;
         if (stopping) {
             int64_t number = run_signal;
@@ -199,7 +201,7 @@ static bool steps(struct run *run, struct error *error) {
             run->record.stopped = (int)number;
             return true;
         }
-        stopping = s->signals.stop;
+        stopping = s->agree.signals.stop;
     }
     return true;
 }
@@ -229,7 +231,7 @@ static void stopped_checkpoint(struct run *run, const struct error *why) {
 static bool folder_prepare(const struct run *run, struct error *error) {
     const struct comm *comm = run->s->comm;
     const char *directory = run->options->directory;
-    return run->options->resume ? folder_rewind(comm, directory, run->s->step, error)
+    return run->options->resume ? folder_rewind(comm, directory, run->s->clock.step, error)
                                 : folder_clear(comm, directory, error);
 }
 
@@ -243,7 +245,7 @@ static bool run_open(struct run *run, struct error *error) {
         return false;
     if (!outputs_open(run->outputs, s, run->options->resume != NULL, error))
         return false;
-    s->sums_each_step = s->sums_each_step || outputs_sum_each_step(run->outputs);
+    s->grains.sums_each_step = s->grains.sums_each_step || outputs_sum_each_step(run->outputs);
     if (run->options->resume != NULL)
         return true;
     physics_look(&s->physics);
@@ -258,10 +260,10 @@ static bool watch_begin(const struct run *run, struct error *error) {
 static void run_loop(struct run *run, struct error *error) {
     struct simulation *s = run->s;
     struct progress_options progress = s->scene->output.progress;
-    run->record.first = s->step;
+    run->record.first = s->clock.step;
     run->last = run_last_step(s);
-    ghosts_count(s->ghosts, &run->record.before);
-    s->load.seconds = 0;
+    ghosts_count(s->ranks.ghosts, &run->record.before);
+    s->ranks.load.seconds = 0;
     memset(&s->timers, 0, sizeof s->timers);
     timer_start(&s->timers, TIMER_OTHER);
     run->record.began = run->checkpoint_last = timer_now();
@@ -288,12 +290,12 @@ static void notes_tell(const struct simulation *s) {
 
 /* A resume of what is over: says so, and there is nothing to write. */
 static bool over_already(const struct simulation *s, const char *resume) {
-    if (resume == NULL || run_last_step(s) > s->step)
+    if (resume == NULL || run_last_step(s) > s->clock.step)
         return false;
     if (s->comm->rank == 0)
         fprintf(stderr,
                 "scree: %s is already at step %llu, time %.9g; nothing to do: give a longer duration%s\n",
-                resume, (unsigned long long)s->step, s->time,
+                resume, (unsigned long long)s->clock.step, s->clock.time,
                 s->scene->duration > 0 ? "" : " or a larger step.count");
     return true;
 }

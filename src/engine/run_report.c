@@ -15,7 +15,7 @@ static void report_levels(const struct simulation *s, struct report *report) {
     struct index_description description;
     int64_t counts[REPORT_LEVELS_MAX][2] = {0}, levels;
     double widest[REPORT_LEVELS_MAX][3]; /* cell, largest radius, minus the smallest */
-    index_describe(s->index, &description);
+    index_describe(s->search.index, &description);
     int mine = description.levels < REPORT_LEVELS_MAX ? description.levels : REPORT_LEVELS_MAX;
     for (int l = 0; l < REPORT_LEVELS_MAX; l++) {
         const struct index_level *level = &description.level[l];
@@ -67,7 +67,7 @@ static void report_sync(const struct simulation *s, const struct ghosts_counts *
     double farthest[2] = {ghosts->reach, -ghosts->clearance};
     comm_max(s->comm, farthest, 2);
     const char *words = asked[s->scene->ghosts.sync];
-    if (s->alone)
+    if (s->ranks.alone)
         snprintf(report->sync, sizeof report->sync, "%sone rank, no copies", words);
     else if (ghosts->rounds <= 1)
         snprintf(report->sync, sizeof report->sync,
@@ -110,51 +110,52 @@ static void report_insertions(const struct simulation *s, struct report *report)
         else
             snprintf(row->name, sizeof row->name, "insertions[%d]", k);
         row->asked = sources_asked(s, k);
-        row->placed = s->insertion_state[k].placed;
+        row->placed = s->sources.state[k].placed;
     }
 }
 
 void run_report_fill(const struct simulation *s, const struct run_record *run, struct report *report) {
     struct ghosts_counts ghosts;
-    ghosts_count(s->ghosts, &ghosts);
-    int64_t sums[6] = {pair_sides(s->list),
-                       (int64_t)s->sums.contact_sides,
+    ghosts_count(s->ranks.ghosts, &ghosts);
+    int64_t sums[6] = {pair_sides(s->grains.list),
+                       (int64_t)s->grains.sums.contact_sides,
                        (int64_t)memory_peak(),
                        (int64_t)memory_in_use(),
                        (int64_t)(ghosts.rebuild_messages - run->before.rebuild_messages),
                        (int64_t)(ghosts.rebuild_bytes - run->before.rebuild_bytes)};
     comm_sum_int(s->comm, sums, 6);
-    report->steps = s->step - run->first;
+    report->steps = s->clock.step - run->first;
     report->particle_steps = run->particle_steps;
-    report->step_last = s->step;
-    report->time = s->time;
-    report->dt = s->dt;
+    report->step_last = s->clock.step;
+    report->time = s->clock.time;
+    report->dt = s->clock.dt;
     report->particles = s->total;
     report->ranks = s->comm->size;
     report->threads = s->threads;
     report->threads_working = team_mean(&s->team);
     report->newton = s->scene->ghosts.newton;
     report->reduced = s->scene->ghosts.reduced;
-    snprintf(report->simd, sizeof report->simd, "%s", force_loop_kernel(s->loop));
+    snprintf(report->simd, sizeof report->simd, "%s", force_loop_kernel(s->grains.loop));
     report->reproducible = s->scene->reproducible;
     snprintf(report->index, sizeof report->index, "%s", s->scene->index.name);
-    snprintf(report->law, sizeof report->law, "%s", law_row_get(s->law.options.normal)->name);
+    snprintf(report->law, sizeof report->law, "%s", law_row_get(s->grains.law.options.normal)->name);
     snprintf(report->integrator, sizeof report->integrator, "%s", s->scene->integrator);
     report_levels(s, report);
     report_sync(s, &ghosts, report);
     report_classes(s, &ghosts, report);
     report_insertions(s, report);
-    snprintf(report->domain, sizeof report->domain, "%s", domain_bisects(s->domain) ? "bisection" : "brick");
-    report->divisions = s->load.divisions;
+    snprintf(report->domain, sizeof report->domain, "%s",
+             domain_bisects(s->ranks.domain) ? "bisection" : "brick");
+    report->divisions = s->ranks.load.divisions;
     report->pairs = (uint64_t)sums[0] / 2;
     report->contacts = (uint64_t)sums[1] / 2;
-    report->rebuilds = s->skin->rebuilds > 0 ? s->skin->rebuilds - 1 : 0;
+    report->rebuilds = s->search.skin->rebuilds > 0 ? s->search.skin->rebuilds - 1 : 0;
     report->bytes_per_particle = s->total ? (double)sums[2] / (double)s->total : 0;
     report->memory_held = (uint64_t)sums[3];
     report->rebuild_messages = (uint64_t)sums[4];
     report->rebuild_bytes = (uint64_t)sums[5];
-    report->inserted = s->inserted;
-    report->deleted = s->deleted;
+    report->inserted = s->sources.inserted;
+    report->deleted = s->sources.deleted;
     report->seed = s->scene->seed;
     report->dimensionless = s->scene->units == SCENE_UNITS_NONE;
     if (run->stopped)

@@ -1,4 +1,5 @@
 #include "engine/simulation.h"
+#include "engine/view.h"
 #include "engine/classify.h"
 #include "engine/timing.h"
 #include "engine/sources.h"
@@ -48,42 +49,44 @@ bool simulation_prepare(struct simulation *s, struct error *error) {
     assert(integrator);
     options.synchronised = integrator->synchronised;
     memcpy(pair, scene->law_pair, sizeof pair);
-    if (!law_prepare(&s->law, &options, scene->materials, scene->material, pair, error))
+    if (!law_prepare(&s->grains.law, &options, scene->materials, scene->material, pair, error))
         return false;
-    scene_integrator(scene, &s->motion);
+    scene_integrator(scene, &s->grains.motion);
     if (!set_threads(s, error))
         return false;
-    if (scene->walls > 0 && !walls_create(&s->walls, scene->wall, scene->walls, &s->law, &scene->box,
-                                          s->threads, error, s->comm->rank == 0 ? stderr : NULL))
+    if (scene->walls > 0 && !walls_create(&s->grains.walls, scene->wall, scene->walls, &s->grains.law,
+                                          &scene->box, s->threads, error, s->comm->rank == 0 ? stderr : NULL))
         return false;
-    if (s->walls && scene->reproducible)
-        walls_set_exact(s->walls);
+    if (s->grains.walls && scene->reproducible)
+        walls_set_exact(s->grains.walls);
     if (scene->domain.kind == DOMAIN_BISECTION && !domain_possible(s, error))
         return false;
-    s->domain = domain_create(s->comm, &scene->box, &scene->domain, error);
-    if (s->domain == NULL)
+    s->ranks.domain = domain_create(s->comm, &scene->box, &scene->domain, error);
+    if (s->ranks.domain == NULL)
         return false;
-    domain_wrap(s->domain, s->wrap);
+    domain_wrap(s->ranks.domain, s->ranks.wrap);
     struct index_params params = scene->index.params;
     params.instructions = (int)scene->simd;
-    s->index = index_create(scene->index.name, &params, error);
-    return s->index != NULL && sources_prepare(s, error);
+    s->search.index = index_create(scene->index.name, &params, error);
+    return s->search.index != NULL && sources_prepare(s, error);
 }
 
 /* All that does not depend on the particles' number. */
 static void parts_create(struct simulation *s) {
-    s->ghosts = ghosts_create(s->comm, s->domain, &s->scene->box, &s->scene->ghosts);
-    interactions_create(&s->interactions, &(struct pairlist_options){.threads = s->threads});
-    s->history = s->law.history_components ? history_create(s->law.history_components, s->threads) : NULL;
-    s->skin = skin_create();
-    s->sweep = s->scene->step.fused ? sweep_create(s->threads) : NULL;
-    s->loop = force_loop_create(s->threads);
-    s->speed = memory_allocate_zero((size_t)s->threads, sizeof *s->speed, "speeds");
-    s->contact = (struct force_context){.particles = s->particles,
-                                        .history = s->history,
-                                        .law = &s->law,
-                                        .prescribed = s->scene->groups > 1,
-                                        .ordered = s->scene->reproducible};
+    s->ranks.ghosts = ghosts_create(s->comm, s->ranks.domain, &s->scene->box, &s->scene->ghosts);
+    interactions_create(&s->search.interactions, &(struct pairlist_options){.threads = s->threads});
+    s->grains.history = s->grains.law.history_components
+                            ? history_create(s->grains.law.history_components, s->threads)
+                            : NULL;
+    s->search.skin = skin_create();
+    s->search.sweep = s->scene->step.fused ? sweep_create(s->threads) : NULL;
+    s->grains.loop = force_loop_create(s->threads);
+    s->grains.speed = memory_allocate_zero((size_t)s->threads, sizeof *s->grains.speed, "speeds");
+    s->grains.contact = (struct force_context){.particles = s->particles,
+                                               .history = s->grains.history,
+                                               .law = &s->grains.law,
+                                               .prescribed = s->scene->groups > 1,
+                                               .ordered = s->scene->reproducible};
 }
 
 /* The vector instructions that the scene asks for. */
@@ -91,21 +94,22 @@ static bool simd_choose(const struct simulation *s, struct error *error) {
     char place[SCENE_PATH_MAX];
     const char *wanted = scene_simd_name(s->scene->simd);
     if (s->scene->simd == SCENE_SIMD_AUTO ||
-        (force_loop_choose(s->loop, wanted) && (s->walls == NULL || walls_choose(s->walls, wanted))))
+        (force_loop_choose(s->grains.loop, wanted) &&
+         (s->grains.walls == NULL || walls_choose(s->grains.walls, wanted))))
         return true;
-    return error_set(error, ERROR_USER,
-                     "%s: simd: %s is not what this program and CPU have; the widest is %s",
-                     scene_place(s->scene, "simd", place, sizeof place), wanted, force_loop_kernel(s->loop));
+    return error_set(
+        error, ERROR_USER, "%s: simd: %s is not what this program and CPU have; the widest is %s",
+        scene_place(s->scene, "simd", place, sizeof place), wanted, force_loop_kernel(s->grains.loop));
 }
 
 static bool mine(void *context, const double x[3]) {
     const struct simulation *s = context;
-    return domain_owner(s->domain, x) == s->comm->rank;
+    return domain_owner(s->ranks.domain, x) == s->comm->rank;
 }
 
 static bool taken(void *context, const double x[3], double radius) {
     const struct simulation *s = context;
-    return s->walls && walls_overlap(s->walls, x, radius);
+    return s->grains.walls && walls_overlap(s->grains.walls, x, radius);
 }
 
 /* How far a placement is that takes long: a line of rank 0 every ten seconds, where progress is shown. */
@@ -115,11 +119,11 @@ static void placed(void *context, const char *what, double part) {
     enum progress_mode mode = s->scene->output.progress.mode;
     double now = timer_now();
     bool shown = mode == PROGRESS_LINES || (mode != PROGRESS_OFF && isatty(fileno(stderr)));
-    if (s->comm->rank != 0 || !shown || now - s->placing_told < pause)
+    if (s->comm->rank != 0 || !shown || now - s->sources.placing_told < pause)
         return;
-    if (s->placing_told > 0)
+    if (s->sources.placing_told > 0)
         fprintf(stderr, "scree: %s: %.0f %%\n", what, 100 * part);
-    s->placing_told = now;
+    s->sources.placing_told = now;
 }
 
 static bool particles_make(struct simulation *s, struct error *error) {
@@ -129,11 +133,11 @@ static bool particles_make(struct simulation *s, struct error *error) {
                                 .taken = taken,
                                 .context = s,
                                 .progress = placed};
-    bool good = scene_particles(s->scene, &share, s->particles, &s->census, error);
+    bool good = scene_particles(s->scene, &share, s->particles, &s->sources.census, error);
     if (!comm_agree(s->comm, error) || !good)
         return false;
-    s->total = s->census.particles;
-    s->next_id = s->census.id_max + 1;
+    s->total = s->sources.census.particles;
+    s->sources.next_id = s->sources.census.id_max + 1;
     return true;
 }
 
@@ -191,15 +195,15 @@ static bool run_begin(struct simulation *s, struct error *error) {
     rebuild_from_rows(s, &rows);
     if (!timing_contacts(s, error))
         return false;
-    s->contact.want_sums = s->contact.want_virial = true;
+    s->grains.contact.want_sums = s->grains.contact.want_virial = true;
     step_forces(s);
-    s->taken = 0;
-    s->overlap_started = s->sums.overlap_max;
-    comm_max(s->comm, &s->overlap_started, 1);
+    s->grains.taken = 0;
+    s->timing.overlap_started = s->grains.sums.overlap_max;
+    comm_max(s->comm, &s->timing.overlap_started, 1);
 #pragma omp parallel for schedule(static)
-    for (int b = 0; b < s->list->block_count; b++)
-        integrator_stagger(s->particles, &s->motion, s->list->blocks[b].first_row,
-                           s->list->blocks[b].last_row);
+    for (int b = 0; b < s->grains.list->block_count; b++)
+        integrator_stagger(s->particles, &s->grains.motion, s->grains.list->blocks[b].first_row,
+                           s->grains.list->blocks[b].last_row);
     return true;
 }
 
@@ -217,18 +221,19 @@ static bool particles_suit(struct simulation *s, struct error *error) {
     if (!classify_choose(s, error) || !box_suffices(s, error) || !timing_choose(s, error))
         return false;
     particles_classify(s->particles, &s->classes);
-    interactions_divide(&s->interactions, &s->classes, &(struct pairlist_options){.threads = s->threads});
-    physics_lists(&s->physics, &s->interactions);
-    s->list = s->contact.list = interaction_list(&s->interactions, 0);
+    interactions_divide(&s->search.interactions, &s->classes,
+                        &(struct pairlist_options){.threads = s->threads});
+    physics_lists(&s->physics, &s->search.interactions);
+    s->grains.list = s->grains.contact.list = interaction_list(&s->search.interactions, 0);
     step_plan(s);
-    load_lay(s, s->resumed_grid);
+    load_lay(s, s->resumed.grid);
     index_suits(s, error);
     return comm_agree(s->comm, error); /* each rank looks at its own particles */
 }
 
 /* The physics that the scene asks for, with grains first. */
 static void physics_start(struct simulation *s) {
-    struct physics_context context = {.options = &s->law,
+    struct physics_context context = {.options = &s->grains.law,
                                       .scene = s->scene,
                                       .box = &s->scene->box,
                                       .comm = s->comm,
@@ -237,12 +242,12 @@ static void physics_start(struct simulation *s) {
                                       .classes = &s->classes,
                                       .threads = s->threads,
                                       .ordered = s->scene->reproducible};
-    physics_begin(&s->physics, &grains_physics, &context, &s->interactions);
+    physics_begin(&s->physics, &grains_physics, &context, &s->search.interactions);
 }
 
 static bool simulation_fill(struct simulation *s, const char *resume, struct error *error) {
     s->particles = particles_create(0);
-    scene_register(s->scene, &s->law, s->particles);
+    scene_register(s->scene, &s->grains.law, s->particles);
     physics_start(s);
     parts_create(s);
     physics_create(&s->physics, s);
@@ -257,7 +262,7 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
     }
     bool begun = resume ? run_go_on(s, &rows, error) : run_begin(s, error);
     char *echo = scene_echo(s->scene);
-    lineage_go_on(&s->lineage, s->step, echo);
+    lineage_go_on(&s->lineage, s->clock.step, echo);
     memory_free(echo);
     if (!begun || !guards_prepare(s, error))
         return false;
@@ -270,7 +275,7 @@ struct simulation *simulation_create(const struct comm *comm, const struct scene
     struct simulation *s = memory_allocate_zero(1, sizeof *s, "simulation");
     s->comm = comm;
     s->scene = scene;
-    s->alone = comm->size == 1;
+    s->ranks.alone = comm->size == 1;
     timer_start(&s->timers, TIMER_SETUP);
     simulation_prepare(s, error);
     if (comm_agree(comm, error))
@@ -288,20 +293,20 @@ void simulation_destroy(struct simulation **simulation) {
         return;
     team_end(&s->team);
     guards_destroy(s);
-    force_loop_destroy(&s->loop);
-    walls_destroy(&s->walls);
-    sweep_destroy(&s->sweep);
-    skin_destroy(&s->skin);
-    history_destroy(&s->history);
+    force_loop_destroy(&s->grains.loop);
+    walls_destroy(&s->grains.walls);
+    sweep_destroy(&s->search.sweep);
+    skin_destroy(&s->search.skin);
+    history_destroy(&s->grains.history);
     physics_free(&s->physics);
-    interactions_free(&s->interactions);
-    index_destroy(&s->index);
-    ghosts_destroy(&s->ghosts);
-    domain_destroy(&s->domain);
+    interactions_free(&s->search.interactions);
+    index_destroy(&s->search.index);
+    ghosts_destroy(&s->ranks.ghosts);
+    domain_destroy(&s->ranks.domain);
     particles_destroy(&s->particles);
     scene_changes_free(&s->resumed.changes);
     lineage_free(&s->lineage);
-    memory_free(s->speed);
+    memory_free(s->grains.speed);
     memory_free(s);
     *simulation = NULL;
 }

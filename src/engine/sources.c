@@ -18,7 +18,7 @@ enum { SOURCES_EVERY = 100 };
 
 /* A sphere that its region cannot hold would keep all behind it waiting for ever. */
 static bool insertion_fits(const struct simulation *s, int k, struct error *error) {
-    const struct insertion *insertion = &s->insertion[k];
+    const struct insertion *insertion = &s->sources.insertion[k];
     char key[64], place[SCENE_PATH_MAX];
     double smallest, largest, room = region_inradius(&insertion->options.region, &insertion->space);
     sizes_bounds(&insertion->options.sizes, &smallest, &largest);
@@ -36,7 +36,8 @@ bool sources_prepare(struct simulation *s, struct error *error) {
     for (int k = 0; k < scene->insertions; k++) {
         const struct insertion_options *options = &scene->insertion[k];
         double density = options->density > 0 ? options->density : scene->material[options->material].density;
-        if (!insertion_prepare(&s->insertion[k], options, k, density, scene->seed, &scene->box, error) ||
+        if (!insertion_prepare(&s->sources.insertion[k], options, k, density, scene->seed, &scene->box,
+                               error) ||
             !insertion_fits(s, k, error))
             return false;
     }
@@ -44,18 +45,19 @@ bool sources_prepare(struct simulation *s, struct error *error) {
 }
 
 static uint64_t insertion_missing(const struct simulation *s, int k) {
-    uint64_t due = insertion_due(&s->insertion[k], s->time), placed = s->insertion_state[k].placed;
+    uint64_t due = insertion_due(&s->sources.insertion[k], s->clock.time),
+             placed = s->sources.state[k].placed;
     return due > placed ? due - placed : 0;
 }
 
 uint64_t sources_asked(const struct simulation *s, int k) {
-    uint64_t looked = s->step - s->step % SOURCES_EVERY;
-    double since = (double)looked - (double)s->step_base;
-    return insertion_due(&s->insertion[k], s->time_base + since * s->dt);
+    uint64_t looked = s->clock.step - s->clock.step % SOURCES_EVERY;
+    double since = (double)looked - (double)s->clock.step_base;
+    return insertion_due(&s->sources.insertion[k], s->clock.time_base + since * s->clock.dt);
 }
 
 static bool insertions_due(const struct simulation *s) {
-    if (s->step % SOURCES_EVERY != 0)
+    if (s->clock.step % SOURCES_EVERY != 0)
         return false;
     for (int k = 0; k < s->scene->insertions; k++)
         if (insertion_missing(s, k) > 0)
@@ -65,7 +67,7 @@ static bool insertions_due(const struct simulation *s) {
 
 static bool deletions_due(const struct simulation *s) {
     for (int k = 0; k < s->scene->deletions; k++)
-        if (deletion_due(&s->scene->deletion[k], s->time, (int64_t)s->step))
+        if (deletion_due(&s->scene->deletion[k], s->clock.time, (int64_t)s->clock.step))
             return true;
     return false;
 }
@@ -101,7 +103,7 @@ static void leave_error(struct simulation *s, size_t k, int side) {
               "particle %lld left the box through its %s %c side at (%.6g, %.6g, %.6g), t = %.9g (box.leave: "
               "error)",
               (long long)s->particles->id[k], side % 2 ? "upper" : "lower", 'x' + side / 2,
-              p->x[0] + box->origin[0], p->x[1] + box->origin[1], p->x[2] + box->origin[2], s->time);
+              p->x[0] + box->origin[0], p->x[1] + box->origin[1], p->x[2] + box->origin[2], s->clock.time);
 }
 
 /* Is the particle in a deletion region that is active now? */
@@ -111,7 +113,7 @@ static bool deleted_by_region(const struct simulation *s, const double x[3]) {
     struct region_space space = {.dimension = box->dimension, .plane = user[2]};
     for (int k = 0; k < s->scene->deletions; k++) {
         const struct deletion_options *deletion = &s->scene->deletion[k];
-        if (deletion_due(deletion, s->time, (int64_t)s->step) &&
+        if (deletion_due(deletion, s->clock.time, (int64_t)s->clock.step) &&
             region_contains(&deletion->region, &space, user, 0))
             return true;
     }
@@ -171,9 +173,10 @@ static void candidates_block(const struct simulation *s, const struct placegrid 
 #pragma omp parallel for schedule(dynamic, 4)
     for (size_t k = 0; k < n; k++)
         if (!candidate[k].settled && !blocked[k])
-            blocked[k] = (s->walls && walls_overlap(s->walls, candidate[k].x, candidate[k].radius)) ||
-                         placegrid_touches(grid, candidate[k].x, candidate[k].radius);
-    if (s->alone)
+            blocked[k] =
+                (s->grains.walls && walls_overlap(s->grains.walls, candidate[k].x, candidate[k].radius)) ||
+                placegrid_touches(grid, candidate[k].x, candidate[k].radius);
+    if (s->ranks.alone)
         return;
     int64_t *all = memory_allocate(n, sizeof *all, "blocked places");
     for (size_t k = 0; k < n; k++)
@@ -186,13 +189,13 @@ static void candidates_block(const struct simulation *s, const struct placegrid 
 
 /* Appends an accepted candidate where this rank owns its place; its number counts everywhere. */
 static void candidate_append(struct simulation *s, const struct insertion_candidate *candidate) {
-    int64_t id = s->next_id++;
-    if (domain_owner(s->domain, candidate->x) != s->comm->rank)
+    int64_t id = s->sources.next_id++;
+    if (domain_owner(s->ranks.domain, candidate->x) != s->comm->rank)
         return;
     struct particles *particles = s->particles;
     size_t k = particles_append(particles);
     struct particle_state *p = &particles->state[k];
-    bool prescribed = s->motion.motion[candidate->group].prescribed;
+    bool prescribed = s->grains.motion.motion[candidate->group].prescribed;
     memcpy(p->x, candidate->x, sizeof p->x);
     memcpy(p->v, candidate->v, sizeof p->v);
     p->radius = candidate->radius;
@@ -221,8 +224,8 @@ static void *starts_extend(size_t *start, size_t before, size_t after) {
 }
 
 static void insertion_run(struct simulation *s, int number) {
-    struct insertion *insertion = &s->insertion[number];
-    struct insertion_state *state = &s->insertion_state[number];
+    struct insertion *insertion = &s->sources.insertion[number];
+    struct insertion_state *state = &s->sources.state[number];
     uint64_t missing = insertion_missing(s, number);
     size_t n = missing > INSERTION_BATCH_MAX ? INSERTION_BATCH_MAX : (size_t)missing;
     struct insertion_candidate *candidate = memory_allocate_zero(n, sizeof *candidate, "insertion");
@@ -235,7 +238,7 @@ static void insertion_run(struct simulation *s, int number) {
         candidates_block(s, grid, candidate, blocked, n);
         left = insertion_settle(insertion, candidate, blocked, n);
     }
-    s->inserted += insertion_end(insertion, state, candidate, n);
+    s->sources.inserted += insertion_end(insertion, state, candidate, n);
     for (size_t k = 0; k < n; k++)
         if (candidate[k].accepted)
             candidate_append(s, &candidate[k]);
@@ -246,12 +249,12 @@ static void insertion_run(struct simulation *s, int number) {
 
 void sources_run(struct simulation *s, struct rebuild_rows *rows) {
     bool deletes = sides_matter(s) || deletions_due(s), inserts = insertions_due(s);
-    if ((!deletes && !inserts) || s->sources_step == s->step)
+    if ((!deletes && !inserts) || s->sources.last_step == s->clock.step)
         return;
-    s->sources_step = s->step;
+    s->sources.last_step = s->clock.step;
     int64_t removed = deletes ? (int64_t)remove_run(s, rows) : 0;
     size_t before = s->particles->owned;
-    uint64_t inserted_before = s->inserted;
+    uint64_t inserted_before = s->sources.inserted;
     for (int k = 0; inserts && k < s->scene->insertions; k++)
         if (insertion_missing(s, k) > 0)
             insertion_run(s, k);
@@ -260,10 +263,10 @@ void sources_run(struct simulation *s, struct rebuild_rows *rows) {
                     s->particles->owned, (size_t)1 << PARTICLE_INDEX_BITS);
     rows->pairs.start = starts_extend(rows->pairs.start, before, s->particles->owned);
     rows->walls.start = starts_extend(rows->walls.start, before, s->particles->owned);
-    if (!s->alone)
+    if (!s->ranks.alone)
         comm_sum_int(s->comm, &removed, 1);
-    s->deleted += (uint64_t)removed;
-    s->total += s->inserted - inserted_before;
+    s->sources.deleted += (uint64_t)removed;
+    s->total += s->sources.inserted - inserted_before;
     s->total -= (uint64_t)removed;
-    s->classes_stale = s->classes_stale || s->inserted != inserted_before || removed > 0;
+    s->classes_stale = s->classes_stale || s->sources.inserted != inserted_before || removed > 0;
 }

@@ -39,23 +39,23 @@ static void copies_clear(struct simulation *s) {
 }
 
 static void exchange_run(struct simulation *s) {
-    if (s->signals.rebuild) {
+    if (s->agree.signals.rebuild) {
         s->particles->force_clear = true;
         rebuild_run(s);
         s->particles->force_clear = false;
         return;
     }
-    if (s->alone)
+    if (s->ranks.alone)
         return;
     struct field_list fields = fields_with(s->particles, FIELD_FORWARD);
-    ghosts_forward_begin(s->ghosts, s->particles, &fields);
-    ghosts_forward_end(s->ghosts, s->particles);
+    ghosts_forward_begin(s->ranks.ghosts, s->particles, &fields);
+    ghosts_forward_end(s->ranks.ghosts, s->particles);
     copies_clear(s);
 }
 
 /* The early particles of a thread, before all others. */
 static void early_move(struct simulation *s, int t) {
-    const struct sweep_thread *plan = &s->sweep->thread[t];
+    const struct sweep_thread *plan = &s->search.sweep->thread[t];
     for (size_t r = 0; r < plan->early_count; r++)
         plan_move(&s->plan.moves, t, plan->early[r].first, plan->early[r].last, plan->early[r].size_class);
 }
@@ -65,18 +65,18 @@ static void early_run(struct simulation *s) {
     for (int t = 0; t < s->threads; t++)
         early_move(s, t);
     struct field_list fields = fields_with(s->particles, FIELD_FORWARD);
-    ghosts_forward_begin(s->ghosts, s->particles, &fields);
+    ghosts_forward_begin(s->ranks.ghosts, s->particles, &fields);
 }
 
 /* The blocks of a thread: late particles move, then forces. */
 static void late_sweep(struct simulation *s, int t) {
-    const struct pairlist *list = s->list;
-    const struct sweep_thread *plan = &s->sweep->thread[t];
+    const struct pairlist *list = s->grains.list;
+    const struct sweep_thread *plan = &s->search.sweep->thread[t];
     int first = list->thread_block[t];
     for (int b = first; b < list->thread_block[t + 1]; b++) {
         for (size_t r = plan->start[b - first]; r < plan->start[b - first + 1]; r++)
             plan_move(&s->plan.moves, t, plan->late[r].first, plan->late[r].last, plan->late[r].size_class);
-        if (s->alone || list->blocks[b].kind != PAIR_BLOCK_GHOST)
+        if (s->ranks.alone || list->blocks[b].kind != PAIR_BLOCK_GHOST)
             plan_block(&s->plan.pairs, t, b);
     }
 }
@@ -84,7 +84,7 @@ static void late_sweep(struct simulation *s, int t) {
 static void sweep_run(struct simulation *s) {
 #pragma omp parallel
     {
-        if (s->alone) {
+        if (s->ranks.alone) {
 #pragma omp for schedule(static, 1)
             for (int t = 0; t < s->threads; t++)
                 early_move(s, t);
@@ -97,12 +97,12 @@ static void sweep_run(struct simulation *s) {
 }
 
 static void receive_run(struct simulation *s) {
-    ghosts_forward_end(s->ghosts, s->particles);
+    ghosts_forward_end(s->ranks.ghosts, s->particles);
     copies_clear(s);
 }
 
 static void copies_run(struct simulation *s) {
-    const struct pairlist *list = s->list;
+    const struct pairlist *list = s->grains.list;
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < s->threads; t++)
         plan_block(&s->plan.pairs, t, list->thread_block[t + 1] - 1);
@@ -111,7 +111,7 @@ static void copies_run(struct simulation *s) {
 static void verify_run(struct simulation *s) {
     decide_end(s);
     decide_measure(s);
-    if (!s->signals.rebuild)
+    if (!s->agree.signals.rebuild)
         return;
     size_t doubles = (s->particles->owned + s->particles->ghosts) * (size_t)s->particles->force_stride;
     plan_abandon(&s->plan.pairs);
@@ -119,20 +119,20 @@ static void verify_run(struct simulation *s) {
     s->particles->force_clear = true;
     rebuild_run(s);
     s->particles->force_clear = false;
-    plan_block_all(&s->plan.pairs, s->list);
+    plan_block_all(&s->plan.pairs, s->grains.list);
 }
 
 static void reverse_run(struct simulation *s) {
     struct field_list fields = fields_with(s->particles, FIELD_REVERSE);
-    ghosts_reverse(s->ghosts, s->particles, &fields);
+    ghosts_reverse(s->ranks.ghosts, s->particles, &fields);
 }
 
 static bool needs_reverse(const struct simulation *s) {
-    return !s->alone && s->scene->ghosts.newton;
+    return !s->ranks.alone && s->scene->ghosts.newton;
 }
 
 static bool needs_copies(const struct simulation *s) {
-    return !s->alone;
+    return !s->ranks.alone;
 }
 
 static const struct engine_pass moved[] = {{"decide", NULL, TIMER_DECIDE, NULL, decide_run},
@@ -175,11 +175,12 @@ static double work_seconds(const struct timers *timers) {
 }
 
 void step_run(struct simulation *s, bool rebuild) {
-    s->step++;
-    s->time = s->time_base + (double)(s->step - s->step_base) * s->dt;
-    s->signals.rebuild = rebuild || sources_due(s);
-    memset(s->speed, 0, (size_t)s->threads * sizeof *s->speed);
-    bool fused = s->scene->step.fused && !s->signals.rebuild && !skin_nearly_due(s->skin, &s->classes);
+    s->clock.step++;
+    s->clock.time = s->clock.time_base + (double)(s->clock.step - s->clock.step_base) * s->clock.dt;
+    s->agree.signals.rebuild = rebuild || sources_due(s);
+    memset(s->grains.speed, 0, (size_t)s->threads * sizeof *s->grains.speed);
+    bool fused =
+        s->scene->step.fused && !s->agree.signals.rebuild && !skin_nearly_due(s->search.skin, &s->classes);
     if (fused)
         rebuild_plan(s);
     plan_run(fused ? &s->plan.fused : &s->plan.plain, &s->timers, s);
@@ -188,10 +189,10 @@ void step_run(struct simulation *s, bool rebuild) {
 }
 
 void step_forces(struct simulation *s) {
-    double dt = s->contact.dt;
-    s->contact.dt = 0;
+    double dt = s->grains.contact.dt;
+    s->grains.contact.dt = 0;
     s->particles->force_clear = false;
     plan_run(&s->plan.forces, &s->timers, s);
     physics_guard(&s->physics, &s->error);
-    s->contact.dt = dt;
+    s->grains.contact.dt = dt;
 }

@@ -118,7 +118,7 @@ static double overlap_expected(const struct simulation *s, const double *heavies
     for (int a = 0; a < input->kinds; a++)
         for (int b = a; b < input->kinds; b++)
             if (!input->kind[a].wall || !input->kind[b].wall)
-                most = fmax(most, overlap_of(&s->law, &input->kind[a], &input->kind[b],
+                most = fmax(most, overlap_of(&s->grains.law, &input->kind[a], &input->kind[b],
                                              (double[2]){heaviest[a], heaviest[b]}, input->speed_max));
     return most;
 }
@@ -142,105 +142,106 @@ static void limits_find(struct simulation *s) {
             heaviest[n] = 0;
             kind[n++] = (struct timestep_kind){.material = m, .wall = true};
         }
-    struct timestep_input input = {.law = &s->law,
+    struct timestep_input input = {.law = &s->grains.law,
                                    .kinds = n,
                                    .kind = kind,
                                    .material = s->scene->material,
                                    .speed_max = speed_expected(s),
                                    .contacts = s->scene->step.contacts,
                                    .dimension = s->scene->box.dimension};
-    timestep_limits(&s->limits, &input);
-    s->speed_expected = input.speed_max;
-    s->overlap_expected = overlap_expected(s, heaviest, &input);
+    timestep_limits(&s->timing.limits, &input);
+    s->timing.speed_expected = input.speed_max;
+    s->timing.overlap_expected = overlap_expected(s, heaviest, &input);
 }
 
 static void dt_set(struct simulation *s, double dt) {
-    s->dt = s->motion.dt = s->contact.dt = dt;
+    s->clock.dt = s->grains.motion.dt = s->grains.contact.dt = dt;
 }
 
 static bool dt_allowed(const struct simulation *s, struct error *error) {
     char place[SCENE_PATH_MAX], why[256];
-    if (s->dt <= s->limits.stable || s->scene->step.force)
+    if (s->clock.dt <= s->timing.limits.stable || s->scene->step.force)
         return true;
-    if (s->limits.stable < s->limits_expected)
+    if (s->timing.limits.stable < s->timing.expected)
         snprintf(why, sizeof why, "of the contacts that there are at the start");
     else
         snprintf(why, sizeof why, "contact between materials '%s' and '%s', damping ratio %.3g",
-                 s->scene->material[s->limits.material_a].name, s->scene->material[s->limits.material_b].name,
-                 s->limits.damping_ratio + 0.0);
+                 s->scene->material[s->timing.limits.material_a].name,
+                 s->scene->material[s->timing.limits.material_b].name, s->timing.limits.damping_ratio + 0.0);
     return error_set(error, ERROR_USER,
                      "%s: step.dt: the time step %.6g is above the stable one, %.6g (%s); allowed: up to "
                      "that, or step.force: true",
-                     scene_place(s->scene, "step.dt", place, sizeof place), s->dt, s->limits.stable, why);
+                     scene_place(s->scene, "step.dt", place, sizeof place), s->clock.dt,
+                     s->timing.limits.stable, why);
 }
 
 bool timing_choose(struct simulation *s, struct error *error) {
     const struct scene_step *step = &s->scene->step;
     char place[SCENE_PATH_MAX];
     limits_find(s);
-    s->limits_expected = s->limits.stable;
+    s->timing.expected = s->timing.limits.stable;
     if (step->dt > 0) {
-        s->dt = step->dt;
+        s->clock.dt = step->dt;
     } else {
         double fraction = step->fraction > 0 ? step->fraction : timestep_default_fraction();
-        if (!isfinite(s->limits.stable))
+        if (!isfinite(s->timing.limits.stable))
             return error_set(error, ERROR_USER,
                              "%s: step.dt is needed: without free particles there is no stable time step to "
                              "take a fraction of",
                              scene_place(s->scene, "step", place, sizeof place));
-        bool goes_on = s->resumed_fraction == fraction && s->resumed_dt <= s->limits.stable;
-        s->dt_fraction = fraction;
-        s->dt = goes_on ? s->resumed_dt : fraction * s->limits.stable;
+        bool goes_on = s->resumed.fraction == fraction && s->resumed.dt <= s->timing.limits.stable;
+        s->clock.dt_fraction = fraction;
+        s->clock.dt = goes_on ? s->resumed.dt : fraction * s->timing.limits.stable;
     }
-    dt_set(s, s->dt);
+    dt_set(s, s->clock.dt);
     return dt_allowed(s, error);
 }
 
 /* From now on steps are of another length. */
 static void dt_change(struct simulation *s, double dt) {
-    s->step_base = s->step;
-    s->time_base = s->time;
+    s->clock.step_base = s->clock.step;
+    s->clock.time_base = s->clock.time;
     dt_set(s, dt);
 }
 
 bool timing_contacts(struct simulation *s, struct error *error) {
-    double most = s->limits.stable;
+    double most = s->timing.limits.stable;
     if (!isfinite(most))
         return true;
-    s->limits.stable = physics_limit(&s->physics, most);
-    if (s->dt_fraction > 0 && s->dt > s->dt_fraction * s->limits.stable &&
-        (s->resumed_dt != s->dt || s->dt > s->limits.stable))
-        dt_change(s, s->dt_fraction * s->limits.stable);
+    s->timing.limits.stable = physics_limit(&s->physics, most);
+    if (s->clock.dt_fraction > 0 && s->clock.dt > s->clock.dt_fraction * s->timing.limits.stable &&
+        (s->resumed.dt != s->clock.dt || s->clock.dt > s->timing.limits.stable))
+        dt_change(s, s->clock.dt_fraction * s->timing.limits.stable);
     return dt_allowed(s, error);
 }
 
 bool timing_due(const struct simulation *s, uint64_t step) {
-    return step % LOOK_EVERY == 0 && isfinite(s->limits.stable) && !s->scene->step.force &&
+    return step % LOOK_EVERY == 0 && isfinite(s->timing.limits.stable) && !s->scene->step.force &&
            s->scene->guards.step != SCENE_GUARD_OFF;
 }
 
 void timing_look(struct simulation *s) {
-    double stable = physics_limit(&s->physics, s->dt / LOOK_PART), before = s->dt;
+    double stable = physics_limit(&s->physics, s->clock.dt / LOOK_PART), before = s->clock.dt;
     char text[256];
-    s->limits.stable = fmin(s->limits.stable, stable);
-    if (s->dt <= LOOK_PART * stable)
+    s->timing.limits.stable = fmin(s->timing.limits.stable, stable);
+    if (s->clock.dt <= LOOK_PART * stable)
         return;
-    if (s->dt_fraction > 0) {
-        struct integrator_context shift = s->motion;
-        dt_change(s, fmin(s->dt_fraction, LOOK_PART) * stable);
-        shift.dt = s->dt - before; /* velocities stand half a step back: of the new one */
+    if (s->clock.dt_fraction > 0) {
+        struct integrator_context shift = s->grains.motion;
+        dt_change(s, fmin(s->clock.dt_fraction, LOOK_PART) * stable);
+        shift.dt = s->clock.dt - before; /* velocities stand half a step back: of the new one */
         integrator_stagger(s->particles, &shift, 0, s->particles->owned);
         if (s->comm->rank == 0)
             fprintf(stderr,
                     "scree: note: contacts have become stiffer: the time step is %.4g from step %llu on, "
                     "it was %.4g\n",
-                    s->dt, (unsigned long long)s->step, before);
+                    s->clock.dt, (unsigned long long)s->clock.step, before);
         return;
     }
     snprintf(
         text, sizeof text,
         "guards.step: the time step %.6g is %.3g of what is surely stable for the contacts at step %llu, "
         "t = %.9g: energy may grow",
-        s->dt, s->dt / stable, (unsigned long long)s->step, s->time);
+        s->clock.dt, s->clock.dt / stable, (unsigned long long)s->clock.step, s->clock.time);
     guards_step(s, text);
 }

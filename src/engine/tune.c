@@ -5,9 +5,9 @@
 #include <math.h>
 
 void tune_begin(struct simulation *s) {
-    s->tuning.start = timer_now();
+    s->search.tuning.start = timer_now();
     if (s->scene->index.measure)
-        index_select(s->index, s->tuning.variant);
+        index_select(s->search.index, s->search.tuning.variant);
 }
 
 static void restart(struct tuning *tuning, int64_t choices) {
@@ -25,12 +25,12 @@ static int fastest(const struct tuning *tuning, int variants) {
 }
 
 void tune_end(struct simulation *s) {
-    struct tuning *tuning = &s->tuning;
+    struct tuning *tuning = &s->search.tuning;
     struct index_description description;
     if (!s->scene->index.measure)
         return;
-    double seconds = timer_now() - tuning->start, offered = index_trials(s->index);
-    index_describe(s->index, &description);
+    double seconds = timer_now() - tuning->start, offered = index_trials(s->search.index);
+    index_describe(s->search.index, &description);
     int64_t choices = (int64_t)description.choices;
     comm_max(s->comm, &seconds, 1);
     comm_min(s->comm, &offered, 1);
@@ -52,6 +52,7 @@ void tune_end(struct simulation *s) {
 }
 
 double tune_measured(const struct simulation *s) {
-    double builds = s->index->builds > 0 ? (double)s->index->builds : 1;
-    return (s->index->order_seconds + s->index->build_seconds + s->pairs_seconds) / builds;
+    double builds = s->search.index->builds > 0 ? (double)s->search.index->builds : 1;
+    return (s->search.index->order_seconds + s->search.index->build_seconds + s->search.pairs_seconds) /
+           builds;
 }

@@ -1,26 +1,26 @@
 /* Views of the state of a simulation. */
-#include "engine/state.h"
+#include "engine/view.h"
 #include "engine/load.h"
 
 void simulation_index_view(struct simulation *s, struct index_view *view) {
-    pairlist_view(view, s->particles, &s->classes, &s->scene->box, s->wrap);
+    pairlist_view(view, s->particles, &s->classes, &s->scene->box, s->ranks.wrap);
     view->newton = s->scene->ghosts.newton;
     view->threads = s->team.size;
 }
 
 struct output_view simulation_view(const struct simulation *s) {
     struct ghosts_counts ghosts;
-    ghosts_count(s->ghosts, &ghosts);
+    ghosts_count(s->ranks.ghosts, &ghosts);
     return (struct output_view){.comm = s->comm,
                                 .particles = s->particles,
                                 .box = &s->scene->box,
-                                .motion = &s->motion,
-                                .walls = s->walls,
-                                .contact = &s->contact,
-                                .sums = &s->sums,
-                                .taken = s->taken,
-                                .step = s->step,
-                                .time = s->time,
+                                .motion = &s->grains.motion,
+                                .walls = s->grains.walls,
+                                .contact = &s->grains.contact,
+                                .sums = &s->grains.sums,
+                                .taken = s->grains.taken,
+                                .step = s->clock.step,
+                                .time = s->clock.time,
                                 .load = {.ghosts = ghosts.ghosts,
                                          .messages = ghosts.messages,
                                          .bytes = ghosts.bytes,

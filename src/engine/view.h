@@ -1,0 +1,16 @@
+/* Views of the state of a simulation. */
+#ifndef SCREE_ENGINE_VIEW_H
+#define SCREE_ENGINE_VIEW_H
+
+#include "engine/state.h"
+
+/* The view that output/ looks at. Borrows everything. */
+struct output_view simulation_view(const struct simulation *simulation);
+
+/* The view of a set of particles that an index is to see. */
+void simulation_index_view(struct simulation *simulation, struct index_view *view);
+
+/* True if particles may leave through an open side and be deleted. */
+bool simulation_may_lose(const struct simulation *simulation);
+
+#endif
