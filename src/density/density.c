@@ -35,7 +35,6 @@ static double range(const void *options, int kind_a, double radius_a, int kind_b
 static void *create(const struct physics_context *context) {
     return walk_create(&client, context->threads);
 }
-
 static void destroy(void *self) {
     struct walk *walk = self;
     walk_destroy(&walk);

@@ -8,5 +8,4 @@
 struct density_options { /* the section `number_density` of a scene */
     double support;      /* h, length */
 };
-
 #endif

@@ -50,7 +50,6 @@ static void take_most(const struct observable_context *context, struct observabl
     part[1] = part[0] > 0.0;
 }
 
-/* Without particles there is none. */
 static void divide(const struct output_view *view, const struct observable_item *item, double *part) {
     (void)view, (void)item;
     part[0] = part[1] > 0.0 ? part[0] / part[1] : NAN;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The rebuild (rebuild.c tells it). */
 #ifndef SCREE_ENGINE_REBUILD_H
 #define SCREE_ENGINE_REBUILD_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Contact histories as rows, on the move. */
 #include "engine/rebuild_rows.h"
 #include "core/memory.h"

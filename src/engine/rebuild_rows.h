@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Contact histories on the move, over a rebuild or into a checkpoint. */
 #ifndef SCREE_ENGINE_REBUILD_ROWS_H
 #define SCREE_ENGINE_REBUILD_ROWS_H

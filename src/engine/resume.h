@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Checkpoints, and going on from them (resume.c tells it). */
 #ifndef SCREE_ENGINE_RESUME_H
 #define SCREE_ENGINE_RESUME_H

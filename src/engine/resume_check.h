@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Going on from a checkpoint: what of a changed scene can be applied is, what cannot is refused. */
 #ifndef SCREE_ENGINE_RESUME_CHECK_H
 #define SCREE_ENGINE_RESUME_CHECK_H

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Makes a simulation from a scene, and its parts. Read simulation.h first. */
 #include "engine/simulation.h"
 #include "engine/view.h"
 #include "engine/classify.h"

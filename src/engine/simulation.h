@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The life of a simulation:
  *
  *     simulation_create   scene -> law, walls, particles, domain, index; first rebuild, first forces

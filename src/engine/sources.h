@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles that come and go during a run. */
 #ifndef SCREE_ENGINE_SOURCES_H
 #define SCREE_ENGINE_SOURCES_H

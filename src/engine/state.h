@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The state of a simulation: everything that a run holds. The parts know nothing of each other beyond what the arrows
  * of docs/architecture.md allow; they meet here. simulation.h makes one, step.h and rebuild.h advance it. */
 #ifndef SCREE_ENGINE_STATE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* One time step (step.c tells it). */
 #ifndef SCREE_ENGINE_STEP_H
 #define SCREE_ENGINE_STEP_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* The time step of a run: chosen, refused, shortened. */
 #ifndef SCREE_ENGINE_TIMING_H
 #define SCREE_ENGINE_TIMING_H

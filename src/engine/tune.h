@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Trials of what an index that chooses has on offer. */
 #ifndef SCREE_ENGINE_TUNE_H
 #define SCREE_ENGINE_TUNE_H

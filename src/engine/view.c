@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Views of the state of a simulation. */
 #include "engine/view.h"
 #include "engine/load.h"

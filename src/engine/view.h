@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
 /* Views of the state of a simulation. */
 #ifndef SCREE_ENGINE_VIEW_H
 #define SCREE_ENGINE_VIEW_H
