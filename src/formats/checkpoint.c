@@ -2,9 +2,11 @@
 /* Writing. Every dataset is a table of rows, this rank's rows together, in the order of the ranks; its
  * checksum comes from memory. Then the closed file is compared with these checksums, so what is renamed is
  * known to be whole. */
-#include "formats/checkpoint_parts.h"
+#include "formats/checkpoint.h"
+#include "formats/checkpoint_head.h"
+#include "formats/checkpoint_names.h"
+#include "formats/checkpoint_put.h"
 
-#include "core/checksum.h"
 #include "core/memory.h"
 #include "formats/checkpoint_file.h"
 #include "files/file.h"
@@ -13,56 +15,6 @@
 #include <inttypes.h>
 #include <string.h>
 #include <unistd.h>
-
-void checkpoint_field_name(const struct field *field, char name[OUTPUT_NAME_MAX]) {
-    snprintf(name, OUTPUT_NAME_MAX, "/particles/%s", field->name);
-}
-
-bool checkpoint_enter(struct checkpoint_writing *w, const char *name, const struct h5_table *rows,
-                      size_t row_bytes, const void *data, struct error *error) {
-    assert(w->table.entries < CHECKPOINT_DATASETS_MAX);
-    struct checkpoint_entry *entry = &w->table.entry[w->table.entries++];
-    *entry = (struct checkpoint_entry){.row_bytes = row_bytes};
-    snprintf(entry->name, sizeof entry->name, "%s", name);
-    int64_t sum = (int64_t)checksum_rows(rows->first, data, rows->count, row_bytes);
-    comm_sum_int(w->comm, &sum, 1);
-    entry->checksum = (uint64_t)sum;
-    if (rows->rows == 0)
-        return true;
-    if (!h5_get_place(&w->h5, name, &entry->offset, &entry->bytes) || entry->bytes != rows->rows * row_bytes)
-        error_set(error, ERROR_SYSTEM, "%s: %s: HDF5 does not tell where it lies in the file", w->h5.path,
-                  name);
-    return comm_agree(w->comm, error);
-}
-
-size_t checkpoint_type_bytes(enum field_type type) {
-    return type == FIELD_UINT8 ? 1 : type == FIELD_INT32 ? 4 : 8;
-}
-
-static bool put(struct checkpoint_writing *w, const char *name, const struct h5_table *rows, const void *data,
-                struct error *error) {
-    size_t row_bytes = checkpoint_type_bytes(rows->type) * (rows->width ? rows->width : 1);
-    return h5_write_table(&w->h5, name, rows, data, error) &&
-           checkpoint_enter(w, name, rows, row_bytes, data, error);
-}
-
-bool checkpoint_put_common(struct checkpoint_writing *w, const char *name, enum field_type type,
-                           uint64_t rows, uint64_t width, const void *data, struct error *error) {
-    struct h5_table table = {.type = type, .rows = rows, .width = width};
-    table.count = w->comm->rank == 0 ? rows : 0;
-    table.first = w->comm->rank == 0 ? 0 : rows;
-    return put(w, name, &table, data, error);
-}
-
-bool checkpoint_put_of_ranks(struct checkpoint_writing *w, const char *name, enum field_type type,
-                             uint64_t width, const void *data, struct error *error) {
-    struct h5_table table = {.type = type,
-                             .rows = (uint64_t)w->comm->size,
-                             .width = width,
-                             .first = (uint64_t)w->comm->rank,
-                             .count = 1};
-    return put(w, name, &table, data, error);
-}
 
 static bool put_field(struct checkpoint_writing *w, int f, struct error *error) {
     const struct particles *p = w->checkpoint->particles;
@@ -80,7 +32,7 @@ static bool put_field(struct checkpoint_writing *w, int f, struct error *error) 
                              .count = p->owned};
     char name[OUTPUT_NAME_MAX];
     checkpoint_field_name(field, name);
-    bool good = put(w, name, &table, data, error);
+    bool good = checkpoint_put(w, name, &table, data, error);
     memory_free(data);
     return good;
 }
@@ -100,7 +52,7 @@ static bool put_counts(struct checkpoint_writing *w, const char *name, const siz
     for (size_t i = 0; i < n; i++)
         count[i] = (int32_t)(start[i + 1] - start[i]);
     struct h5_table table = {.type = FIELD_INT32, .rows = w->total, .first = w->first, .count = n};
-    bool good = put(w, name, &table, count, error);
+    bool good = checkpoint_put(w, name, &table, count, error);
     memory_free(count);
     return good;
 }
@@ -118,10 +70,10 @@ static bool put_history(struct checkpoint_writing *w, struct error *error) {
     }
     struct h5_table table = place_rows(w->comm, rows->count);
     table.type = FIELD_INT64;
-    bool good = put(w, "/history/partner", &table, partner, error);
+    bool good = checkpoint_put(w, "/history/partner", &table, partner, error);
     table.type = FIELD_DOUBLE;
     table.width = CHECKPOINT_HISTORY;
-    good = good && put(w, "/history/value_separation", &table, value, error);
+    good = good && checkpoint_put(w, "/history/value_separation", &table, value, error);
     memory_free(partner);
     memory_free(value);
     return good;
@@ -142,10 +94,10 @@ static bool put_wall_history(struct checkpoint_writing *w, struct error *error) 
     struct h5_table table = place_rows(w->comm, rows->count);
     table.type = FIELD_INT32;
     table.width = 2;
-    bool good = put(w, "/wall_history/wall_patch", &table, place, error);
+    bool good = checkpoint_put(w, "/wall_history/wall_patch", &table, place, error);
     table.type = FIELD_DOUBLE;
     table.width = HISTORY_COMPONENTS_MAX;
-    good = good && put(w, "/wall_history/value", &table, value, error);
+    good = good && checkpoint_put(w, "/wall_history/value", &table, value, error);
     memory_free(place);
     memory_free(value);
     return good;

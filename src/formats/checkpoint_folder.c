@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The checkpoints in a folder: which there are, which are deleted. */
-#include "formats/checkpoint_parts.h"
+#include "formats/checkpoint_folder.h"
 
 #include "core/memory.h"
 #include "files/file.h"
+#include "formats/output_options.h"
 
 #include <dirent.h>
 #include <inttypes.h>

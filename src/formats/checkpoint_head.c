@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Writing what is small: numbers by name, the division of the box, box, law, materials, groups, walls, and
  * the runs that led here. */
-#include "formats/checkpoint_parts.h"
+#include "formats/checkpoint_head.h"
+#include "formats/checkpoint_names.h"
 
 #include "core/memory.h"
 
@@ -9,31 +10,6 @@
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
-
-const char *const checkpoint_name_datasets[RESTART_KINDS] = {
-    [RESTART_INTEGER] = "/run/integer_names",
-    [RESTART_REAL] = "/run/real_names",
-    [RESTART_SUM] = "/run/sum_names",
-};
-const char *const checkpoint_value_datasets[RESTART_KINDS] = {
-    [RESTART_INTEGER] = "/run/integers",
-    [RESTART_REAL] = "/run/reals",
-    [RESTART_SUM] = "/run/sums",
-};
-
-void checkpoint_core_list(struct checkpoint_core *core, struct restart *restart) {
-    static const char axis[] = "xyz";
-    restart_add(restart, RESTART_INTEGER, false, &core->step, "step");
-    restart_add(restart, RESTART_INTEGER, false, &core->seed, "seed");
-    restart_add(restart, RESTART_INTEGER, false, &core->next_id, "next id");
-    restart_add(restart, RESTART_INTEGER, false, &core->ranks, "ranks");
-    restart_add(restart, RESTART_INTEGER, false, &core->history_components, "history components");
-    restart_add(restart, RESTART_INTEGER, false, &core->particles, "particles");
-    for (int d = 0; d < 3; d++)
-        restart_add(restart, RESTART_INTEGER, false, &core->grid[d], "ranks along %c", axis[d]);
-    restart_add(restart, RESTART_REAL, false, &core->time, "time");
-    restart_add(restart, RESTART_REAL, false, &core->dt, "time step");
-}
 
 /* Numbers of one kind: names, and values, those of sums a row of each rank. */
 static bool put_kind(struct checkpoint_writing *w, const struct restart *restart, enum restart_kind kind,

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Reading, by plain reads (checkpoint_file.h). The file's bytes have been compared with its table before; the
  * shape of each dataset is still checked, since a file may come from a program that differs. */
-#include "formats/checkpoint_parts.h"
+#include "formats/checkpoint.h"
+#include "formats/checkpoint_names.h"
+#include "formats/checkpoint_read_head.h"
 
 #include "core/memory.h"
 #include "formats/checkpoint_file.h"
+#include "formats/h5.h"
 #include "integrate/groups.h"
 
 #include <string.h>

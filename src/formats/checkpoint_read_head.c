@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Reading what is small: the counterpart of checkpoint_head.c. */
-#include "formats/checkpoint_parts.h"
+#include "formats/checkpoint_read_head.h"
+#include "formats/checkpoint_names.h"
 
 #include "core/memory.h"
 

@@ -6,10 +6,17 @@ libformats_la_SOURCES = \
 	src/formats/checkpoint_file.c \
 	src/formats/checkpoint_file.h \
 	src/formats/checkpoint_folder.c \
+	src/formats/checkpoint_folder.h \
 	src/formats/checkpoint_head.c \
-	src/formats/checkpoint_parts.h \
+	src/formats/checkpoint_head.h \
+	src/formats/checkpoint_names.c \
+	src/formats/checkpoint_names.h \
+	src/formats/checkpoint_put.c \
+	src/formats/checkpoint_put.h \
 	src/formats/checkpoint_read.c \
 	src/formats/checkpoint_read_head.c \
+	src/formats/checkpoint_read_head.h \
+	src/formats/checkpoint_state.h \
 	src/formats/checkpoint_table.c \
 	src/formats/checkpoint_table.h \
 	src/formats/contact_list.c \

@@ -18,7 +18,10 @@ libwalls_la_SOURCES = \
 	src/walls/walls.c \
 	src/walls/walls_force.c \
 	src/walls/walls_history.c \
+	src/walls/walls_history.h \
 	src/walls/walls_near.c \
+	src/walls/walls_near.h \
 	src/walls/walls_overlap.c \
 	src/walls/walls_parts.h \
-	src/walls/walls_touch.c
+	src/walls/walls_touch.c \
+	src/walls/walls_touch.h

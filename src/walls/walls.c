@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Life and motion of the walls (wall.h). */
 #include "walls/mesh.h"
-#include "walls/walls_parts.h"
+#include "walls/walls_near.h"
+#include "walls/walls_touch.h"
 #include "core/memory.h"
 #include <string.h>
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Forces of the walls on the particles: contacts are found one sphere at a time, collected, and taken through
  * the law of the pairs in batches. */
-#include "walls/walls_parts.h"
+#include "walls/walls_history.h"
+#include "walls/walls_touch.h"
 #include "contact/material.h"
 #include "contact/spin.h"
 #include "core/memory.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What contacts with walls remember: which record a contact goes on with, and the way over a rebuild. */
-#include "walls/walls_parts.h"
+#include "walls/walls_history.h"
+#include "walls/walls_touch.h"
 #include "core/memory.h"
 #include <assert.h>
 #include <string.h>

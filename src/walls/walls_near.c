@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Candidates: which particles are near which pieces of walls (walls_parts.h). Count, scan, fill; each thread
  * its own range of particles, so that the result is the same for any number of threads. */
-#include "walls/walls_parts.h"
+#include "walls/walls_near.h"
+#include "walls/walls_touch.h"
 #include "contact/spin.h"
 #include "core/memory.h"
 #include <stdlib.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Is there a wall where a sphere is to be put? The same geometry as for forces, for one sphere at any place.
  */
-#include "walls/walls_parts.h"
+#include "walls/walls_near.h"
+#include "walls/walls_touch.h"
 #include "core/memory.h"
 
 static bool overlaps_wall(const struct walls *walls, int w, struct law_vector x, double radius) {

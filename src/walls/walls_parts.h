@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Inside of the walls: what walls.c (life and motion), walls_near.c (candidates), walls_touch.c (geometry of
- * one sphere), walls_force.c and walls_history.c share. Nobody else includes this.
+/* Inside of the walls: what walls.c (life and motion), walls_near.h (candidates), walls_touch.h (geometry of one
+ * sphere), walls_force.c and walls_history.h share. Nobody else includes this.
  *
  * Candidates. At a rebuild each owned particle near a wall becomes a candidate, in the order of the
  * particles, with the *pieces* near it: (wall, image, triangle), sorted. Candidate k has the pieces first[k]
@@ -124,54 +124,9 @@ static inline struct law_vector walls_shift(const struct walls *walls, int wall,
     return (struct law_vector){shift[0] + wrap[0], shift[1] + wrap[1], shift[2] + wrap[2]};
 }
 
-/* A cylinder wall as it stands now. */
-struct wall_cylinder walls_cylinder(const struct wall *wall);
-
 /* A position in the frame of a mesh. */
 static inline struct law_vector walls_into_body(const struct wall *wall, struct law_vector x) {
     return wall->moving ? wall_transform_back(&wall->pose, x) : x;
 }
-
-/* The pieces of wall w nearer than `reach` to x, sorted; returns how many. `out` has room for them, `number`
- * for the triangles; both may be NULL: counts only. (walls_near.c) */
-size_t walls_near(const struct walls *walls, int w, struct law_vector x, double reach, struct wall_piece *out,
-                  int32_t *number);
-
-/* Says by how many periods the images that are looked at are away: of walls that move, wherever they are now,
- * and of those at rest that lie wholly outside of the box. When walls are made and at each walls_build.
- * (walls_near.c) */
-void walls_wrap(struct walls *walls);
-
-/* The contacts of a sphere at x with one wall, whose pieces these are; written to scratch->touch, normals in
- * space. Returns how many. (walls_touch.c) */
-size_t walls_touch(const struct walls *walls, const struct wall_piece *piece, size_t pieces,
-                   struct law_vector x, double radius, struct wall_scratch *scratch);
-
-/* The normal half a step ago. */
-struct law_vector walls_half_normal(const struct wall *wall, const struct wall_touch *touch,
-                                    const struct wall_sphere *sphere, double dt);
-
-/* Direction and distance from x to a feature of a wall. */
-struct law_vector walls_toward(const struct wall *wall, int32_t feature, struct law_vector x,
-                               double *distance);
-
-/* Number of features of a wall. */
-size_t walls_features(const struct wall *wall);
-
-/* Makes room in a thread's scratch; frees what it holds. */
-void walls_scratch_reserve(struct wall_scratch *scratch, size_t pieces);
-void walls_scratch_free(struct wall_scratch *scratch);
-
-/* For each of the `count` contacts with wall w in scratch->touch: which old record of candidate k it goes on
- * with, in scratch->from. (walls_history.c) */
-void walls_recall(const struct walls *walls, size_t k, int w, size_t count, struct law_vector x,
-                  double radius, struct wall_scratch *scratch);
-
-/* Sorts contacts with one feature through several images of its wall by image, each among the places that
- * they have. A wrapped particle changes the images, not their order. */
-void walls_sort_images(struct wall_touch *touch, size_t count);
-
-/* Turns a spring from one normal to another. */
-struct law_vector walls_carry(struct law_vector spring, struct law_vector from, struct law_vector to);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The contacts of one sphere with one wall: the shapes under one roof. */
-#include "walls/walls_parts.h"
+#include "walls/walls_touch.h"
 #include "core/memory.h"
 
 struct wall_cylinder walls_cylinder(const struct wall *wall) {
