@@ -14,6 +14,10 @@
 #include <string.h>
 #include <cmocka.h>
 
+enum { PLACES = 600 };
+
+#define EDGE 8.0
+
 /* A cloud of small particles with a few large ones, of which the last `ghosts` are ghosts. */
 struct cloud {
     struct particles *particles;
@@ -25,14 +29,14 @@ struct cloud {
 };
 
 static void cloud_fill(struct cloud *c, size_t n, size_t ghosts) {
-    c->box = (struct box){.dimension = 3, .edge = {10, 10, 10}, .periodic = {true, true, true}};
+    c->box = (struct box){.dimension = 3, .edge = {EDGE, EDGE, EDGE}, .periodic = {true, true, true}};
     c->particles = particles_create(n);
     for (size_t k = 0; k < n; k++) {
         struct random_sequence random = random_sequence(9, RANDOM_TEST, k);
         size_t i = particles_append(c->particles);
         bool large = k >= n - ghosts - 4 && k < n - ghosts;
         for (int d = 0; d < 3; d++)
-            c->particles->state[i].x[d] = 10 * random_uniform(&random);
+            c->particles->state[i].x[d] = EDGE * random_uniform(&random);
         c->particles->state[i].radius = large ? 2.5 : 0.2 + 0.1 * random_uniform(&random);
         c->particles->state[i].inverse_mass = 1;
         c->particles->id[i] = (int64_t)(k * 7919 % 100003) + 1;
@@ -90,7 +94,7 @@ static int64_t *shares(const struct cloud *c) {
 
 static void check_layouts(size_t ghosts, bool newton) {
     struct cloud c = {0};
-    cloud_fill(&c, 1500, ghosts);
+    cloud_fill(&c, 800, ghosts);
     cloud_search(&c, 1, newton);
     int64_t *reference = shares(&c);
     size_t primary = c.list->primary_count;
@@ -123,15 +127,15 @@ static void check_layouts(size_t ghosts, bool newton) {
 static void test_any_thread_count_gives_each_particle_the_same(void **state) {
     (void)state;
     check_layouts(0, true);
-    check_layouts(300, true);
-    check_layouts(300, false);
+    check_layouts(160, true);
+    check_layouts(160, false);
 }
 
 /* No two threads write to the same particle or slot. */
 static void test_threads_own_what_they_write(void **state) {
     (void)state;
     struct cloud c = {0};
-    cloud_fill(&c, 1500, 300);
+    cloud_fill(&c, 800, 160);
     cloud_search(&c, 3, true);
     int *writer = memory_allocate(c.view.total, sizeof *writer, "test");
     for (size_t k = 0; k < c.view.total; k++)
@@ -211,17 +215,17 @@ static void history_compare(const struct cloud *c, const struct history *history
 static void check_history(int before, int after, bool both_ends) {
     struct cloud c = {0};
     struct history_rows rows = {0};
-    cloud_fill(&c, 1200, 0);
+    cloud_fill(&c, PLACES, 0);
     cloud_search(&c, before, true);
     struct history *old = history_create(3, before), *new = history_create(3, after);
     history_fill(&c, old);
     history_detach(old, c.list, c.particles, both_ends, NULL, &rows);
     cloud_free(&c);
-    uint32_t *order = memory_allocate(1200, sizeof *order, "test");
-    for (uint32_t k = 0; k < 1200; k++)
-        order[k] = k * 7 % 1200;
+    uint32_t *order = memory_allocate(PLACES, sizeof *order, "test");
+    for (uint32_t k = 0; k < PLACES; k++)
+        order[k] = k * 7 % PLACES;
     particles_reorder(c.particles, order);
-    history_rows_reorder(&rows, order, 1200);
+    history_rows_reorder(&rows, order, PLACES);
     cloud_search(&c, after, true);
     history_attach(new, &rows, c.list, c.particles, 10);
     history_compare(&c, new);
@@ -244,20 +248,20 @@ static void test_history_survives_reorder_and_another_thread_count(void **state)
  * all their places. */
 static void leave_and_return(struct cloud *c, const struct history *history, uint32_t nth, uint32_t *place,
                              struct history_rows *rows) {
-    uint32_t order[1200], n = 0;
-    for (uint32_t k = 0; k < 1200; k++)
+    uint32_t order[PLACES], n = 0;
+    for (uint32_t k = 0; k < PLACES; k++)
         place[k] = nth && k % nth == 0 ? PARTICLE_LEFT : 0;
     history_detach(history, c->list, c->particles, true, place, rows);
-    for (uint32_t k = 0; k < 1200; k++)
+    for (uint32_t k = 0; k < PLACES; k++)
         if (place[k] == 0) {
             order[n] = k;
             place[k] = n++;
         }
-    for (uint32_t k = 0; k < 1200; k++)
+    for (uint32_t k = 0; k < PLACES; k++)
         if (place[k] == PARTICLE_LEFT)
             order[n++] = k;
     particles_reorder(c->particles, order);
-    history_rows_reorder(rows, order, 1200);
+    history_rows_reorder(rows, order, PLACES);
 }
 
 /* The short way gives what the long way gives, where particles meet through one image only. */
@@ -265,21 +269,21 @@ static void check_kept(int threads, uint32_t nth) {
     struct cloud c = {0};
     struct history_kept kept;
     struct history_rows rows = {0};
-    uint32_t order[1200], place[1200];
-    cloud_fill(&c, 1200, 0);
-    for (size_t k = 0; k < 1200; k++) /* boulders shrink, or they would meet others twice */
+    uint32_t order[PLACES], place[PLACES];
+    cloud_fill(&c, PLACES, 0);
+    for (size_t k = 0; k < PLACES; k++) /* boulders shrink, or they would meet others twice */
         c.particles->state[k].radius = fmin(c.particles->state[k].radius, 1.5);
     cloud_search(&c, threads, true);
     struct history *history = history_create(3, threads);
     history_fill(&c, history);
     if (nth)
         leave_and_return(&c, history, nth, place, &rows);
-    for (uint32_t k = 0; k < 1200; k++)
-        order[k] = k * 7 % 1200;
+    for (uint32_t k = 0; k < PLACES; k++)
+        order[k] = k * 7 % PLACES;
     particles_reorder(c.particles, order);
     if (nth)
-        history_rows_reorder(&rows, order, 1200);
-    struct history_numbers numbers = {order, 1200, nth ? place : NULL, 1200};
+        history_rows_reorder(&rows, order, PLACES);
+    struct history_numbers numbers = {order, PLACES, nth ? place : NULL, PLACES};
     history_keep(history, c.list, &numbers, &kept);
     cloud_free(&c);
     cloud_search(&c, threads, true);

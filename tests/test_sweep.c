@@ -11,7 +11,9 @@
 #include <stdlib.h>
 #include <cmocka.h>
 
-enum { CLOUD = 3000, LARGE = 6, ORIGINALS = 40 };
+enum { CLOUD = 1200, LARGE = 6, ORIGINALS = 40 };
+
+#define EDGE 9.0
 
 struct cloud {
     struct particles *particles;
@@ -28,14 +30,14 @@ static void cloud_fill(struct cloud *c, size_t ghosts) {
     struct classes_options options = {
         .method = CLASSES_CUTS, .cut_count = 1, .cut = {1}, .skin_given = true, .skin = 0.1};
     struct error error = {0};
-    c->box = (struct box){.dimension = 3, .edge = {12, 12, 12}, .periodic = {true, true, true}};
+    c->box = (struct box){.dimension = 3, .edge = {EDGE, EDGE, EDGE}, .periodic = {true, true, true}};
     c->particles = particles_create(CLOUD);
     for (size_t k = 0; k < CLOUD; k++) {
         struct random_sequence random = random_sequence(3, RANDOM_TEST, k);
         size_t i = particles_append(c->particles);
         bool large = k >= CLOUD - ghosts - LARGE && k < CLOUD - ghosts;
         for (int d = 0; d < 3; d++)
-            c->particles->state[i].x[d] = 12 * random_uniform(&random);
+            c->particles->state[i].x[d] = EDGE * random_uniform(&random);
         radii[i] = c->particles->state[i].radius = large ? 2.0 : 0.2 + 0.1 * random_uniform(&random);
         c->particles->id[i] = (int64_t)k + 1;
     }
@@ -101,7 +103,7 @@ static void test_plan_with_ghosts(void **state) {
     (void)state;
     for (int threads = 1; threads <= 4; threads++)
         for (int newton = 0; newton < 2; newton++)
-            check_plan(threads, 300, newton);
+            check_plan(threads, 200, newton);
 }
 
 /* A plan that is wrong is told from a right one. */

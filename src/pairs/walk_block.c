@@ -196,9 +196,8 @@ static inline void walk_recall(const struct history_part old, struct walk_thread
         while (cursor < old.count && old.pair[cursor] < pair)
             cursor++;
         bool known = cursor < old.count && old.pair[cursor] == pair;
-        const double *value = old.value + cursor * (size_t)components;
         for (int c = 0; c < components; c++)
-            b->history[c][k] = known ? value[c] : 0.0;
+            b->history[c][k] = known ? old.value[cursor * (size_t)components + (size_t)c] : 0.0;
     }
     thread->cursor = cursor;
 }
@@ -403,6 +402,8 @@ static inline __attribute__((always_inline)) void walk_through(const struct walk
 static void walk_rows(const struct walk_task *task) {
     int components = task->work->history ? task->work->history->components : 0;
     enum walk_scatter scatter = task->client->scatter;
+    if (task->block->first_pair == task->block->end_pair)
+        return; /* a list without pairs has no arrays */
     if (scatter == WALK_ROLLING && components == 6)
         walk_through(task, WALK_ROLLING, 6);
     else if (scatter == WALK_TORQUE && components == 3)

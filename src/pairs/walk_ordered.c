@@ -147,10 +147,10 @@ static inline __attribute__((always_inline)) void range_sum(const struct walk_ra
                                                             const size_t stride) {
     for (size_t i = range->first; i < range->last; i++) {
         size_t first = range->start[i - range->first], n = range->start[i - range->first + 1] - first;
-        struct walk_place *place = range->place + first;
         double sum[RECORD_MAX];
         if (n == 0)
             continue;
+        struct walk_place *place = range->place + first;
         places_sort(place, n);
         memcpy(sum, force + i * stride, stride * sizeof *sum);
         for (size_t k = 0; k < n; k++)
