@@ -8,6 +8,7 @@
 #include "core/memory.h"
 #include "files/numbers.h"
 #include "formats/dump.h"
+#include "formats/frame.h"
 #include "formats/info.h"
 #include "formats/lammps_data.h"
 #include "scene/scene_particles.h"
@@ -64,6 +65,7 @@ static void look_at(const struct rows *rows) {
         sum += rows->id ? (double)rows->id[k] : 0;
         sum += rows->material ? rows->material[k] : 0;
     }
+    (void)sum;
 }
 
 /* What is echoed is the same scene. */
@@ -161,6 +163,7 @@ static void fuzz_numbers(const struct input *input) {
         volatile double sum = 0;
         for (size_t k = 0; k < numbers.rows * 7; k++)
             sum += numbers.value[k];
+        (void)sum;
         numbers_free(&numbers);
     } else {
         refused(&error);
@@ -175,7 +178,8 @@ static void fuzz_source(const struct input *input, const char *format) {
     struct scene *scene = scene_parse("scene.yaml", text, NULL, 0, &error);
     if (scene == NULL)
         complain(error.text, text);
-    struct particles *particles = particles_create(PARTICLE_FEATURES_ALL, 0);
+    struct particles *particles = particles_create(0);
+    frame_register_all(particles);
     struct scene_share share = {.size = 1};
     struct scene_census census;
     if (!scene_particles(scene, &share, particles, &census, &error))
