@@ -27,9 +27,6 @@ enum { LAW_MATERIALS_MAX = 32 };
 /* Where the damping comes from: the restitution asked for, or LAMMPS's coefficients per unit of effective
  * mass. */
 enum law_damping { LAW_DAMPING_RESTITUTION, LAW_DAMPING_COEFFICIENT };
-/* When a contact ends: at zero overlap (the damper may attract just before), or where the force would
- * attract. */
-enum law_end { LAW_END_OVERLAP, LAW_END_FORCE };
 enum law_tangential { LAW_FRICTIONLESS, LAW_TANGENTIAL_HISTORY };
 /* What the tangential damper sees while the contact slides: the spring's own change, as the slider is in
  * series with both (energy is never made); or all of the slip, the spring being set to what is left of the

@@ -23,6 +23,10 @@
 
 enum { LAW_NAME_MAX = 64 };
 
+/* When a contact ends: at zero overlap (the damper may attract just before), or where the force would
+ * attract. */
+enum law_end { LAW_END_OVERLAP, LAW_END_FORCE };
+
 /* A material (scene key `materials`). */
 struct law_material {
     char name[LAW_NAME_MAX];

@@ -3,7 +3,7 @@
 #ifndef SCREE_CONTACT_LAW_RESTITUTION_H
 #define SCREE_CONTACT_LAW_RESTITUTION_H
 
-#include "contact/law.h"
+#include "contact/law_form.h"
 
 /* The smallest restitution that a contact with end at zero force can have (zeta = 22). */
 #define LAW_RESTITUTION_LEAST 5e-4
