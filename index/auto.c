@@ -5,7 +5,7 @@
  * What is chosen depends on the number of particles in each class and on the volume that they occupy, both
  * rounded to steps of a few per cent, on the classes' sizes and margins, and on nothing else: the same
  * particles give the same choice, in a repeated run and in a resumed one. A step changes where the scene
- * does; then all is chosen anew. With `measure` a few variants of the choice are offered to be timed
+ * does; then all is chosen again. With `measure` a few variants of the choice are offered to be timed
  * (index_trials); who selects one by the clock gives that up. */
 #include "index/choose/auto.h"
 

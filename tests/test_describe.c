@@ -33,7 +33,7 @@ static char *read_page(void) {
     return read_text(path);
 }
 
-/* The page with its tables made anew; NULL: refused. */
+/* The page with its tables made again; NULL: refused. */
 static char *described(char *page, struct error *error) {
     char *text = NULL;
     size_t size;

@@ -106,7 +106,7 @@ static inline struct particle_state *world_add(struct world *w, double x, double
     return &w->particles->state[i];
 }
 
-/* Candidates anew; histories go along. `order` (NULL: as they are) reorders the particles. */
+/* Candidates again; histories go along. `order` (NULL: as they are) reorders the particles. */
 static inline void world_rebuild(struct world *w, const uint32_t *order) {
     struct wall_rows rows;
     size_t owned = w->particles->owned;

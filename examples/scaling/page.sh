@@ -190,7 +190,7 @@ Assumptions:
 3. A reduction takes twice the depth of a binary tree. One a step (is a rebuild due?), and three a rebuild (migration, copies, exact
    displacements).
 4. Nothing overlaps, although values travel while inner particles are worked on, and the reduction while pairs with copies are.
-5. Bricks. A bisection adds its tree to the memory, and the division above, which each rank makes anew when loads have become uneven.
+5. Bricks. A bisection adds its tree to the memory, and the division above, which each rank makes again when loads have become uneven.
 
 | spheres a rank | ranks | work, ms | messages, ms | bytes, ms | reductions, ms | sorting by rank, ms | step, ms | efficiency |
 |---|---|---|---|---|---|---|---|---|

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Divides the box anew so that all ranks get like loads: recursive coordinate bisection by Zoltan. Without
+/* Divides the box again so that all ranks get like loads: recursive coordinate bisection by Zoltan. Without
  * that library (balance_none.c) there are only bricks. */
 #ifndef SCREE_COMM_BALANCE_H
 #define SCREE_COMM_BALANCE_H

@@ -10,5 +10,5 @@ bool balance_available(struct error *error) {
 bool balance_divide(struct domain *domain, const struct comm *comm, const struct box *box,
                     const struct balance_load *load) {
     (void)domain, (void)comm, (void)box, (void)load;
-    error_fatal("the domain cannot be divided anew: built without Zoltan");
+    error_fatal("the domain cannot be divided again: built without Zoltan");
 }

@@ -21,7 +21,7 @@ struct domain_options {
     int grid[3]; /* bricks: ranks per direction; 0: chosen for the least surface */
     enum domain_kind kind;
     enum domain_weights weights; /* bisection: what makes a particle heavy */
-    double threshold; /* bisection: divided anew above this ratio of largest to mean load; 0: never */
+    double threshold; /* bisection: divided again above this ratio of largest to mean load; 0: never */
 };
 
 /* A place where a rank meets a ball: the ball, shifted by `image` (box edges), touches the subdomain of
@@ -73,7 +73,7 @@ int domain_touching(const struct domain *domain, const double x[3], double radiu
 
 /* The places next to the subdomain of this rank (the closed cuboids meet, if only in a corner), sorted by
  * rank and image; the own subdomain is none, its images may be. With domain_clearance all that a rank must
- * know of others in order to send copies. Borrowed until the domain is divided anew. */
+ * know of others in order to send copies. Borrowed until the domain is divided again. */
 const struct domain_place *domain_neighbours(const struct domain *domain, size_t *count);
 
 /* How far the nearest place lies that is neither the own subdomain nor next to it: a ball with its centre in
@@ -85,14 +85,14 @@ double domain_clearance(const struct domain *domain);
 double domain_place_distance2(const struct domain *domain, const struct domain_place *place,
                               const double x[3], const int image[3]);
 
-/* Lays the bricks anew, ranks per direction. Collective in effect: all ranks give the same grid. */
+/* Lays the bricks again, ranks per direction. Collective in effect: all ranks give the same grid. */
 void domain_lay(struct domain *domain, const int grid[3]);
 
-/* Divides a bisection anew; takes the tree over. Collective in effect: all ranks give the same tree. */
+/* Divides a bisection again; takes the tree over. Collective in effect: all ranks give the same tree. */
 void domain_divide(struct domain *domain, struct domain_tree *tree);
 bool domain_bisects(const struct domain *domain);
 
-/* The tree of a bisection, borrowed until it is divided anew; NULL for bricks. */
+/* The tree of a bisection, borrowed until it is divided again; NULL for bricks. */
 const struct domain_tree *domain_tree(const struct domain *domain);
 
 /* Lower and upper corner of a rank's subdomain (infinite at open sides). */

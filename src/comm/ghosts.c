@@ -33,7 +33,7 @@ struct ghosts *ghosts_create(const struct comm *comm, const struct domain *domai
     ghosts->options = *options;
     ghosts->misfit.id = -1;
     exchange_init(&ghosts->exchange, comm);
-    /* its rounds are counted anew: nobody may still be in one of an earlier plan */
+    /* its rounds are counted again: nobody may still be in one of an earlier plan */
     comm_check(MPI_Barrier(comm->handle), "MPI_Barrier");
     return ghosts;
 }

@@ -134,7 +134,7 @@ static struct arrivals take_apart(const struct exchange_message *message, const 
     return arrivals;
 }
 
-/* Row set `s` anew: of those who stay, from[0 ... stay - 1], then of the arrivals. */
+/* Row set `s` again: of those who stay, from[0 ... stay - 1], then of the arrivals. */
 static void join_rows(struct migrate_rows *rows, int s, const uint32_t *from, size_t stay,
                       const struct arrivals *arrivals, size_t messages) {
     size_t particles = stay, count = rows->count;

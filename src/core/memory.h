@@ -28,7 +28,7 @@ void memory_free(void *array);
 size_t memory_in_use(void);
 size_t memory_peak(void);
 
-/* Starts the largest value anew from what is held now. */
+/* Starts the largest value again from what is held now. */
 void memory_peak_reset(void);
 
 /* The peak resident set of the process in bytes, as the operating system counts it (0 where unknown). */

@@ -6,7 +6,7 @@
  *
  * The weight of a particle is what it costs: 1 for itself and half for each pair in its row (both about right
  * for the force loop), or the same scaled by the seconds that its rank took for the weight it has, or 1. The
- * bisection is made anew where the largest load exceeds the mean by the threshold, but not where the last
+ * bisection is made again where the largest load exceeds the mean by the threshold, but not where the last
  * division could do no better: a plane cannot cut through a particle. That is forgotten by and by, as
  * particles come and move. */
 #include "engine/load.h"

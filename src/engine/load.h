@@ -18,7 +18,7 @@ void load_begin(struct simulation *simulation);
  * not measured since; `reached`: the imbalance after the division. */
 void load_restore(struct simulation *simulation, struct domain_tree *tree, bool fresh, double reached);
 
-/* At a rebuild, while the last pair list still stands: divides the box anew if the loads have become uneven.
+/* At a rebuild, while the last pair list still stands: divides the box again if the loads have become uneven.
  * Collective. */
 void load_balance(struct simulation *simulation);
 

@@ -155,13 +155,13 @@ void rebuild_plan(struct simulation *s) {
     timer_stop(&s->timers, TIMER_PAIRS);
 }
 
-/* Size classes: those that travelled have none, and where classes are chosen anew everybody's change. */
+/* Size classes: those that travelled have none, and where classes are chosen again everybody's change. */
 static void classify(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
-    bool anew = s->classes_stale || !s->ranks.alone;
+    bool again = s->classes_stale || !s->ranks.alone;
     if (s->classes_stale)
         classify_choose(s, &s->error);
-    if (anew)
+    if (again)
         particles_classify(s->particles, &s->classes);
 }
 

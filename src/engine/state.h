@@ -40,7 +40,7 @@ struct guard_energy {
 
 /* Trials of what an index that chooses has on offer (tune.c). */
 struct tuning {
-    int64_t choices; /* of all ranks together: more of them start the trials anew */
+    int64_t choices; /* of all ranks together: more of them start the trials again */
     int variant, rebuilds;
     bool settled;
     double start, seconds[TUNING_VARIANTS_MAX];

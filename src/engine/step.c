@@ -21,7 +21,7 @@
  *     sweep      (one rank: early particles,) block by block: late ones move, then the block's forces
  *     receive    values arrive; meanwhile the ranks agree on bounds
  *     copies     forces of pairs with copies
- *     verify     did a particle leave its skin after all? Then forces are made anew after a rebuild
+ *     verify     did a particle leave its skin after all? Then forces are made again after a rebuild
  *     wall, finish, reverse
  *
  * Both give the same bits. A step is fused unless a rebuild must come or is to be expected

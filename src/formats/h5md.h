@@ -24,7 +24,7 @@ struct h5md_head {
     uint64_t seed;
 };
 
-/* Prepares a writer for `path` (which ends in .h5). resume_step < 0: the file is made anew at the first
+/* Prepares a writer for `path` (which ends in .h5). resume_step < 0: the file is made again at the first
  * frame; else frames after that step are cut off and new ones follow, and what is not there is made; a file
  * made for a fixed number of particles is refused (user), as it stands, where they vary now. Collective. */
 bool h5md_open(struct h5md **h5md, const struct comm *comm, const char *path, const struct h5md_head *head,

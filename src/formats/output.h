@@ -24,7 +24,7 @@ struct output_run {
     const struct law_material *material; /* `materials` rows: names */
 };
 
-/* What communication of this rank amounts to, for observables. Sums begin anew with a resume. */
+/* What communication of this rank amounts to, for observables. Sums begin again with a resume. */
 struct output_load {
     uint64_t ghosts;          /* copies held now */
     uint64_t messages, bytes; /* sent to other ranks since this program began */

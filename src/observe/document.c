@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Makes the tables of a page anew: make src/observe/document && src/observe/document <docs/output.md >new */
+/* Makes the tables of a page again: make src/observe/document && src/observe/document <docs/output.md >new */
 #include "observe/describe.h"
 
 int main(void) {

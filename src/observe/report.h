@@ -63,7 +63,7 @@ struct report {
     double sync_share; /* of all seconds, in communication and in waiting for other ranks */
     char sync[4 * REPORT_NAME_MAX];
     char domain[REPORT_NAME_MAX];
-    uint64_t divisions; /* times that the box was divided anew */
+    uint64_t divisions; /* times that the box was divided again */
     struct report_stage stage[TIMER_STAGES];
     double seconds; /* wall clock without set-up, largest over ranks */
     double seconds_setup;

@@ -77,7 +77,7 @@ static void fill_rows(const struct pack_work *work, struct rows *rows) {
         fill_row(work, rows, k);
 }
 
-/* What the final packing is, with the pairs searched anew. */
+/* What the final packing is, with the pairs searched again. */
 static bool measure(struct pack_work *work, struct error *error) {
     struct particles *particles = work->particles;
     struct pack_report *report = work->report;

@@ -15,7 +15,7 @@ struct relaxing {
     struct relax_state state;
 };
 
-/* Before the end counts the pairs are searched anew: wrapping moves particles by a rounding error, and walls
+/* Before the end counts the pairs are searched again: wrapping moves particles by a rounding error, and walls
  * have the last word. */
 static bool is_done(struct relaxing *r) {
     double largest[CLASS_MAX];

@@ -21,7 +21,7 @@
  * primary pairs (all but the mirrored ones) is the same for any number of threads.
  *
  * Building: each thread visits its blocks once and appends to its own region of the list. If a region is too
- * small, the visit goes on counting, the list is laid out anew from the counts, and filled (count, scan,
+ * small, the visit goes on counting, the list is laid out again from the counts, and filled (count, scan,
  * fill); the counts of one build are the guess of the next.
  *
  * A list serves any law with a range: it knows nothing of contacts. */

@@ -310,7 +310,7 @@ static void pass_run(const struct pass *pass) {
     }
 }
 
-/* True if every region was large enough; else lays the list out anew from what the pass counted. */
+/* True if every region was large enough; else lays the list out again from what the pass counted. */
 static bool regions_suffice(struct pairlist *list) {
     struct pairlist_build *build = list->build;
     bool suffice = true;

@@ -41,7 +41,7 @@ struct sweep_thread {
 
 struct sweep {
     int threads;
-    bool stale; /* set by whoever builds the pair list anew; sweep_build clears it */
+    bool stale; /* set by whoever builds the pair list again; sweep_build clears it */
     struct sweep_thread *thread;
     uint8_t *early; /* owned entries: 1 where a particle moves early */
     size_t early_capacity;

@@ -178,7 +178,7 @@ static const struct schema_row domain_rows[] = {
      AT(struct scene, domain.weights), .help = "the weight of a particle in its rank's load"},
     {.key = "threshold", .type = SCHEMA_REAL, .range = "[0, inf)", .fallback = "1.1", .when = "name=bisection",
      AT(struct scene, domain.threshold),
-     .help = "divide anew, at a rebuild, when the largest load exceeds this times the mean; 0: never"},
+     .help = "divide again, at a rebuild, when the largest load exceeds this times the mean; 0: never"},
     {.key = "x", .type = SCHEMA_INT, .range = "[0, inf)", .fallback = "0", .when = "name=brick",
      AT(struct scene, domain.grid[0]),
      .help = "ranks along x; 0: chosen"},

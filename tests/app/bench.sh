@@ -113,7 +113,7 @@ if command -v gnuplot >/dev/null; then check 'and its pictures' pictures; else s
 mkdir fake
 printf '#!/bin/sh\ncat >/dev/null\n' >fake/gnuplot
 chmod +x fake/gnuplot
-words() { # the page anew, its pictures as they are
+words() { # the page again, its pictures as they are
     PATH=$out/fake:$PATH page
 }
 conditions() { # NAME SHARE_OR_LOAD

@@ -390,7 +390,7 @@ chaotic=0 touching=0 shadows=0 divided=0 refused=0 poured=0 held=0
 for ((scene = 0; scene < count; scene++)); do
     one $((first + scene))
 done
-echo "contacts in $touching scenes, shadows needed in $shadows, refused by next neighbours $refused, divided anew $divided; $poured poured, $held with a group, differences that grow in $chaotic"
+echo "contacts in $touching scenes, shadows needed in $shadows, refused by next neighbours $refused, divided again $divided; $poured poured, $held with a group, differences that grow in $chaotic"
 if [ "$count" -ge 12 ]; then
     check 'a third of the scenes have contacts' [ $((3 * touching)) -ge "$count" ]
     check 'some need shadows' [ $shadows -ge 1 ]

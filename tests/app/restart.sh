@@ -43,7 +43,7 @@ divided() {
 if [ $bisection = bisection ]; then
     check 'resumed bit for bit under a bisection that follows the load' same_layout 3 1 -bisection \
         --set domain.name=bisection --set domain.threshold=1.01
-    check 'it was divided anew on the way' divided
+    check 'it was divided again on the way' divided
 fi
 
 # same_bits RANKS THREADS SETTING: the same 120 steps with another setting
