@@ -2,11 +2,11 @@
 /* auto: decides by the cost model which classes share a grid and how large its cells are. With one grid it is
  * `linkcell`, with one a class `bytype`, between these `hgrid`.
  *
- * What is chosen depends on the number of particles in each class and on the volume that they occupy, both
+ * The choice depends on the number of particles in each class and on the volume that they occupy, both
  * rounded to steps of a few per cent, on the classes' sizes and margins, and on nothing else: the same
- * particles give the same choice, in a repeated run and in a resumed one. A step changes where the scene
- * does; then all is chosen again. With `measure` a few variants of the choice are offered to be timed
- * (index_trials); who selects one by the clock gives that up. */
+ * particles give the same choice, in a repeated run and in a resumed one. If the scene changes by a step,
+ * `auto` chooses again. With `measure`, `auto` offers a few variants of the choice for timing (index_trials);
+ * a selection by the clock is not reproducible. */
 #include "index/choose/auto.h"
 
 #include "core/memory.h"
@@ -22,7 +22,7 @@ enum { VARIANTS = 4, SAMPLE = 16384, ACROSS_MAX = 16, STEPS_A_DOUBLING = 8 };
 struct auto_index {
     struct index base;
     struct levels levels;
-    struct cost_scene scene; /* that was chosen for */
+    struct cost_scene scene; /* scene of the present choice */
     struct cost_plan plan[VARIANTS];
     int variants, selected;
     uint64_t choices;
@@ -42,8 +42,8 @@ static double in_steps(double value) {
     return value > 0 ? exp2(round(log2(value) * STEPS_A_DOUBLING) / STEPS_A_DOUBLING) : 0;
 }
 
-/* The part of the space around the owned particles in which there are any, from a sample. Directions of no
- * extent count as one cut-off wide. */
+/* The occupied part of the space around the owned particles, from a sample. Directions of no extent count as
+ * one cut-off wide. */
 static double occupied(const struct index_view *view, double cutoff) {
     double low[3], high[3], volume = 1;
     size_t step = view->owned / SAMPLE + 1, sampled = view->owned / step;
@@ -74,7 +74,7 @@ static double occupied(const struct index_view *view, double cutoff) {
     return volume * cells / pow(across, view->dimension);
 }
 
-/* The scene that a view shows, its bins the classes. */
+/* Fills the scene from a view; its bins are the classes. */
 static void look(const struct index_view *view, struct cost_scene *scene) {
     uint64_t count[INDEX_CLASS_MAX] = {0};
     memset(scene, 0, sizeof *scene);
@@ -89,7 +89,7 @@ static void look(const struct index_view *view, struct cost_scene *scene) {
     scene->volume =
         in_steps(view->owned > 0 ? occupied(view, frame_cutoffs(view, 0, view->classes - 1).largest) : 1);
     for (int c = 0; c < view->classes; c++) {
-        const int partner = frame_partner(view, c); /* who meets nobody does not count */
+        const int partner = frame_partner(view, c); /* a class without partners does not count */
         scene->count[c] = partner < 0 ? 0 : in_steps((double)count[c]);
         scene->radius_max[c] = scene->radius_min[c] = view->radius_max[c];
         scene->margin[c] = partner < 0 ? 0 : view->margin[c][partner];
@@ -99,7 +99,7 @@ static void look(const struct index_view *view, struct cost_scene *scene) {
     }
 }
 
-/* A variant of the choice, if it is not among the ones before. */
+/* Adds a variant of the choice, unless an earlier one is equal. */
 static void offer(struct auto_index *index, const struct cost_plan *plan) {
     for (int k = 0; k < index->variants; k++) {
         if (memcmp(&index->plan[k], plan, sizeof *plan) == 0) {

@@ -8,8 +8,8 @@
 
 #include "index/index.h"
 
-/* True if j, shifted by the image vector, lies within the cut-off of i; of classes that are not wanted, whose
- * cut-off is -infinity, never. */
+/* True if j, shifted by the image vector, lies within the cut-off of i. Never true for classes that are not
+ * wanted, as their cut-off is -infinity. */
 static inline bool exact_near(const struct index_view *view, size_t i, size_t j, const int image[3]) {
     const double *xi = view->position + i * view->stride;
     const double *xj = view->position + j * view->stride;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The spatial index: positions and radii in, pairs out. This is the contract.
+/* The spatial index: its input is positions and radii, its output is pairs. This is the contract.
  *
  * A pair is (i, j, image): i an owned particle, j an owned one or a ghost, with
  *     | x_j + shift(image) - x_i |  <=  r_i + r_j + margin(class i, class j)       (index_view.margin)
  * Particles of two classes whose margin is INDEX_NOT_WANTED never meet, however near: no index emits such a
  * pair, and none searches for it, as far as its cells keep the classes apart (index_wanted). A class may be
- * unwanted with itself; one that meets nobody costs an index nothing.
- * Directions that are periodic *in the view* are wrapped by the index itself, which then names the image of
- * j; in all others the image is 0 and copies (ghosts) stand where they are needed. Because the image is
+ * unwanted with itself; a class without any partner class costs an index nothing.
+ * The index itself wraps directions that are periodic *in the view*, and then names the image of j; in all
+ * other directions the image is 0, and the view has the copies (ghosts) that are needed. Because the image is
  * explicit, boxes thinner than two cut-offs and particles larger than half a box work: the same i and j may
  * meet through two images. A particle never pairs with itself (the caller guarantees for wanted pairs that
  * r_i + r_j + margin < edge).
@@ -15,12 +15,12 @@
  * edge is tolerated). A particle of a higher class is larger than every particle of a lower one.
  *
  * Which pairs a rank keeps:
- *   both owned            once, as (i, j) or (j, i), whichever row the index finds convenient
+ *   both owned            once, as (i, j) or (j, i); the index chooses the row
  *   i owned, j a ghost    newton off: always. newton on: iff i is the pair's *home* (index_pair_home)
  *   both ghosts           never
  * The set is the same for every index, every thread count and every order of the particles.
  *
- * Who calls what, when:
+ * The operations, their callers and times, and the data that they change:
  *   operation    called                              may touch                    threads
  *   applicable   before create, by `auto` and tests  nothing                      one
  *   create       once a run, or on a switch          its own state                one
@@ -41,12 +41,12 @@
  *   1. Copy brute.c to NAME.c: it is the oracle of every test and the shortest example.
  *   2. Put your state into a struct whose first member is `struct index base`.
  *   3. Fill one `const struct index_ops NAME_ops` with designated initialisers, no casts.
- *   4. Declare it in registry.c and add one line to its table. Nothing else in the program knows your name.
+ *   4. Declare it in registry.c and add one line to its table. No other file of the program knows the name.
  *   5. Add the file to local.mk, and run `make check`: tests/index compares every registered index with
  *      `brute`.
  *   6. Describe it in docs/indexes.md.
  *
- * Only index.c calls through the table; everybody else uses the wrappers below, which check, count and time.
+ * Only index.c calls through the table; all other files use the wrappers below, which check, count and time.
  */
 #ifndef SCREE_INDEX_INDEX_H
 #define SCREE_INDEX_INDEX_H
@@ -80,8 +80,8 @@ struct index_view {
     double radius_max[INDEX_CLASS_MAX];              /* largest radius a particle of the class may have */
     double margin[INDEX_CLASS_MAX][INDEX_CLASS_MAX]; /* added to r_i + r_j, or INDEX_NOT_WANTED; symmetric */
     int threads;                                     /* size of the team that build and order may open */
-    bool ordered; /* at build: the owned particles are those that the last `order` saw, now in that order;
-                     none has moved. Allows an index to use what it learnt then, and changes nothing else */
+    bool ordered; /* at build: the owned particles are those of the last `order`, now in that order; none
+                     has moved. The index may then use its results of `order`; the pairs are the same */
 };
 
 /* True if particles of the classes a and b may meet. */
@@ -89,18 +89,20 @@ static inline bool index_wanted(const struct index_view *view, int a, int b) {
     return view->margin[a][b] > INDEX_NOT_WANTED;
 }
 
-/* What the user may set of an index (scene key `index`). Zero or negative means: the index's default. */
+/* Options of an index that the user may set (scene key `index`). Zero or negative means: the index's
+ * default. */
 struct index_params {
     /* Cell edge as a multiple of the cut-off that the index builds on; 0: its own default. */
     double cell_factor;
-    int levels; /* hgrid: number of levels, each a run of neighbouring classes; 0: one a class */
+    int levels; /* hgrid: number of levels, each a run of neighbouring classes; 0: one level for each class */
     double level_cell[INDEX_CLASS_MAX]; /* hgrid: cell edge of each level, length unit; 0: cell_factor x the
                                            level's cut-off */
-    int cross_search;                   /* who looks up whom in pairs of unlike levels: an enum index_cross */
+    int cross_search;                   /* searching side in pairs of unlike levels: an enum index_cross */
     int instructions; /* vector instructions that the search uses: an enum index_instructions */
 };
 
-/* 0 takes the widest that the CPU has; more than it has is cut down to that. The pairs are the same. */
+/* INDEX_BEST takes the widest instructions of the CPU. If the CPU lacks the chosen ones, the search takes the
+ * widest of the CPU. The pairs are the same. */
 enum index_instructions { INDEX_BEST, INDEX_PLAIN, INDEX_AVX2, INDEX_AVX512 };
 
 /* Pairs of unlike levels are found by the smaller particle among the larger ones, by the larger among the
@@ -109,24 +111,25 @@ enum index_cross { INDEX_CROSS_AUTO, INDEX_CROSS_SMALLER, INDEX_CROSS_LARGER };
 
 /* Receives pairs. The index writes pair k to i[k], j[k] while k < capacity, and counts on beyond; a sink with
  * capacity 0 only counts. j carries the code of the image that is added to j (core/image.h) in its upper 5
- * bits: j | code << 27. The arrays may be overwritten up to INDEX_SINK_PAD entries beyond `count`, if within
- * capacity: whoever owns them allocates capacity + INDEX_SINK_PAD. */
+ * bits: j | code << 27. The index may overwrite the arrays up to INDEX_SINK_PAD entries beyond `count`, if
+ * within capacity: the owner of the arrays allocates capacity + INDEX_SINK_PAD. */
 struct index_sink {
     uint32_t *i, *j;
     size_t count, capacity;
 };
 enum { INDEX_SINK_PAD = 32, INDEX_IMAGE_SHIFT = 27 };
 
-/* The home of a pair: the particle whose owner computes it with newton on. The smaller radius; of equal ones
- * a fixed choice from the two ids, which spreads the work over both. True if i is the home. Symmetric:
- * exactly one of (i,j), (j,i). */
+/* The home of a pair: the particle whose owner computes the pair with newton on. The home is the particle of
+ * smaller radius; for equal radii the two ids give a fixed choice, which spreads the work over both owners.
+ * True if i is the home. Symmetric: exactly one of (i,j), (j,i). */
 static inline bool index_pair_home(double radius_i, int64_t id_i, double radius_j, int64_t id_j) {
     if (radius_i != radius_j)
         return radius_i < radius_j;
     return ((id_i + id_j) & 1) ? id_i < id_j : id_i > id_j;
 }
 
-/* Emits one pair. For indexes that find pairs one by one; vectorised ones write runs themselves. */
+/* Emits one pair. For indexes that find pairs one by one; vectorised indexes write runs of pairs
+ * themselves. */
 static inline void index_sink_put(struct index_sink *sink, uint32_t i, uint32_t j, unsigned code) {
     if (sink->count < sink->capacity) {
         sink->i[sink->count] = i;
@@ -137,7 +140,7 @@ static inline void index_sink_put(struct index_sink *sink, uint32_t i, uint32_t 
 
 /* One line of the level table of the report. */
 struct index_level {
-    double cell;                   /* cell edge, length unit; 0: no cells, as these particles meet nobody */
+    double cell;                   /* cell edge, length unit; 0: no cells, as there are no partners */
     double radius_min, radius_max; /* radii of the classes on this level */
     size_t cells;                  /* cells allocated (dense) or occupied (sparse) */
     size_t particles;              /* owned particles and ghosts on the level */
@@ -147,20 +150,20 @@ struct index_level {
 struct index_description {
     int levels;
     struct index_level level[INDEX_CLASS_MAX];
-    /* of an index that chooses; else empty */
+    /* of an index that chooses (`auto`); else empty */
     char choice[16];         /* the index that the choice amounts to */
-    char why[INDEX_WHY_MAX]; /* one line: what the predicted cost consists of */
+    char why[INDEX_WHY_MAX]; /* one line: the parts of the predicted cost */
     double predicted;        /* seconds a rebuild: order, build and visit */
-    uint64_t choices;        /* how often it chose: more than once if the scene changed */
-    int variant;             /* of the choice, selected after trials; 0: the predicted best */
+    uint64_t choices;        /* how often the index chose: more than once if the scene changed */
+    int variant;             /* variant of the choice, selected after trials; 0: the predicted best */
 };
 
 struct index;
 
 struct index_ops {
-    const char *name;    /* what the scene key index.name selects */
+    const char *name;    /* value of the scene key index.name */
     const char *summary; /* one line for `scree help index.name` */
-    /* May this index serve the view? Else `why` gets one line (too many cells ...). */
+    /* True if this index can serve the view; else `why` gets one line (too many cells ...). */
     bool (*applicable)(const struct index_params *params, const struct index_view *view,
                        char why[INDEX_WHY_MAX]);
     struct index *(*create)(const struct index_params *params);
@@ -178,8 +181,9 @@ struct index_ops {
     bool (*check)(const struct index *self, const struct index_view *view, char why[INDEX_WHY_MAX]);
     void (*describe)(const struct index *self, struct index_description *description);
     size_t (*memory)(const struct index *self); /* bytes held */
-    /* An index that chooses, else NULL: how many variants of its choice are worth timing; take the k-th from
-     * the next order on. A new choice starts with variant 0 again. */
+    /* For an index that chooses, else NULL. trials: the number of variants of its choice that are worth
+     * timing; select: takes the k-th variant from the next order on. A new choice starts with variant 0
+     * again. */
     int (*trials)(const struct index *self);
     void (*select)(struct index *self, int variant);
 };
@@ -192,13 +196,13 @@ struct index {
     double order_seconds, build_seconds; /* wall time spent so far */
 };
 
-/* Number of registered indexes, and the k-th; the one of a name, or NULL. `brute` is the first. */
+/* The number of registered indexes; the k-th index; the index of a name, or NULL. `brute` is the first. */
 int index_registry_count(void);
 const struct index_ops *index_registry_get(int k);
 const struct index_ops *index_registry_find(const char *name);
 
-/* Makes the index of a name. An unknown name is the user's error and lists the known ones. Destroy frees and
- * nulls. */
+/* Creates the index of a name. An unknown name is a user's error, and the message lists the known names.
+ * Destroy frees the index and sets the pointer to NULL. */
 struct index *index_create(const char *name, const struct index_params *params, struct error *error);
 void index_destroy(struct index **index);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* linkcell: one grid for all particles, its cells as large as the largest cut-off. Good where all particles
- * are of about one size; a cell full of small ones is searched for every other small one if large ones are
- * about. */
+/* linkcell: one grid for all particles, its cells as large as the largest cut-off. Good if all particles are
+ * of about one size. If there are also large particles, each small particle searches cells full of small
+ * ones. */
 #include "index/grids/levels_index.h"
 
 static const double CELL_FACTOR = 1.0;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The physics that a scene may ask for beside its grains: one row each, NAME, the key of its section in a scene,
- * and what it is. engine/physics.h has the contract and the recipe. A row stands for these objects of src/NAME/:
+/* The physics that a scene may ask for beside its grains: one row each, with NAME, the key of the physics'
+ * section in a scene, and a summary. engine/physics.h has the contract and the recipe. A row stands for these
+ * objects of src/NAME/:
  *
  *   NAME_physics      struct physics              engine/physics.h
  *   NAME_schema       struct schema_table         the rows of its section (scene/schema.h)

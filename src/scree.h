@@ -3,8 +3,8 @@
  *
  *     cc mycode.c $(pkg-config --cflags --libs scree)
  *
- * Everything here is C, owns what it says it owns, and neither prints nor exits (scree_main does, as a
- * program). */
+ * All functions are plain C. None prints or exits, except scree_main, which is a whole program. Each comment
+ * says who owns an array. */
 #ifndef SCREE_H
 #define SCREE_H
 
@@ -43,7 +43,7 @@ struct scree_pair {
 bool scree_pairs(const char *index, const struct scree_spheres *spheres, double margin, int threads,
                  struct scree_pair **pairs, size_t *found, char *why, size_t room);
 
-/* Releases what this library allocated; NULL is fine. */
+/* Releases an array that this library allocated; NULL is allowed. */
 void scree_free(void *array);
 
 /* The program `scree` with these arguments: starts and stops MPI, prints, and returns the exit status. */

@@ -8,12 +8,12 @@
 enum { LEVELS_TRIED = 8, LEVELS_PATIENCE = 2, ROUNDS = 4 };
 
 /* Cell edges tried, as multiples of the cut-off of a level. For the level with most particles the model is
- * nearly flat from 1 to 2 and the clock is not: larger ones are for the others, and for it where cells of the
- * cut-off would be nearly all empty. */
+ * nearly flat from 1 to 2, but the measured time is not: larger factors serve the other levels, and this
+ * level if nearly all cells of the cut-off would be empty. */
 static const double factors[] = {0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 8.0, 16.0};
 enum { FACTORS = sizeof factors / sizeof factors[0], FACTORS_CROWDED = 4 };
 
-/* Worth less than this is not worth it: a level more, or another cut. */
+/* Least gain, as part of the cost, for which a level is added or a cut or an edge is changed. */
 static const double gain_least = 0.005;
 
 static const double occupancy_dilute = 0.1;
@@ -35,7 +35,7 @@ void auto_bins(struct cost_scene *scene, const double *radii, size_t n, double w
     }
 }
 
-/* The level with most particles, of those that meet each other; -1: there is none. */
+/* The level with most particles, among the levels whose particles meet each other; -1: there is none. */
 static int crowded(const struct cost_scene *scene, const struct cost_plan *plan) {
     int best = -1;
     double most = 0;

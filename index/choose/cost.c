@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Handing out what larger rows found costs a row half a visit. */
+/* Visits that a row costs for handing out the pairs that larger rows found. */
 static const double HANDED_OUT = 0.5;
 
 static const char *const names[COST_TERMS] = {
@@ -32,8 +32,8 @@ struct part {
     bool sparse;
     double span_radius[2]; /* largest radius to be expected in a span: own, other */
     int first, last;       /* bins */
-    uint64_t bins;         /* those with particles */
-    uint64_t unwanted;     /* those with whom particles of some bin never meet */
+    uint64_t bins;         /* bins with particles */
+    uint64_t unwanted;     /* bins that particles of some bin of the level never meet */
 };
 
 /* The radius that one of `rows` particles of the level exceeds. */
@@ -83,7 +83,7 @@ double cost_cutoff(const struct cost_scene *scene, const struct cost_plan *plan,
     return part.count > 0 ? 2 * part.radius_max + part.margin : 0;
 }
 
-/* The share of the rows of g that meet somebody of h. */
+/* The share of the rows of g that have a partner in h. */
 static double searching(const struct cost_scene *scene, const struct part *g, const struct part *h) {
     double count = 0;
     if ((g->unwanted & h->bins) == 0) {
@@ -137,7 +137,7 @@ static struct window window_of(const struct cost_scene *scene, const struct part
     return window;
 }
 
-/* Rows of g, one by one, in the dense table of their own. */
+/* Counts the search of the rows of g, one by one, in their own dense table. */
 static void count_direct(const struct cost_scene *scene, const struct part *g, double count[COST_TERMS]) {
     const double rows = g->count * searching(scene, g, g);
     struct window window = window_of(scene, g, 0, 0, g->radius_mean + g->radius_max + g->margin);
@@ -148,7 +148,7 @@ static void count_direct(const struct cost_scene *scene, const struct part *g, d
     count[COST_VECTOR] += rows * share * window.pencils * vectors;
 }
 
-/* Rows of g in the table of h, in spans. */
+/* Counts the search of the rows of g in the table of h, in spans. */
 static void count_spans(const struct cost_scene *scene, const struct part *g, const struct part *h, bool own,
                         double count[COST_TERMS]) {
     bool flat = scene->dimension == 2;
@@ -175,7 +175,7 @@ static void count_spans(const struct cost_scene *scene, const struct part *g, co
     count[COST_TEST] += spans * rows * (found / SEARCH_LANES + 0.5 * some);
 }
 
-/* So many rows, one by one, in the table of the smaller ones of g. */
+/* Counts the search of `rows` rows, one by one, in the table of the smaller particles g. */
 static void count_singles(const struct part *g, double rows, const struct window *window, double found,
                           double count[COST_TERMS]) {
     double pencils = rows * window->pencils;
@@ -192,7 +192,7 @@ static void count_singles(const struct part *g, double rows, const struct window
     }
 }
 
-/* The pairs between two levels, g the smaller: in spans of g, or by single rows of h. */
+/* Counts the pairs between two levels, g the smaller: in spans of g, or by single rows of h. */
 static void count_cross(const struct cost_scene *scene, const struct part *g, const struct part *h,
                         double count[COST_TERMS]) {
     const double reach = h->radius_max + g->radius_max + g->margin;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What a search costs: a model of order + build + visit for grids of levels, from the number, sizes and
- * density of the particles alone. `auto` chooses by it.
+/* The cost of a search: a model of order + build + visit for grids of levels, from the number, sizes and
+ * density of the particles alone. `auto` chooses by this model.
  *
  * Ogarko and Luding's estimate, T ~ N L (m + K) for m particles in each cell of L levels, counts candidates
  * and cells per particle. Here most rows are searched in spans and some one by one (search_rows.h),
@@ -12,14 +12,14 @@
  *   visits      elsewhere: rows of g, once for each h; half a visit where h finds the pairs
  *   runs        spans of at most OWN_ROWS (h = g) or ROWS (h > g) of a pencil x pencils of h that a window of
  *               (edge of g + 2 s) meets; half of them for h = g
- *   round       those of wide windows, which are cut to a ball pencil by pencil
- *   sparse      those of them in tables that are kept sparse (cells.h)
+ *   round       runs of wide windows, which are cut to a ball pencil by pencil
+ *   sparse      runs in tables that are kept sparse (cells.h)
  *   tests       candidates of a span, n_h x (volume of those pencils between the ends of the window), x rows,
  *               LANES at a time
  *   singles     rows of h, where they find their pairs with g themselves (cross.h). Their candidates are
  *               counted with the windows and vectors, or with the runs and tests
  *
- * and each has its price. Rows that meet nobody in a table do not search it. Particles are taken to be spread
+ * and each has its price. Rows without partners in a table do not search it. Particles are taken to be spread
  * evenly over the volume; a volume that is occupied only in part should be given as the part. Prices were
  * fitted by `bench_index calibrate` (docs/indexes.md).
  */
@@ -59,7 +59,7 @@ void cost_count(const struct cost_scene *scene, const struct cost_plan *plan, do
 /* Seconds that one rebuild should take on the scene's number of threads. */
 double cost_seconds(const struct cost_scene *scene, const struct cost_plan *plan);
 
-/* One line that says what the cost consists of. */
+/* Writes one line with the parts of the cost. */
 void cost_why(const struct cost_scene *scene, const struct cost_plan *plan, char why[INDEX_WHY_MAX]);
 
 /* Name of a term. */

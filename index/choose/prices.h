@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What the steps of a search cost, in nanoseconds: the one list of prices, by which `auto` chooses an index
- * (cost.h) and an index of levels chooses the side that finds pairs of unlike levels. */
+/* The costs of the steps of a search, in nanoseconds: the one list of prices. `auto` chooses an index by
+ * these prices (cost.h), and an index of levels chooses the side that finds pairs of unlike levels. */
 #ifndef SCREE_INDEX_CHOOSE_PRICES_H
 #define SCREE_INDEX_CHOOSE_PRICES_H
 
@@ -24,13 +24,14 @@ enum cost_term {
 /* The price of an event. */
 double prices_event(enum cost_term term);
 
-/* The two sides of a pair of levels: particles of each, those that lie about one of the other side (about a
- * span of rows, of the larger ones), and the pencils of small cells that a large one meets. */
+/* The two sides of a pair of levels: the number of particles of each side, the number of them around a
+ * particle of the other side (larger ones: around a span of rows), and the pencils of small cells that a
+ * large particle meets. */
 struct prices_sides {
     double smaller, larger;
     double found_smaller, found_larger;
     double pencils;
-    bool sparse; /* the table of the smaller ones is */
+    bool sparse; /* the table of the smaller particles is sparse */
 };
 
 /* True if the larger side finds the pairs of the two in less time. */

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Building a table, in three sweeps over the particles:
  *
- * 1. Keys: every particle's cell, and, hoping that the particles are in order already (they are after a
- * reorder), its coordinates at once into their places. If so, only the cell beginnings remain to be written.
+ * 1. Keys: the cell of every particle. The sweep assumes that the particles are already in order (as after a
+ * reorder), and writes their coordinates into the slots at the same time. If the assumption holds, only the
+ * beginnings of the cells remain to be written.
  * 2. Otherwise the keys are sorted (cells_sort.c): by thread and bucket, then within each bucket.
- * 3. And the coordinates are gathered in the new order.
+ * 3. The coordinates are then gathered in the new order.
  *
- * Where the order of the particles was made from the same grid, 1 and 2 are done by then: cells_order keeps
- * the beginnings, and cells_fill only writes coordinates. */
+ * If the order of the particles was made from the same grid, sweeps 1 and 2 are already done: cells_order
+ * keeps the beginnings of the cells, and cells_fill only writes coordinates. */
 #include "index/grids/cells.h"
 
 #include "core/memory.h"
@@ -51,7 +52,8 @@ static void reserve_slots(struct cells *cells, size_t count, bool coordinates) {
     cells->place_capacity = count > old ? count : old;
 }
 
-/* Searches read whole vectors: what stands behind the last slot is far from everybody. */
+/* Fills the slots behind the last one with a place far from every particle, as searches read whole
+ * vectors. */
 static void pad_slots(const struct cells *cells) {
     static_assert(MEMORY_ALIGNMENT / sizeof(float) >= CELLS_PAD, "arrays are padded by a cache line");
     for (size_t k = cells->count; k < cells->count + CELLS_PAD; k++) {
@@ -61,8 +63,8 @@ static void pad_slots(const struct cells *cells) {
     }
 }
 
-/* Puts the particles of a batch into the slots from `slot` on; what it finds goes into the bounds of `cells`,
- * a thread's own copy. */
+/* Puts the particles of a batch into the slots from `slot` on, and updates the bounds of `cells`, which is
+ * the thread's own copy. */
 static void put_slots(struct cells *cells, const struct frame *frame, size_t slot,
                       const struct located *located) {
     const double scale = frame->scale;
@@ -83,7 +85,7 @@ static void put_slots(struct cells *cells, const struct frame *frame, size_t slo
     cells->r_max = most;
 }
 
-/* Keys of a batch. */
+/* Computes the keys of a batch. */
 static void put_keys(const struct cells_source *source, const struct located *located,
                      uint64_t *restrict key) {
     const uint32_t *x = located->cell[0], *y = located->cell[1], *z = located->cell[2];
@@ -115,7 +117,7 @@ static void merge_bounds(struct cells *cells, const struct cells *mine, bool ord
     }
 }
 
-/* The k-th particles of the group on, as the members list them, into a batch. */
+/* Reads the members of the group, from the k-th on, into a batch. */
 static void locate_members(struct located *located, const struct cells_source *source, size_t k) {
     const struct members *members = source->members;
     size_t at = members->begin[source->group] + k;
@@ -131,7 +133,7 @@ static void number_members(uint32_t *particle, const struct cells_source *source
     }
 }
 
-/* Sweep 1; without `coordinates` for the keys alone. */
+/* Sweep 1; without `coordinates` only the keys. */
 static void find_keys(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
                       bool coordinates) {
     cells->in_order = true;
@@ -244,7 +246,7 @@ static void sparse_pencils(struct cells *cells, const uint64_t *key) {
     fill_hash(cells);
 }
 
-/* Makes room for everything and takes the keys. */
+/* Makes room for all arrays and computes the keys. */
 static void start(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
                   bool coordinates) {
     const struct members *members = source->members;
@@ -271,7 +273,7 @@ static void sort(struct cells *cells, struct cells_scratch *scratch, const struc
     }
 }
 
-/* What the table needs beside the slots, from the keys in order. */
+/* Fills the parts of the table beside the slots, from the keys in order. */
 static void finish(struct cells *cells, const struct cells_scratch *scratch,
                    const struct cells_source *source) {
     if (cells->sparse) {
@@ -279,7 +281,7 @@ static void finish(struct cells *cells, const struct cells_scratch *scratch,
         cells->x_cell = ensure(cells->x_cell, old, cells->count, sizeof(uint32_t), "index x cells");
         cells->x_cell_capacity = cells->count > old ? cells->count : old;
         sparse_pencils(cells, scratch->key);
-    } else if (cells->in_order) { /* else the sort did it */
+    } else if (cells->in_order) { /* else the sort wrote the beginnings */
         dense_begins(cells, scratch->key, (size_t)source->grid->cells, source->view->threads);
     }
 }
@@ -333,7 +335,7 @@ void cells_fill(struct cells *cells, const struct cells_source *source, uint32_t
             put_slots(&mine, source->frame, k, &located);
             number_members(cells->particle + k, source, k, located.count);
         }
-        /* every thread has its copy of the bounds by then */
+        /* the merge begins when every thread has its copy of the bounds */
 #pragma omp barrier
         merge_bounds(cells, &mine, true);
     }

@@ -23,7 +23,7 @@ struct cells {
     bool clamped;       /* some coordinate was clamped by the frame */
     bool sparse;
     uint32_t *begin;    /* dense: grid cells + 1; sparse: pencils + 1 */
-    size_t pencils;     /* sparse only, as all below */
+    size_t pencils;     /* sparse only, as all members below */
     uint64_t *pencil;   /* y + (z << 32) of each pencil, ascending in (z, y) */
     uint32_t *x_cell;   /* of each slot */
     uint64_t *hash_key; /* open addressing; HASH_EMPTY where free */
@@ -33,7 +33,8 @@ struct cells {
     size_t occupied; /* sparse: cells with particles */
 };
 
-/* Behind the last slot stand so many of a place that is far from everybody: searches read whole vectors. */
+/* Number of slots behind the last one that hold a place far from every particle: searches read whole
+ * vectors. */
 enum { CELLS_PAD = 16 };
 
 #define CELLS_RADIUS_EXCESS 0x1p-19
@@ -47,7 +48,7 @@ struct cells_scratch {
     size_t histogram_capacity;
 };
 
-/* What a table is built from: group g of the members. */
+/* Source of a table: group g of the members. */
 struct cells_source {
     const struct index_view *view;
     const struct frame *frame;
@@ -63,13 +64,13 @@ void cells_build(struct cells *cells, struct cells_scratch *scratch, const struc
                  uint32_t *slot_of);
 
 /* Writes the particle numbers of the group in cell order to order[]. `cells` serves as scratch; with `keep`
- * it becomes a table without coordinates: cells_fill makes it whole once the particles lie in that order.
+ * `cells` becomes a table without coordinates: cells_fill adds them once the particles lie in that order.
  * Opens teams of threads. */
 void cells_order(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
                  bool keep, uint32_t *order);
 
-/* As cells_build, for the table that cells_order kept: the particle at place k of the group is the one of
- * order[k], and none has moved. */
+/* As cells_build, for the table that cells_order kept: the particle at place k of the group is the former
+ * particle order[k], and no particle has moved. */
 void cells_fill(struct cells *cells, const struct cells_source *source, uint32_t *slot_of);
 
 void cells_free(struct cells *cells);

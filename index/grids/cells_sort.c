@@ -59,7 +59,7 @@ size_t cells_scratch_memory(const struct cells_scratch *scratch) {
     return scratch->capacity * each + scratch->histogram_capacity * sizeof(size_t);
 }
 
-/* The buckets are large and soon done with: others may have their memory until the next sort. */
+/* Frees the buckets until the next sort, as their memory is large. */
 static void free_buckets(struct cells_scratch *scratch) {
     memory_free(scratch->bucket_key);
     memory_free(scratch->bucket_particle);
@@ -116,8 +116,8 @@ static void into_buckets(struct cells_scratch *scratch, const struct buckets *bu
 #pragma omp barrier
 }
 
-/* Pass 2, dense: counts in the table of cell beginnings itself, which for these cells is this bucket's alone.
- */
+/* Pass 2, dense: counts directly in the table of cell beginnings; no other bucket has the cells of this
+ * bucket. */
 static void sort_dense_bucket(const struct cells_scratch *scratch, const size_t entries[2],
                               const size_t range[2], uint32_t *particle, uint32_t *begin) {
     memset(begin + range[0], 0, (range[1] - range[0]) * sizeof *begin);
@@ -207,7 +207,7 @@ static int compare_keys(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* Splitters from a regular sample of the keys; returns how many. */
+/* Chooses splitters from a regular sample of the keys; returns their number. */
 static size_t choose_splitters(const uint64_t *key, size_t count, uint64_t *splitters) {
     size_t wanted = count / 64 + 1 < SPARSE_BUCKETS ? count / 64 + 1 : SPARSE_BUCKETS;
     uint64_t sample[SPARSE_BUCKETS * SAMPLES_A_BUCKET];

@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The threaded sort of particles by cell; stable, and the same for any number of threads. Two passes: into
- * buckets of neighbouring cells (a histogram a thread, so that nobody waits for anybody), then every bucket
- * by itself. For cells.c alone. */
+ * buckets of neighbouring cells (one histogram for each thread, so that no thread waits for another), then
+ * every bucket by itself. For cells.c alone. */
 #ifndef SCREE_INDEX_GRIDS_CELLS_SORT_H
 #define SCREE_INDEX_GRIDS_CELLS_SORT_H
 
 #include "index/grids/cells.h"
 
-enum { CELLS_SPARSE_BITS = 21, CELLS_THREADED = 8192 }; /* fewer particles than that are one thread's work */
+enum { CELLS_SPARSE_BITS = 21, CELLS_THREADED = 8192 }; /* one thread sorts fewer particles than this */
 
 struct cells_sort_job {
     size_t count;
-    double cells; /* of the dense grid */
+    double cells; /* number of cells of the dense grid */
     int threads;
 };
 

@@ -102,7 +102,7 @@ static void fill_rows(struct cross_pairs *cross, size_t first, size_t last, size
     }
 }
 
-/* Room for the finds of all threads, which are none yet, and for the rows. */
+/* Makes room for the rows and for the pairs of all threads, and sets the numbers of pairs to 0. */
 static void reserve(struct cross_pairs *cross, const struct index_view *view) {
     if (view->threads > cross->threads) {
         cross->found =

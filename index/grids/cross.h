@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Pairs of unlike levels that are found from the larger side.
  *
- * A few large particles among many small ones find each other fastest if each large one looks through the
- * cells of the small ones around it: then the small ones, whose rows are nearly all without a large partner,
- * search their own table alone. The pairs are kept by the row of the smaller one all the same: the build
- * finds them, sorts them by the number of the smaller particle, and the visit of its row hands them out. */
+ * The fastest search for pairs of a few large and many small particles starts at the large ones: each large
+ * particle searches the cells of the small ones around it. The small particles, nearly all of which have no
+ * large partner, then search their own table alone. The row of a pair is still the smaller particle: the
+ * build finds the pairs and sorts them by the number of the smaller particle, and the visit of its row emits
+ * them. */
 #ifndef SCREE_INDEX_GRIDS_CROSS_H
 #define SCREE_INDEX_GRIDS_CROSS_H
 
@@ -19,12 +20,12 @@ struct cross_pairs {
     int threads;
 };
 
-/* Who finds them. */
+/* The search from the larger side: its rows and its function. */
 struct cross_finder {
     const struct members *owned;
-    size_t first; /* place in `owned` of the first that searches smaller ones; those after it all do */
+    size_t first; /* place in `owned` of the first particle that searches smaller ones, as do all after it */
     const void *context;
-    /* Emits what rows [first, last) find among smaller ones. Many threads at once. */
+    /* Emits the pairs of rows [first, last) with smaller particles. Many threads at once. */
     void (*find)(const void *context, const struct index_view *view, size_t first, size_t last,
                  struct index_sink *sink);
 };

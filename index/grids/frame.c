@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Where the tolerance comes from: let M be the largest coordinate of the frame and e = 2^-24. Two coordinates
- * carry e M each; a periodic edge, at most 2 M (and a millionth), carries 2 e M, the coordinate shifted by it
- * 3 e M more, and their difference, near the cut-off, next to nothing. That is below 8 e M a direction, so
- * below 8 sqrt(3) e M < 16 e M = 2^-20 M in all. */
+/* Derivation of the tolerance. Let M be the largest coordinate of the frame and e = 2^-24. Each of two
+ * coordinates has an error of e M; a periodic edge, at most 2 M (and a millionth), has 2 e M; the coordinate
+ * shifted by the edge adds 3 e M; the difference of the two, near the cut-off, adds next to nothing. The sum
+ * is below 8 e M a direction, so below 8 sqrt(3) e M < 16 e M = 2^-20 M in all. */
 #include "index/grids/frame.h"
 
 #include <float.h>

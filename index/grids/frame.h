@@ -6,14 +6,15 @@
  * Invariants:
  *
  * - Coordinates are clamped to [low, high] first. Clamping is monotone and shortens distances, never
- * lengthens them, so no pair is lost. It bites only where a particle lies absurdly far out (or is not a
- * number); then `clamped` is set and no distance in the frame counts as certain: the exact test decides all
- * of them.
+ * lengthens them, so no pair is lost. Clamping changes a coordinate only if its particle lies extremely far
+ * out (or is not a number); then `clamped` is set and no distance in the frame counts as certain: the exact
+ * test decides all distances.
  * - A distance formed from two frame coordinates, one of them shifted by a box edge, differs from the true
  * one by at most `tolerance`: coordinates and edges carry 2^-24 of their size each, four of them enter, and
  * the square root of three directions is below two (see frame.c).
- * - In open directions centre and cells hang on the owned particles alone, which `order` sees as well as
- *   `build`: both cut space alike, and a build after a reorder finds everything in order. */
+ * - In open directions the centre and the cells depend on the owned particles alone. `order` and `build` both
+ *   see the owned particles, so both divide space alike, and a build after a reorder finds all particles in
+ *   order. */
 #ifndef SCREE_INDEX_GRIDS_FRAME_H
 #define SCREE_INDEX_GRIDS_FRAME_H
 
@@ -26,18 +27,18 @@ struct frame {
     bool periodic[3];                  /* as in the view */
     float edge[3];                     /* box edges in periodic directions, else 0; frame units */
     float owned_low[3], owned_high[3]; /* extent of owned particles; in periodic directions the box */
-    float all_low[3], all_high[3];     /* extent of all */
+    float all_low[3], all_high[3];     /* extent of all particles */
     float tolerance;                   /* frame units */
     bool hollow; /* no ghost lies inside of the owned particles' extent, in the directions that are open */
     bool clamped;
 };
 
-/* The class that sets the cut-off of class c, radius_max of both + margin: c itself or, where its particles
- * do not meet each other, the one that it meets nearest; -1 where it meets nobody. */
+/* The class that sets the cut-off of class c (radius_max of both + margin): c itself or, if particles of c do
+ * not meet each other, the nearest class that c meets; -1 if c meets no class. */
 int frame_partner(const struct index_view *view, int c);
 
-/* Smallest and largest cut-off of the classes first ... last; both 1 where none has a size, or none meets
- * anybody. */
+/* Smallest and largest cut-off of the classes first ... last; both 1 if no class has a size, or no class has
+ * a partner class. */
 struct frame_cutoffs {
     double smallest, largest;
 };

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The geometry of one grid: how frame coordinates map to cells.
  *
- * A cell is found by the same float operations for a particle and for the ends of a search window, and they
- * are monotone: whatever lies within a window lies in the window's cells, whatever was rounded. What lies
- * beyond the grid counts to its outermost cells. In open directions cells are numbered from the owned
- * particles' lower end, so that ghosts add whole cells at both ends and leave the order of all others as it
- * was. */
+ * The same float operations give the cell of a particle and the cells of the ends of a search window, and
+ * these operations are monotone: every particle within a window lies in the window's cells, for any rounding.
+ * Particles beyond the grid belong to its outermost cells. In open directions cells are numbered from the
+ * owned particles' lower end, so that ghosts add whole cells at both ends and do not change the order of the
+ * other particles. */
 #ifndef SCREE_INDEX_GRIDS_GRID_H
 #define SCREE_INDEX_GRIDS_GRID_H
 

@@ -16,7 +16,7 @@ enum {
     VISIT_ROWS = 128, /* rows between two lots of pairs with larger particles */
 };
 
-/* An edge that the user did not fix may grow so far to keep the grid dense. */
+/* Factor by which an edge that the user did not fix may grow to keep the grid dense. */
 static const double GROWTH = 2.5;
 
 void levels_start(struct levels *levels, const struct index_params *params) {
@@ -46,8 +46,8 @@ void levels_free(struct levels *levels) {
     memory_free(levels->cross_searches.list);
 }
 
-/* How many cells of this edge the owned particles' extent has, and in how many directions there are several.
- */
+/* The number of cells of this edge in the extent of the owned particles; *directions: the number of
+ * directions with several cells. */
 static double cells_of(const struct frame *frame, double edge, int *directions) {
     double cells = 1;
     *directions = 0;
@@ -59,8 +59,8 @@ static double cells_of(const struct frame *frame, double edge, int *directions) 
     return cells * X_CELLS;
 }
 
-/* Lays out grid g for so many owned particles: the wanted edge, or a somewhat larger one if that keeps it
- * dense. */
+/* Lays out grid g for `owned` owned particles, with the wanted edge, or with a somewhat larger one if this
+ * keeps the grid dense. */
 static void lay_grid(struct levels *levels, int g, size_t owned) {
     const struct frame *frame = &levels->frame;
     double edge = levels->plan.edge[g];
@@ -102,7 +102,7 @@ static void empty_level(struct level *level) {
     level->owned.count = level->ghosts.count = 0;
 }
 
-/* The tables of grid g; that of the owned particles is only completed where it was kept. */
+/* Builds the tables of grid g. The table of the owned particles is only completed if it was kept. */
 static void build_level(struct levels *levels, const struct index_view *view, int g) {
     struct level *level = &levels->level[g];
     size_t owned = members_count(&levels->owned, g), ghosts = members_count(&levels->ghosts, g);
@@ -209,11 +209,11 @@ void levels_order(struct levels *levels, const struct levels_plan *plan, const s
             lay_grid(levels, g, owned[g]);
         }
     }
-    levels->kept = plan->grids == view->classes && !levels->ghosts_met; /* a class a grid, then */
+    levels->kept = plan->grids == view->classes && !levels->ghosts_met; /* then each grid has one class */
     for (int c = 0; c < view->classes; c++) {
         struct level *level = &levels->level[plan->grid_of[c]];
         size_t count = members_count(&levels->owned, c);
-        if (plan->idle[plan->grid_of[c]]) { /* no cells: as they come */
+        if (plan->idle[plan->grid_of[c]]) { /* no cells: the particles keep their order */
             for (size_t k = levels->owned.begin[c]; k < levels->owned.begin[c + 1]; k++) {
                 order[k] = (uint32_t)members_get(&levels->owned, k);
             }
@@ -230,8 +230,8 @@ void levels_order(struct levels *levels, const struct levels_plan *plan, const s
     }
 }
 
-/* Pairs with larger particles come soon after the others of their rows, for the sake of who reads the list.
- */
+/* Emits pairs with larger particles soon after the other pairs of their rows, so that the pairs of a row lie
+ * close together in the list. */
 void levels_visit(const struct levels *levels, const struct index_view *view, size_t first, size_t last,
                   struct index_sink *sink) {
     const size_t step = levels->cross.rows > 0 ? VISIT_ROWS : last - first;

@@ -1,30 +1,30 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A set of grids, each with the particles of some classes, and what rows of each class search: the common
- * body of linkcell, multi, bytype and hgrid, which differ in how they share out the classes and size the
- * cells.
+/* A set of grids, each with the particles of some classes, and the searches of the rows of each class: the
+ * common body of linkcell, multi, bytype and hgrid, which differ in the distribution of the classes and in
+ * the size of the cells.
  *
- * What a row of class c searches (i the row, own = the grid of its class):
+ * The searches of a row of class c (i the row, own = the grid of its class):
  *
  *   table                            which pairs are kept                                      rule
- *   owned of its own grid            partners in later slots: each pair once, whatever image   half
+ *   owned of its own grid            partners in later slots: each pair once, for any image    half
  *   owned of grids of larger classes all: the smaller looks up the larger                      full
  *   owned of grids of smaller        none; or all, at the build, where that costs less         full
  *   ghosts of its own grid           newton on: those whose home is i; off: all                home, full
  *   ghosts of grids of larger        all: the smaller is the home                              full
  *   ghosts of grids of smaller       newton on: none; off: all                                 none, full
  *
- * Tables in which the row's class meets nobody (index_wanted) are left out, and a class that meets nobody at
- * all has none: its grid is idle.
+ * Tables without a partner of the row's class (index_wanted) are left out. A class without any partner class
+ * has no table: its grid is idle.
  *
- * Where the larger are few, they look up the smaller at the build instead (cross.h), and no row of the
- * smaller searches their table. */
+ * If the larger particles are few, they look up the smaller ones at the build instead (cross.h), and no row
+ * of the smaller particles searches the table of the larger ones. */
 #ifndef SCREE_INDEX_GRIDS_LEVELS_H
 #define SCREE_INDEX_GRIDS_LEVELS_H
 
 #include "index/grids/levels_parts.h"
 
-/* Cells of a grid with this edge in y and z over a volume (2D: an area), and whether these are so many for so
- * many particles that the grid is kept sparse. */
+/* The number of cells of a grid with this edge in y and z over a volume (2D: an area); true if the grid is
+ * kept sparse, as the cells are too many for the number of particles. */
 double levels_cells(double volume, double edge, int dimension);
 bool levels_too_many_cells(double cells, double particles);
 

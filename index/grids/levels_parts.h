@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What a set of grids consists of; levels.h has the functions, and the table of what rows search. For the
+/* The parts of a set of grids; levels.h has the functions, and the table of the searches of rows. For the
  * files of the grids and the search, and for tests. */
 #ifndef SCREE_INDEX_GRIDS_LEVELS_PARTS_H
 #define SCREE_INDEX_GRIDS_LEVELS_PARTS_H
@@ -8,13 +8,13 @@
 #include "index/grids/cross.h"
 #include "index/grids/stencil.h"
 
-/* What an index decides. */
+/* The grids that an index chooses. */
 struct levels_plan {
     int grids;
     int grid_of[INDEX_CLASS_MAX]; /* of each class; ascending, as classes ascend in size */
     double edge[INDEX_CLASS_MAX]; /* wanted cell edge of each grid, length unit */
-    bool fixed[INDEX_CLASS_MAX];  /* the user gave the edge: where cells are too many, go sparse at once */
-    bool idle[INDEX_CLASS_MAX];   /* the grid's class meets nobody: no cells (levels_plan_apart) */
+    bool fixed[INDEX_CLASS_MAX];  /* the user gave the edge: with too many cells, go sparse at once */
+    bool idle[INDEX_CLASS_MAX];   /* the grid's class has no partners: no cells (levels_plan_apart) */
     bool stencils;                /* search by a precomputed stencil a class instead of windows */
 };
 
@@ -32,9 +32,9 @@ struct search {
     float certain; /* ... and is one if distance^2 <= certain * that^2 (-infinity: never certain) */
     float reach;   /* r + reach bounds the distance of all partners in the table */
     bool half, home;
-    bool single; /* rows are so large that each goes by itself */
+    bool single; /* rows are so large that each is searched by itself */
     bool beyond; /* no candidate lies inside of the owned particles' extent */
-    bool direct; /* rows look at the table where it lies (search_direct.h) */
+    bool direct; /* rows read the table without a buffer (search_direct.h) */
 };
 
 enum {
@@ -44,7 +44,7 @@ enum {
     LEVELS_PENCILS_DIRECT = 64,  /* large rows that meet more pencils leave out those beyond their reach */
 };
 
-/* What the rows of each class search. */
+/* The searches of the rows of each class. */
 struct searches {
     int count[INDEX_CLASS_MAX];
     struct search (*list)[LEVELS_SEARCHES_MAX];
@@ -58,13 +58,13 @@ struct levels {
     struct stencil stencil[INDEX_CLASS_MAX]; /* by class */
     struct searches searches;                /* at the visit */
     struct searches cross_searches;          /* at the build: of smaller owned particles by larger ones */
-    struct cross_pairs cross;                /* what those found */
+    struct cross_pairs cross;                /* pairs found by cross_searches */
     uint32_t *slot_of;                       /* of owned particles, in their grid's table */
     size_t slot_capacity;
     struct cells_scratch scratch;
     struct cells order_cells; /* scratch of levels_order, where it does not keep its tables */
-    bool kept;                /* the tables of owned particles lack nothing but their coordinates */
-    bool ghosts_met;          /* by the last build: then none are kept */
+    bool kept;                /* the tables of owned particles are complete except for the coordinates */
+    bool ghosts_met;          /* the last build had ghosts: then no tables are kept */
     int instructions;         /* enum index_instructions, none of them INDEX_BEST */
     int cross_search;         /* enum index_cross */
     double radius_min[INDEX_CLASS_MAX], radius_max[INDEX_CLASS_MAX]; /* by grid, of the view's classes */

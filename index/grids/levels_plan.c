@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Which tables the rows of each class search (the table at the head of levels.h). Classes that do not meet
- * shorten it: a row leaves out the tables in which there is nobody for it. Where a table holds some that the
- * row's class meets and others that it does not, the exact test tells them apart. */
+/* The tables that the rows of each class search (the table at the head of levels.h). Classes that do not meet
+ * shorten it: a row leaves out the tables without a partner. If a table holds classes that the row's class
+ * meets and classes that it does not meet, the exact test separates the candidates. */
 #include "index/grids/levels_plan.h"
 
 #include "index/choose/prices.h"
@@ -30,11 +30,11 @@ void levels_plan_apart(struct levels_plan *plan, const struct index_view *view) 
     }
 }
 
-/* Whom class c meets in a grid. */
+/* The partners of class c in a grid. */
 struct partners {
     double least, most; /* margins */
     double radius_max;
-    bool some, all; /* of the grid's classes */
+    bool some, all; /* c meets some, all of the grid's classes */
 };
 
 static struct partners partners_of(const struct levels *levels, const struct index_view *view, int c, int g) {
@@ -55,8 +55,8 @@ static struct partners partners_of(const struct levels *levels, const struct ind
     return partners;
 }
 
-/* The share of the squared filter cut-off that is certain. With c the filter's cut-off and a what it may
- * exceed the true one by, plus the tolerance, ((c - a) / c)^2 is smallest for the smallest c. */
+/* The share of the squared filter cut-off that is certain. Let c be the filter's cut-off, and a the largest
+ * excess of c over the true cut-off, plus the tolerance: ((c - a) / c)^2 is smallest for the smallest c. */
 static float certain_share(const struct levels *levels, double smallest, double excess) {
     double share = 1 - excess / smallest;
     if (levels->frame.clamped || !(share > 0.5 && smallest > 0)) {
@@ -65,7 +65,7 @@ static float certain_share(const struct levels *levels, double smallest, double 
     return (float)(share * share * (1 - 0x1p-15));
 }
 
-/* Pencils of the table that a row meets, the largest at most. */
+/* The largest number of pencils of the table that a row meets: that of the largest row. */
 static double pencils_of(const struct search *search, const struct cells *rows) {
     const struct grid *grid = &search->level->grid;
     double reach = search->reach + rows->r_max, pencils = 1;
@@ -75,7 +75,7 @@ static double pencils_of(const struct search *search, const struct cells *rows) 
     return pencils;
 }
 
-/* Rows of class c, in the table of grid g, where they meet these partners. */
+/* The search of rows of class c in the table of grid g, with these partners. */
 static struct search search_of(const struct levels *levels, const struct index_view *view, int c, int g,
                                bool ghosts, const struct partners *partners) {
     int own = levels->plan.grid_of[c];
@@ -113,9 +113,9 @@ static void searches_add(struct levels *levels, struct searches *searches, const
     }
 }
 
-/* A stencil for each class of a plan with stencils, for the largest row that there may be. One that would be
- * longer than there are particles to find is not worth its memory and time: then windows do, which go through
- * the occupied pencils instead. */
+/* Makes a stencil for class c in a plan with stencils, for the largest possible row. A stencil with more runs
+ * than particles to find is not worth its memory and time: then windows replace the stencil, and go through
+ * the occupied pencils. */
 static void make_stencils(struct levels *levels, const struct index_view *view, int c) {
     struct level *level = &levels->level[levels->plan.grid_of[c]];
     struct search *search = levels->searches.list[c];

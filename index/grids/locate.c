@@ -2,7 +2,8 @@
 /* The batches of locate.h, as plain loops. */
 #include "index/grids/locate.h"
 
-/* Coordinates in direction d; true if one was clamped. Not a number is. */
+/* Coordinates in direction d; true if one was clamped. A coordinate that is not a number counts as
+ * clamped. */
 static bool frame_batch(const struct frame *frame, int d, const double *restrict x, size_t n,
                         float *restrict to) {
     const double low = frame->low[d], high = frame->high[d], centre = frame->centre[d], scale = frame->scale;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Particles to frame coordinates, and these to cells, a batch at a time: plain loops over small arrays, which
- * compilers turn into vector instructions. To the last bit what frame_coordinate and grid_cell give. */
+ * compilers turn into vector instructions. The results are those of frame_coordinate and grid_cell to the
+ * last bit. */
 #ifndef SCREE_INDEX_GRIDS_LOCATE_H
 #define SCREE_INDEX_GRIDS_LOCATE_H
 
@@ -20,7 +21,7 @@ struct located {
 void locate_particles(struct located *located, const struct index_view *view, const struct frame *frame,
                       const uint32_t *list, size_t first);
 
-/* And their cells. */
+/* The cells of the located particles. */
 void locate_cells(struct located *located, const struct grid *grid);
 
 #endif

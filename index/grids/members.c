@@ -22,7 +22,7 @@ static bool count_groups(const struct index_view *view, size_t begin, size_t end
 }
 
 struct share {
-    size_t count[INDEX_CLASS_MAX]; /* then: where the thread's next member of the group goes */
+    size_t count[INDEX_CLASS_MAX]; /* then: place of the thread's next member of the group */
     bool ascending;
 };
 

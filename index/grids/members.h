@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Which particles belong to which group (a size class, or a grid of several), each group's in memory order.
- */
+/* The particles of each group (a size class, or a grid of several classes), in memory order. */
 #ifndef SCREE_INDEX_GRIDS_MEMBERS_H
 #define SCREE_INDEX_GRIDS_MEMBERS_H
 

@@ -7,9 +7,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* How many cells the reach extends in direction d, at most over all cells (of three boxes where periodic).
- * The excess covers cells that rounding put a particle into: a coordinate in cells is good to a few n *
- * 2^-24. */
+/* The number of cells that the reach extends in direction d: at most all cells (of three boxes in periodic
+ * directions). The excess covers cells into which rounding put a particle: a coordinate in cells is accurate
+ * to a few n * 2^-24. */
 static int extent(const struct grid *grid, const struct frame *frame, int d, double reach) {
     double most = frame->periodic[d] ? 2.0 * grid->n[d] - 1 : grid->n[d] - 1.0;
     double excess = 1e-3 + grid->n[d] * 0x1p-20;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Stencils: which pencils around a cell can hold a partner, and how many cells to either side in x. Offsets
- * are sorted by (dz, dy); cells that are farther away than the reach are left out. */
+/* Stencils: the pencils around a cell that can hold a partner, each with its number of cells to either side
+ * in x. Offsets are sorted by (dz, dy); cells that are farther away than the reach are left out. */
 #ifndef SCREE_INDEX_GRIDS_STENCIL_H
 #define SCREE_INDEX_GRIDS_STENCIL_H
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Eight lanes in plain C, for any CPU. What a lanes_*.h must define, see here. */
+/* Eight lanes in plain C, for any CPU. This file shows the names that every lanes_*.h must define. */
 #ifndef SCREE_INDEX_SEARCH_LANES_PLAIN_H
 #define SCREE_INDEX_SEARCH_LANES_PLAIN_H
 
 #include "index/index.h"
 
 #ifdef __clang__
-#pragma clang diagnostic ignored "-Wpass-failed" /* checked builds leave loops as they are: so be it */
+#pragma clang diagnostic ignored "-Wpass-failed" /* checked builds do not vectorise the loops */
 #endif
 
 #define LANES_TARGET
@@ -24,7 +24,7 @@ LANES_INLINE struct lanes_row lanes_row(float x, float y, float z, float r, floa
     return (struct lanes_row){x, y, z, r, certain};
 }
 
-/* A yes or no for each of LANES candidates; lanes_bits gives it as a number. */
+/* A yes or no for each of LANES candidates; lanes_bits gives the mask as a number. */
 typedef unsigned lanes_mask;
 
 LANES_INLINE lanes_mask lanes_none(void) {
@@ -39,7 +39,8 @@ LANES_INLINE unsigned lanes_bits(lanes_mask mask) {
     return mask;
 }
 
-/* Tests LANES candidates. Bit k of the result: candidate k may be a partner; of *doubtful: it may be none. */
+/* Tests LANES candidates. Bit k of the result: candidate k may be a partner. Bit k of *doubtful: candidate k
+ * may be no partner. */
 LANES_INLINE unsigned lanes_test(const struct lanes_row *row, const float *x, const float *y, const float *z,
                                  const float *r, lanes_mask *doubtful) {
     float square[LANES], cutoff[LANES];
@@ -58,7 +59,7 @@ LANES_INLINE unsigned lanes_test(const struct lanes_row *row, const float *x, co
     return possible;
 }
 
-/* Writes the chosen of LANES candidates; may write LANES entries. Returns how many. */
+/* Writes the chosen of LANES candidates; may write LANES entries. Returns the number of chosen candidates. */
 LANES_INLINE unsigned lanes_put(uint32_t *out, const uint32_t *j, unsigned chosen) {
     unsigned count = 0;
     for (; chosen != 0; chosen &= chosen - 1) {

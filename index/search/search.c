@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Which compiled form of the search runs (search_rows.h). */
+/* Selects the compiled form of the search (search_rows.h). */
 #include "index/search/search.h"
 
 void search_run(const struct levels *levels, const struct searches *searches, const struct index_view *view,

@@ -11,7 +11,7 @@
 void search_run(const struct levels *levels, const struct searches *searches, const struct index_view *view,
                 size_t first, size_t last, struct index_sink *sink);
 
-/* The same by one instruction set, which the CPU must have. */
+/* search_run by one instruction set, which the CPU must have. */
 void search_plain(const struct levels *levels, const struct searches *searches, const struct index_view *view,
                   size_t first, size_t last, struct index_sink *sink);
 void search_avx2(const struct levels *levels, const struct searches *searches, const struct index_view *view,

@@ -58,7 +58,7 @@ struct direct {
     struct table table;
     struct index_sink sink;
     lanes_mask doubtful;
-    uint32_t bits; /* of the image that is looked at */
+    uint32_t bits; /* code of the image that is searched, in the upper bits */
 };
 
 /* Tests the row against the first `count` of LANES slots and emits its possible partners; with `exact` only
@@ -103,7 +103,7 @@ LANES_INLINE void direct_pencils(struct direct *direct, const struct windows *wi
             for (; to - from > LANES; from += LANES) {
                 direct_slots(direct, from, LANES, exact);
             }
-            direct_slots(direct, from, to - from, exact); /* for none, too: cheaper than to foresee it */
+            direct_slots(direct, from, to - from, exact); /* also if there are none: cheaper than a test */
         }
     }
 }
@@ -189,7 +189,7 @@ LANES_INLINE void direct_row(struct quest *quest, const struct windows *windows,
     quest->sink.count = direct.sink.count;
 }
 
-/* The rare ways to go, apart from the fast one. */
+/* The rare cases, apart from the fast one. */
 static LANES_TARGET __attribute__((noinline)) void direct_row_exactly(struct quest *quest,
                                                                       const struct windows *windows, int k) {
     direct_row(quest, windows, k, windows->images[k] != 0, true);
@@ -200,7 +200,7 @@ static LANES_TARGET __attribute__((noinline)) void direct_row_images(struct ques
     direct_row(quest, windows, k, true, false);
 }
 
-/* The rows of the block. A function of its own, for the sake of its registers. */
+/* Searches the rows of the block. A separate function, so that its data stay in registers. */
 static LANES_TARGET __attribute__((noinline)) void direct_rows(struct quest *quest,
                                                                const struct windows *windows) {
     for (int k = 0; k < quest->block.rows; k++) {

@@ -54,7 +54,8 @@ LANES_INLINE bool window_returns(const struct window *window, int own_low, int o
     return false;
 }
 
-/* What remains of the reach in x for the pencil (y, z), or -1: beyond it. low and high bound the rows. */
+/* The reach in x that remains for the pencil (y, z); -1: the pencil is beyond the reach. low and high bound
+ * the rows. */
 LANES_INLINE float reach_left(const struct grid *grid, const int cell[3], const float low[3],
                               const float high[3], float reach) {
     float rest = reach * reach;
@@ -92,8 +93,8 @@ LANES_INLINE void append_pencil(struct quest *quest, const struct part *part, in
     append(quest, cells_run(quest->search->cells, grid, x0, x1, y, z), part->shift, part->bits);
 }
 
-/* A sparse table with fewer pencils than the part: go through its pencils. Before pencil `start` nothing is
- * new. */
+/* Appends the candidates of a part from a sparse table with fewer pencils than the part, pencil by pencil.
+ * The pencils before `start` hold no new pairs. */
 LANES_INLINE void append_all_pencils(struct quest *quest, const struct part *part, size_t start) {
     const struct cells *cells = quest->search->cells;
     for (size_t p = start; p < cells->pencils; p++) {
@@ -112,7 +113,7 @@ LANES_INLINE bool empty_rows(const struct cells *cells, const struct grid *grid,
     return !cells->sparse && cells->begin[(row + (size_t)y0) * n] == cells->begin[(row + (size_t)y1 + 1) * n];
 }
 
-/* All pencils of a part; with `own` only from the block's own one on, that one first. */
+/* Appends all pencils of a part. With `own`: only the block's own pencil, first, and the pencils after it. */
 LANES_INLINE void append_part(struct quest *quest, const struct part *part, bool own) {
     const struct cells *cells = quest->search->cells;
     const struct grid *grid = &quest->search->level->grid;

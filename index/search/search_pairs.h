@@ -24,7 +24,7 @@ struct span {
     int from, to;
     uint32_t first_slot;
     float low[3], high[3], r_max;
-    int own_low[3], own_high[3]; /* their cells in their own grid */
+    int own_low[3], own_high[3]; /* cells of the rows in their own grid */
 };
 
 struct candidates {
@@ -45,8 +45,8 @@ struct quest {
     struct index_sink sink;
 };
 
-/* Of the possible but not certain ones of LANES candidates (of this image, if their numbers do not tell),
- * those that are pairs. */
+/* The pairs among the `doubtful` ones (possible, not certain) of LANES candidates. `bits` is the code of
+ * their image, or 0 if the candidate numbers hold the code. */
 LANES_INLINE unsigned decide(const struct quest *quest, uint32_t i, const uint32_t *candidate, uint32_t bits,
                              unsigned doubtful) {
     unsigned kept = 0;
@@ -63,15 +63,15 @@ LANES_INLINE unsigned decide(const struct quest *quest, uint32_t i, const uint32
     return kept;
 }
 
-/* Emits the possible partners among the candidates from `at` on. True if some are not certain: then, if
- * `exact`, they were decided, else they were all emitted. */
+/* Emits the possible partners among the candidates from `at` on. True if some partners are
+ * doubtful: with `exact` the exact test decided these partners, else all of these were emitted. */
 LANES_INLINE bool emit_row(struct quest *quest, const struct lanes_row *row, uint32_t i, size_t at,
                            bool exact) {
     const struct candidates *buffer = &quest->buffer;
     struct index_sink sink = quest->sink;
     size_t first = sink.count;
     lanes_mask doubt, doubtful = lanes_none();
-    unsigned open = ~0u << at % LANES; /* whole vectors are tested: those before `at` do not count */
+    unsigned open = ~0u << at % LANES; /* whole vectors are tested: candidates before `at` do not count */
     for (at -= at % LANES; at < buffer->count; at += LANES) {
         unsigned chosen =
             lanes_test(row, buffer->x + at, buffer->y + at, buffer->z + at, buffer->r + at, &doubt) & open;
@@ -143,7 +143,7 @@ LANES_INLINE void flush(struct quest *quest) {
     struct candidates *buffer = &quest->buffer;
     if (buffer->count > 0 && (quest->search->half || quest->search->single || span_met(quest))) {
         for (size_t k = buffer->count; k < buffer->count + LANES; k++) {
-            buffer->x[k] = buffer->y[k] = buffer->z[k] = 1e30f; /* too far for everybody */
+            buffer->x[k] = buffer->y[k] = buffer->z[k] = 1e30f; /* too far from every row */
             buffer->r[k] = 0;
         }
         for (int k = quest->span.from; k < quest->span.to; k++) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The search of search_rows.h for any processor, and which instructions this one has. Read search.h first. */
+/* The search of search_rows.h for any processor, and the test for the instructions of this processor. Read
+ * search.h first. */
 #include "index/search/search.h"
 
 #include "index/search/lanes_plain.h"

@@ -3,23 +3,23 @@
  * included a lanes_*.h before.
  *
  * Rows are taken in blocks: up to ROWS consecutive particles of one class in consecutive slots (or nearly) of
- * one pencil, as they lie in memory after a reorder. Their own table, where it is dense, each row searches by
- * itself (search_direct.h); so do rows that look through smaller particles, unless their windows are so wide
- * that pencils at the corners had better be left out. Any other table a span of rows searches at once: the
- * whole block, OWN_ROWS where it is their own, one where it holds smaller particles. The candidates of the
- * whole span are copied to a small buffer, shifted by their image, and every row is tested against it, eight
- * or sixteen candidates at a time. So cells are looked up once a span, no image appears in the inner loop,
- * and that loop has no short runs. Where rows lie in any other order, blocks are single rows: as right, only
- * slower.
+ * one pencil, as they lie in memory after a reorder. In a dense table of its own grid each row searches by
+ * itself (search_direct.h). So does each row that searches smaller particles, unless its window is so wide
+ * that the search should leave out the pencils at the corners. A span of rows searches any other table
+ * together: the whole block; OWN_ROWS rows in their own table; one row in a table of smaller particles. The
+ * candidates of the whole span are copied to a small buffer, shifted by their image, and every row is tested
+ * against the buffer, eight or sixteen candidates at a time. So cells are looked up once a span, no image
+ * appears in the inner loop, and that loop has no short runs. If rows lie in any other order, blocks are
+ * single rows: correct, but slower.
  *
  * The filter is in single precision and loses nothing (frame.h): distances that are possible but not certain
  * are decided by the exact test.
  *
- * Within one table of owned particles a pair is kept by the row in the *earlier slot*, whatever the image: of
- * (i, j, image) and (j, i, opposite image) exactly one is. In the buffer the candidates of the row's own
- * pencil come first, beginning behind the span's first slot, so that a row skips as many as its slot is
- * later. Slices of an image that hold slots of the span itself would break that; then the box is thin, and
- * rows go one by one. */
+ * Within one table of owned particles a pair is kept by the row in the *earlier slot*, for any image: so
+ * exactly one of (i, j, image) and (j, i, opposite image) is kept. In the buffer the candidates of the row's
+ * own pencil come first, beginning behind the span's first slot, so that a row skips as many candidates as
+ * its slot lies behind that first slot. Slices of an image that hold slots of the span itself would break
+ * this order. This happens in thin boxes; the rows are then searched one by one. */
 #ifndef SCREE_INDEX_SEARCH_SEARCH_ROWS_H
 #define SCREE_INDEX_SEARCH_SEARCH_ROWS_H
 
@@ -101,7 +101,7 @@ LANES_INLINE size_t next_block(struct quest *quest, size_t i, size_t last) {
         block->slot[rows] = slot_of[i];
         rows++, i++;
     } while (rows < most && size_class[i] == block->size_class && slot_of[i] > block->slot[rows - 1] &&
-             slot_of[i] < end); /* of a class without cells nobody has a slot */
+             slot_of[i] < end); /* particles of a class without cells have no slot */
     block->rows = rows;
     block_load(block, &level->owned);
     return i;

@@ -38,22 +38,24 @@ struct variants {
     struct words index, threads, newton;
     char steps[WORD_MAX];
     uint64_t count;           /* steps of each run */
-    int runs, done;           /* of all variants */
-    bool brute_asked;         /* brute force stands on the command line, so it runs whatever it costs */
+    int runs, done;           /* runs of all variants */
+    bool brute_asked;         /* the command line names brute force, so brute force runs at any cost */
     double slowest, rebuilds; /* of the runs so far: seconds, and rebuilds of the last */
 };
 
-/* Brute force is left out where it would take this much longer than the slowest other run, and so long. */
+/* Brute force is left out if a run would take longer than brute_times the slowest other run, and longer than
+ * brute_seconds. */
 static const double brute_times = 5, brute_seconds = 60;
 
-/* Of brute force: for the distance of a pair, seen twice, on one thread; a core of about 2020. */
+/* Seconds of brute force for the distance of a pair, computed twice, on one thread of a core of about
+ * 2020. */
 static const double brute_seconds_pair = 2e-9;
 
 static bool is_brute(const char *index) {
     return strcmp(index, "brute") == 0;
 }
 
-/* What it costs is foreseen from the other runs. */
+/* Puts brute force last in the list, so that the other runs predict its cost. */
 static void brute_last(struct words *index) {
     int kept = 0, brutes = 0;
     for (int k = 0; k < index->count; k++) {
@@ -66,7 +68,8 @@ static void brute_last(struct words *index) {
         strcpy(index->word[kept + k], "brute");
 }
 
-/* Machines of different size would list different threads: those of rank 0 hold for all. Collective. */
+/* Reads the variants. Machines of different size would list different threads, so all ranks use the list of
+ * rank 0. Collective. */
 static bool variants_read(const struct comm *comm, struct variants *v, const struct command_line *line,
                           struct error *error) {
     int threads_most = cores_threads(comm);
@@ -143,13 +146,13 @@ static bool variant_run(const struct comm *comm, const struct command_line *line
     return good;
 }
 
-/* Seconds of a run by brute force, from what another index took; 0: nothing to judge by. */
+/* Predicted seconds of a run by brute force, from the runs of other indexes; 0: no data. */
 static double brute_foreseen(const struct variants *v, uint64_t particles, int threads) {
     double n = (double)particles;
     return v->rebuilds > 0 ? v->slowest + v->rebuilds * n * n / 2 * brute_seconds_pair / threads : 0;
 }
 
-/* True, and told, where brute force would take too long. The same on all ranks. */
+/* True, with a message, if brute force would take too long. The same on all ranks. */
 static bool brute_skipped(const struct comm *comm, const struct variants *v, uint64_t particles,
                           const char *newton, const char *threads) {
     char duration[32];
@@ -224,7 +227,7 @@ static void words_print(const char *what, const struct words *words) {
         printf("%s %s", k ? "," : "", words->word[k]);
 }
 
-/* Before anything runs: how many runs of what. */
+/* Prints the planned runs and their number, before the first run. */
 static void variants_print(const struct variants *v) {
     printf("%d runs", v->runs);
     words_print("index", &v->index);
@@ -234,7 +237,7 @@ static void variants_print(const struct variants *v) {
     fflush(stdout);
 }
 
-/* What a trial says of the time that it all takes, and whether it is worth it. */
+/* Estimates the time of all runs by a trial, and checks that the comparison is useful. */
 static bool plan_try(const struct comm *comm, const struct command_line *line, struct variants *v,
                      struct trial *trial, struct error *error) {
     char flag[WORD_MAX + 16] = "the scene's own length", each[32], all[32];
@@ -246,7 +249,7 @@ static bool plan_try(const struct comm *comm, const struct command_line *line, s
     char *end = v->steps;
     v->count = v->steps[0] ? strtoull(v->steps, &end, 10) : trial->last;
     if (*end != '\0')
-        return true; /* the scene's reader says what is wrong with it */
+        return true; /* the reader of the scene reports the error */
     if (v->steps[0])
         snprintf(flag, sizeof flag, "--steps %s", v->steps);
     if (!trial_suffices(trial, v->count, flag, error))
@@ -285,7 +288,7 @@ static bool table_make(const struct comm *comm, const struct command_line *line,
     return error->kind == ERROR_NONE;
 }
 
-/* Flags that belong to the other of the two kinds of table. */
+/* Refuses flags of the other kind of table. */
 static bool flags_fit(const struct command_line *line, struct error *error) {
     for (int k = 0; k < ABLATE_FLAGS; k++)
         if (line->list[k] && line->errors != (k >= ABLATE_DURATION))
@@ -308,7 +311,7 @@ int command_ablate(const struct comm *comm, const struct command_line *line, str
         else
             table_make(comm, line, v, error);
         if (error->kind != ERROR_NONE && comm->rank == 0 && !there)
-            rmdir(line->directory); /* where it stayed empty */
+            rmdir(line->directory); /* only if the directory stayed empty */
     }
     memory_free(v);
     return error->kind;

@@ -5,9 +5,9 @@
 
 #include "app/command_line.h"
 
-/* Runs the scene of the line over indexes, threads and newton settings, or (--error) over what has a price in
- * error, and writes the tables into the directory of the line. Returns the exit status, or that of the filled
- * error. Collective. */
+/* Runs the scene of the line over indexes, threads and newton settings, or (--error) over settings that
+ * change the error, and writes the tables into the directory of the line. Returns the exit status, or the
+ * status of the filled error. Collective. */
 int command_ablate(const struct comm *comm, const struct command_line *line, struct error *error);
 
 #endif

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* `scree ablate --error`: what settings cost in time and in error, for one scene.
+/* `scree ablate --error`: the time and the error of settings, for one scene.
  *
  *     probe       the scene's step and its limits
  *     reference   three runs at ever finer steps; the last is the reference, the others say how good it is
  *     spread      runs that differ by a tiny displacement at the start
- *     errors      each variant once, looked at at the times of the reference
- *     combined    what costs no error and saves time, all at once, with each step
+ *     errors      each variant once, observed at the times of the reference
+ *     combined    all settings that save time without error, together, with each step
  *     times       each variant again, unwatched, in turn, as often as asked for
  *
  * All runs share their sample times: steps are shortened so that a whole number of them lies between. */
@@ -21,7 +21,7 @@
 enum { SAMPLES_DEFAULT = 40, REPEAT_DEFAULT = 2, MEMBERS_DEFAULT = 3 };
 
 #define PERTURBATION 1e-6      /* of a radius */
-#define TOLERANCE_DEFAULT 0.01 /* of what is judged */
+#define TOLERANCE_DEFAULT 0.01 /* of the judged error */
 
 struct study {
     const struct comm *comm;
@@ -33,7 +33,7 @@ struct study {
     struct speed_reference reference;
     struct speed_row *row;
     int rows;
-    int run, runs; /* of this number of runs, the one under way */
+    int run, runs; /* number of the present run; number of all runs */
     double steps, steps_all;
 };
 
@@ -51,7 +51,7 @@ static struct scene *study_scene(const struct study *study, const struct variant
     return scene;
 }
 
-/* The next run's place among all that are planned. */
+/* The position of the next run among all planned runs. */
 static struct progress_series study_next(struct study *study, const char *name, int64_t steps) {
     double after = study->steps_all - study->steps - (double)steps;
     study->steps += (double)steps;
@@ -61,7 +61,7 @@ static struct progress_series study_next(struct study *study, const char *name, 
         .name = name, .number = study->run, .runs = study->runs, .after = fmax(0, after / (double)steps)};
 }
 
-/* A run that is looked at: its record, its step and its report's seconds. */
+/* An observed run: its record, its time step, and the seconds of its report. */
 struct look {
     const struct variant *variant;
     double dt; /* before the variant's own factor */
@@ -127,7 +127,8 @@ static bool study_spread(struct study *study, struct error *error) {
     return good;
 }
 
-/* A variant that the scene cannot take, or that a guard stopped, has no result; that is one. */
+/* Notes a variant without a result, which the scene refused or a guard stopped; this is no error of the
+ * study. */
 static bool stopped_note(struct speed_row *row, const struct error *why, struct error *error) {
     if (why->kind != ERROR_USER && why->kind != ERROR_PHYSICS) {
         *error = *why;
@@ -135,13 +136,14 @@ static bool stopped_note(struct speed_row *row, const struct error *why, struct 
     }
     snprintf(row->stopped, sizeof row->stopped, "%s: %.*s",
              why->kind == ERROR_PHYSICS ? "stopped" : "refused", (int)sizeof row->stopped - 12, why->text);
-    for (char *c = row->stopped; *c; c++) /* no comma and quote in a table */
+    for (char *c = row->stopped; *c; c++) /* a table must not contain commas and quotes */
         *c = *c == '"' ? '\'' : *c == ',' ? ';' : *c;
     row->seconds = row->cpu_seconds = row->trajectory = row->drift = row->momentum = row->judged = NAN;
     return true;
 }
 
-/* The step before the variant's own factor: the same part of the stable one where that changes. */
+/* The time step before the variant's own factor. If the stable step changes, the time step stays the same
+ * part of the stable step. */
 static double step_of(const struct study *study, struct speed_row *row, struct error *error) {
     row->stable = study->facts.stable;
     if (!variant_scales_step(&row->variant))
@@ -172,8 +174,8 @@ static bool row_errors(struct study *study, struct speed_row *row, struct error 
     return good || stopped_note(row, &why, error);
 }
 
-/* Seconds of a run: where one thread runs alone, those that the processor spent on it, which other programs
- * disturb least; else wall clock. */
+/* Seconds of a run: with a single thread the processor's time, which other programs disturb least; else wall
+ * clock. */
 static bool row_time(struct study *study, struct speed_row *row, struct error *error) {
     struct report report;
     uint64_t steps_each;
@@ -211,7 +213,7 @@ static bool rows_time(struct study *study, int first, int repeat, struct error *
     return true;
 }
 
-/* All that costs no error and saves time, in one variant: the fastest of each group. */
+/* The variant with all settings that save time without error: the fastest of each group. */
 static struct variant study_fastest(const struct study *study) {
     struct variant fastest = {.group = "combined"};
     for (int k = 1; k < study->rows; k++) {
@@ -233,7 +235,7 @@ static bool study_combine(struct study *study, struct error *error) {
     if (study->comm->rank == 0)
         fastest = study_fastest(study);
     comm_broadcast(study->comm, &fastest, sizeof fastest);
-    fastest.group = "combined"; /* the pointer of another rank means nothing here */
+    fastest.group = "combined"; /* a pointer of another rank is not valid here */
     if (fastest.changes == 0)
         return true;
     for (int k = 0; k < before && study->rows < VARIANTS_MAX; k++) {
@@ -260,7 +262,7 @@ static void study_tell(const struct study *study, struct error *error) {
     speed_write(&report, study->line->directory, error);
 }
 
-/* True if the samples' distance makes a step the same as one before. */
+/* True if the interval of the samples gives the same time step as an earlier row. */
 static bool step_again(const struct study *study, const struct speed_row *row) {
     for (int k = 0; k < study->rows; k++)
         if (strcmp(row->variant.group, "step") == 0 && study->row[k].steps == row->steps)
@@ -268,8 +270,8 @@ static bool step_again(const struct study *study, const struct speed_row *row) {
     return false;
 }
 
-/* How many runs there will be, of how many steps: three for the reference, the members of the spread, each
- * variant looked at and timed, and likewise all that is exact and fast together with each step. */
+/* Counts the runs and their steps: three runs for the reference, the members of the spread, each variant once
+ * observed and then timed, and likewise the combined variant with each time step. */
 static void study_count(struct study *study, const struct variant *variant, int variants) {
     double steps = ceil(study->duration / study->facts.dt), each = 1 + study->repeat;
     study->runs = SPEED_FINE + study->members;
@@ -282,7 +284,7 @@ static void study_count(struct study *study, const struct variant *variant, int 
     }
 }
 
-/* Tells what will be done and how long it takes, by a trial; refuses where nothing would be compared. */
+/* Prints the plan, and its duration by a trial; refuses a study that would compare nothing. */
 static bool study_plan(struct study *study, const struct variant *variant, int variants,
                        struct error *error) {
     uint64_t steps_each;
@@ -344,7 +346,7 @@ static bool number_read(const char *text, const char *flag, double least, double
     return true;
 }
 
-/* The span: that of the command line, else that of the scene. */
+/* Reads the options. The span is that of the command line, else that of the scene. */
 static bool study_options(struct study *study, struct error *error) {
     const char *const *list = study->line->list;
     double samples = SAMPLES_DEFAULT, repeat = REPEAT_DEFAULT, members = MEMBERS_DEFAULT;
@@ -355,7 +357,7 @@ static bool study_options(struct study *study, struct error *error) {
         return false;
     study->duration = scene->duration > 0 ? scene->duration : (double)scene->step.count * scene->step.dt;
     if (isinf(study->duration))
-        study->duration = 0; /* no end: the command line must name one */
+        study->duration = 0; /* the scene has no end: the command line must give one */
     scene_free(&scene);
     if (!number_read(list[ABLATE_DURATION], "duration", 1e-300, 1e300, &study->duration, error) ||
         !number_read(list[ABLATE_SAMPLES], "samples", 2, 10000, &samples, error) ||

@@ -5,7 +5,8 @@
 
 #include "app/command_line.h"
 
-/* Runs the study of the line, whose directory is there, and writes its tables (speed_error.h). Collective. */
+/* Runs the study of the command line, whose directory must exist, and writes the tables (speed_error.h).
+ * Collective. */
 bool ablate_error(const struct comm *comm, const struct command_line *line, struct error *error);
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "engine/run.h"
 
-/* How a run of a comparison is looked at. */
+/* Options of a run of a comparison: observer and progress. */
 struct ablate_options {
     const struct run_watch *watch;
     const struct progress_series *series;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* `scree check`: what a scene needs, and why. */
+/* `scree check`: prints the parts that a scene needs, and the reasons. */
 #include "app/check.h"
 #include "engine/tune.h"
 #include "engine/step.h"
@@ -23,7 +23,7 @@ static void add(char *list, size_t room, const char *word) {
     snprintf(list + used, room - used, "%s%s", used ? ", " : "", word);
 }
 
-/* The pairs of materials for which a coefficient is not 0; "" if there are none. */
+/* The pairs of materials for which a coefficient is not 0; "" without such pairs. */
 static void pairs_with(const struct scene *scene, size_t coefficient, char *why, size_t room) {
     char pair[2 * LAW_NAME_MAX + 16];
     for (int a = 0; a < scene->materials; a++)
@@ -58,7 +58,8 @@ static void walls_list(const struct scene *scene, char *why, size_t room) {
         add(why, room, scene->wall[w].name);
 }
 
-/* One line of what is modelled: on with what brings it, or off with what would. */
+/* Prints one term of the model: on, with the setting that brings it, or off, with a setting that would bring
+ * it. */
 static void print_term(const char *term, const char *brought_by, const char *would_bring) {
     if (brought_by[0])
         printf("  %-22s on   %s\n", term, brought_by);
@@ -66,8 +67,8 @@ static void print_term(const char *term, const char *brought_by, const char *wou
         printf("  %-22s off  %s\n", term, would_bring);
 }
 
-/* What the end of contacts does, at the least restitution of all pairs, beside what the other end would do.
- */
+/* Prints the effect of the end of contacts, at the least restitution of all pairs, and the effect of the
+ * other end. */
 static void print_end(const struct simulation *s) {
     enum law_end end = s->grains.law.options.end,
                  other = end == LAW_END_FORCE ? LAW_END_OVERLAP : LAW_END_FORCE;
@@ -119,7 +120,7 @@ static void print_terms(const struct simulation *s) {
                "at rows of observables alone; each step if dissipated energy is among them");
 }
 
-/* What in the scene brings a field, and which parts of the scene do. */
+/* Writes the setting that brings a field, and the parts of the scene with that setting. */
 static void reason_of(const struct scene *scene, const struct field *field, char *why, size_t room) {
     static const struct {
         const char *field;
@@ -217,8 +218,8 @@ static void print_step(const struct simulation *s) {
            s->clock.dt / s->timing.limits.stable, timestep_default_fraction());
 }
 
-/* All that people should look at again, together, for those who read no more; the last line says where a
- * guard would end the run. */
+/* Prints all notes together, for people who read only the notes; the last line says whether a guard would end
+ * the run. */
 static void print_notes(const struct notes *notes) {
     if (notes->count)
         printf("\n");
@@ -233,7 +234,7 @@ static const char *guard_word(enum scene_guard guard, bool trips) {
     return !trips ? "" : guard == SCENE_GUARD_STOP ? ": would stop the run" : ": would warn";
 }
 
-/* What can be told of the guards before anything runs. */
+/* Prints the state of the guards before the run. */
 static void print_guards(const struct simulation *s) {
     const struct scene_guards *guards = &s->scene->guards;
     double moved = notes_moved(s);
@@ -272,7 +273,7 @@ static void print_extent(const char *what, const char *name, const struct extent
     printf("%s\n", note);
 }
 
-/* Where everything is: what lies apart was seldom meant to. */
+/* Prints the extent of particles and walls, as parts that lie far apart are probably a mistake. */
 static void print_extents(const struct simulation *s, const struct notes *notes) {
     static const char *const shapes[] = {
         [WALL_PLANE] = "plane", [WALL_CYLINDER] = "cylinder", [WALL_MESH] = "mesh"};
@@ -321,7 +322,7 @@ static void print_all(const struct simulation *s, const struct notes *notes) {
     print_notes(notes);
 }
 
-/* Refuses what a run would refuse before its first step although all its parts could be made. */
+/* Refuses scenes that a run would refuse before its first step although all parts can be made. */
 static bool outputs_suit(const struct simulation *s, struct error *error) {
     struct outputs *outputs;
     struct output_run run = outputs_run(s, NULL);

@@ -5,8 +5,8 @@
 
 #include "app/command_line.h"
 
-/* Reads and creates the scene of the line, prints what it needs and why, and runs nothing. Returns the exit
- * status, or that of the filled error. Collective. */
+/* Reads the scene of the command line and creates its simulation, prints the parts that the scene needs and
+ * the reasons, and runs no step. Returns the exit status, or the status of the filled error. Collective. */
 int command_check(const struct comm *comm, const struct command_line *line, struct error *error);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The table of subcommands, their usage, and those of them that take a few lines: run, info, convert. */
+/* The table of subcommands, their usage, and the short subcommands: run, info, convert. */
 #include "app/command.h"
 #include "app/ablate.h"
 #include "app/check.h"
@@ -74,8 +74,8 @@ bool command_usage(FILE *out, const struct command *command, const char *topic) 
     return true;
 }
 
-/* The newest checkpoint in a directory that is whole, in `path`. Damaged ones are passed over with a message;
- * if all are, the error is that of the newest. */
+/* Writes the path of the newest undamaged checkpoint of a directory to `path`. Damaged checkpoints are
+ * skipped with a message; if all are damaged, the error is that of the newest. */
 static bool newest_whole(const struct comm *comm, const char *directory, char path[FILE_PATH_MAX],
                          struct error *error) {
     struct error first = {0};

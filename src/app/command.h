@@ -5,12 +5,12 @@
 
 #include "app/command_line.h"
 
-/* The command of a name, or NULL; the k-th, NULL after the last. */
+/* The command with a name, or NULL; the k-th command, NULL after the last. */
 const struct command *command_find(const char *name);
 const struct command *command_get(int k);
 
-/* The usage of all commands, or of one at length; with a topic, that topic of the command. False if there is
- * no such topic. */
+/* Prints the usage of all commands, or the full usage of one; with a topic, that topic of the command. False
+ * if the topic does not exist. */
 bool command_usage(FILE *out, const struct command *command, const char *topic);
 
 #endif

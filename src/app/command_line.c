@@ -59,7 +59,7 @@ static const struct flag flags[] = {
 
 enum { FLAGS = sizeof flags / sizeof flags[0] };
 
-/* Is `name` a word of the space-separated list? */
+/* True if `name` is a word of the space-separated list. */
 static bool word_in(const char *list, const char *name, size_t length) {
     for (const char *at = list; *at;) {
         size_t word = strcspn(at, " ");
@@ -71,7 +71,7 @@ static bool word_in(const char *list, const char *name, size_t length) {
     return false;
 }
 
-/* Does the row say what the flag is for this command? */
+/* True if the row describes the flag for this command. */
 static bool flag_fits(const struct flag *flag, const struct command *command) {
     return word_in(command->flags, flag->name, strlen(flag->name)) &&
            (flag->only == NULL || word_in(flag->only, command->name, strlen(command->name)));

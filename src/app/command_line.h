@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The command line: what a command takes, and how its words are read. One table row a flag. */
+/* The command line: the flags of each command, and the reading of the words. One table row a flag. */
 #ifndef SCREE_APP_COMMAND_LINE_H
 #define SCREE_APP_COMMAND_LINE_H
 
@@ -27,7 +27,7 @@ enum {
     ABLATE_FLAGS
 };
 
-/* What the command line said. Texts are borrowed from argv. */
+/* The settings of the command line. Texts are borrowed from argv. */
 struct command_line {
     int files;
     const char *file[COMMAND_FILES_MAX]; /* in order: SCENE.yaml, the input and output of convert ... */
@@ -45,8 +45,8 @@ struct command_line {
 struct command {
     const char *name, *arguments, *summary;
     int files_min, files_max;
-    const char *flags; /* long names of the flags it takes, separated by spaces */
-    /* Returns the exit status, or fills the error. Collective where several ranks run. */
+    const char *flags; /* long names of the flags of the command, separated by spaces */
+    /* Returns the exit status, or fills the error. Collective if several ranks run. */
     int (*run)(const struct comm *comm, const struct command_line *line, struct error *error);
 };
 
@@ -54,7 +54,7 @@ struct command {
 bool command_line_read(struct command_line *line, const struct command *command, int argc, char **argv,
                        struct error *error);
 
-/* The flags that a command takes, each with its help. */
+/* Prints the flags of a command, each with its help. */
 void command_line_flags(FILE *out, const struct command *command);
 
 /* Reads and parses the scene file that the line names, with its settings and `extra` more. NULL: error

@@ -48,7 +48,7 @@ static bool spheres_good(const struct scree_spheres *spheres, double margin, cha
     return true;
 }
 
-/* Size classes as the cost model of the index has them best, and the class of each sphere. */
+/* Makes the size classes that are best by the cost model of the index, and the class of each sphere. */
 static void classes_make(const struct scree_spheres *spheres, double margin, struct size_classes *classes,
                          uint8_t *size_class) {
     struct classes_options options = classes_options_default();
@@ -76,7 +76,7 @@ static void pairs_copy(const struct index_sink *sink, struct scree_pair *pair) {
     }
 }
 
-/* Counts, then fills. */
+/* Counts the pairs, then fills the array. */
 static void pairs_find(const struct index *index, const struct index_view *view, struct scree_pair **pairs,
                        size_t *found) {
     struct index_sink sink = {0};

@@ -12,10 +12,10 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Seconds between lines of progress where no terminal shows it. */
+/* Seconds between lines of progress without a terminal. */
 static const double line_seconds = 5;
 
-/* What the command line asks for. */
+/* The request of the command line. */
 struct request {
     const struct command_line *line;
     int settings, outputs;
@@ -24,7 +24,7 @@ struct request {
     struct pack_options options;
 };
 
-/* A line that is written over on a terminal; else one every few seconds. */
+/* The progress: on a terminal one line that is overwritten; else a line every few seconds. */
 struct progress_line {
     bool terminal, drawn;
     double shown;
@@ -62,7 +62,7 @@ static bool is_h5md(const char *path) {
     return ends_in(path, ".h5");
 }
 
-/* Asked before the work, not after it. */
+/* Checks the folder of the output before the work begins. */
 static bool folder_holds(const char *path, struct error *error) {
     const char *slash = strrchr(path, '/');
     char folder[FILE_PATH_MAX];
@@ -100,7 +100,8 @@ static bool read_request(struct request *request, struct error *error) {
     return pack_options_read(&request->options, line->file[0], request->setting, request->settings, error);
 }
 
-/* The frame is written by all ranks, as parallel HDF5 wants it; rank 0 has the rows, the others have none. */
+/* Writes the frame by all ranks, as parallel HDF5 requires; rank 0 has all rows, the other ranks have
+ * none. */
 static bool write_h5md(const struct comm *comm, const char *path, const struct request *request,
                        const struct rows *rows, struct error *error) {
     struct h5md_head head = {.dimensionless = true, .xdmf = true, .seed = (uint64_t)request->options.seed};
@@ -117,7 +118,7 @@ static bool write_h5md(const struct comm *comm, const char *path, const struct r
 
 static bool write_files(const struct comm *comm, const struct request *request, struct rows *rows,
                         struct error *error) {
-    struct rows head = *rows; /* as rank 0 has it; the arrays are not */
+    struct rows head = *rows; /* the same on all ranks, except for the arrays */
     unsigned columns = rows_columns(rows);
     comm_broadcast(comm, &columns, sizeof columns);
     comm_broadcast(comm, &head, sizeof head);
@@ -160,7 +161,7 @@ static void print_report(const struct request *request, const struct pack_report
            (double)memory_peak() / (double)(count ? count : 1));
 }
 
-/* Rank 0 makes the packing. */
+/* Makes the packing on rank 0. */
 static bool make(const struct comm *comm, const struct request *request, struct rows *rows,
                  struct error *error) {
     struct progress_line line = {.terminal = isatty(STDERR_FILENO), .shown = timer_now()};

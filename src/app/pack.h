@@ -5,8 +5,8 @@
 
 #include "app/command_line.h"
 
-/* Makes the packing of the line and writes its files. Rank 0 works. Returns the exit status, or that of the
- * filled error. Collective. */
+/* Makes the packing of the command line and writes its files. Rank 0 works. Returns the exit status, or the
+ * status of the filled error. Collective. */
 int command_pack(const struct comm *comm, const struct command_line *line, struct error *error);
 
 #endif

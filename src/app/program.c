@@ -35,7 +35,7 @@ static int show_version(void) {
     return 0;
 }
 
-/* What needs no MPI. Returns -1 if the command line is something else. */
+/* Handles command lines that need no MPI. Returns -1 for other command lines. */
 static int answer_plainly(int argc, char **argv) {
     if (argc < 2 || strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
         command_usage(argc < 2 ? stderr : stdout, NULL, NULL);
@@ -71,7 +71,7 @@ static int run_command(const struct comm *comm, int argc, char **argv, struct er
     return command->run(comm, &line, error);
 }
 
-/* What could not be shown must not pass for success: the last look at standard output. */
+/* Checks standard output at the end: a failed write must not end in success. */
 static int answer_end(int status) {
     bool lost = ferror(stdout) != 0;
     errno = 0;
@@ -89,7 +89,7 @@ int scree_main(int argc, char **argv) {
     if (status >= 0)
         return answer_end(status);
     comm_start(&comm, &argc, &argv);
-    signal(SIGXFSZ, SIG_IGN); /* a limit on the size of files is an error of the write that meets it */
+    signal(SIGXFSZ, SIG_IGN); /* then a write beyond the limit on file sizes returns an error */
     status = run_command(&comm, argc, argv, &error);
     if (error.kind != ERROR_NONE && comm.rank == 0)
         fprintf(stderr, "scree: %s\n", error.text);

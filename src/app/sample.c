@@ -17,7 +17,7 @@ static void columns_name(struct sample_record *record, const struct observables 
     }
 }
 
-/* What is made of a record has room for so many columns of the scene's own. */
+/* Checks that the scene's own columns fit: tables made of a record have room for only so many. */
 static bool columns_fit(int own, const struct scene *scene, struct error *error) {
     char place[SCENE_PATH_MAX];
     return own <= SAMPLE_COLUMNS_MAX ||
@@ -26,7 +26,8 @@ static bool columns_fit(int own, const struct scene *scene, struct error *error)
                      scene_place(scene, "observables.list", place, sizeof place), own, SAMPLE_COLUMNS_MAX);
 }
 
-/* The scene's own list (energies, momentum and contacts where it has none), and the energies and momentum. */
+/* Makes the columns: the scene's own list (energies, momentum and contacts if the scene has no list), then
+ * the energies and momentum. */
 static bool columns_make(struct sampler *sampler, struct simulation *s, struct error *error) {
     struct sample_record *record = sampler->record;
     struct output_view view = simulation_view(s);
@@ -82,7 +83,7 @@ static void bulk_measure(struct sample_record *record, const struct simulation *
         record->closed = record->closed && s->scene->group[g].motion != SCENE_MOVING;
 }
 
-/* The same aside for a particle on any number of ranks. */
+/* Displaces each particle by an amount that does not depend on the number of ranks. */
 static void perturb(const struct sampler *sampler, struct simulation *s) {
     for (size_t k = 0; k < s->particles->owned; k++) {
         struct particle_state *p = &s->particles->state[k];

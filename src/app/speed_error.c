@@ -6,7 +6,7 @@
 #include <string.h>
 
 #define HORIZON_DISTANCE 0.01 /* of the smallest radius */
-#define SCALE_LEAST 0.01      /* of the largest range in a unit */
+#define SCALE_LEAST 0.01      /* of the largest range of a column in the same unit */
 
 static const struct sample_record *finest(const struct speed_reference *reference) {
     return &reference->fine[SPEED_FINE - 1];
@@ -39,7 +39,7 @@ static double distance(const struct sample_record *a, const struct sample_record
     return most;
 }
 
-/* Root mean square difference of a's column over the samples. What b does not have is 0. */
+/* Root mean square difference of a's column from b's over the samples. A column that b lacks counts as 0. */
 static double difference(const struct sample_record *a, const struct sample_record *b, int column) {
     double sum = 0;
     int n = samples_both(a, b), like = sample_column_like(b, a, column);
@@ -50,7 +50,7 @@ static double difference(const struct sample_record *a, const struct sample_reco
     return n > 0 ? sqrt(sum / n) : NAN;
 }
 
-/* Mean of a column from a time on; of one that the record does not have 0. */
+/* Mean of a column from a time on; 0 for a column that the record lacks. */
 static double mean_of(const struct sample_record *record, int column, double from) {
     double sum = 0;
     int n = 0;
@@ -62,7 +62,7 @@ static double mean_of(const struct sample_record *record, int column, double fro
     return n > 0 ? sum / n : 0;
 }
 
-/* How far a's column is from b's. */
+/* The difference of a's column from b's. */
 static double column_apart(const struct speed_reference *reference, const struct sample_record *a,
                            const struct sample_record *b, int column) {
     double from = reference->mean_from;
@@ -92,7 +92,7 @@ static void scales_find(struct speed_reference *reference) {
     }
 }
 
-/* Total energy in play: what any form of it has reached. */
+/* Total energy in play: the largest value that any form of energy has reached. */
 static double energy_scale(const struct sample_record *record) {
     static const char *const form[] = {"energy_kinetic", "energy_rotational", "energy_elastic_normal",
                                        "energy_elastic_tangential", "energy_dissipated"};
@@ -175,8 +175,8 @@ static bool is_energy(const char *name) {
     return strncmp(name, "energy_", 7) == 0 || strncmp(name, "work_", 5) == 0;
 }
 
-/* Without a choice: the scene's own numbers but for energies; where there are none, the energies of motion.
- */
+/* The default choice: the scene's own columns without energies; if the scene has no other columns, the
+ * energies of motion. */
 static bool judged_by_default(const struct sample_record *record, int column) {
     const char *name = record->name[column];
     bool others = false;

@@ -9,8 +9,8 @@
 
 extern char **environ;
 
-/* The picture and the frame of the plot in it, in pixels, y upwards; a letter and a line of the labels' font;
- * half of a point, and how far a label keeps off. */
+/* In pixels, y upwards: the picture, and the frame of the plot inside; the height of a line of labels; half
+ * the size of a point, and the distance of a label from its point. */
 enum {
     WIDTH = 900,
     HEIGHT = 560,
@@ -26,17 +26,17 @@ enum {
 enum { RINGS = 24, RINGS_NEAR = 2, SIDES = 8, BOXES_MAX = 2 * VARIANTS_MAX + 1, COLOURS = 8 };
 
 static const double letter = 6.3;        /* width */
-static const double error_least = 1e-16; /* shown for none on a logarithmic axis */
+static const double error_least = 1e-16; /* stands for error 0 on the logarithmic axis */
 static const char below[] = "below: cannot be told apart";
 
 struct patch {
     double left, right, low, high;
 };
 
-/* From values to pixels, and what is taken already. */
+/* The scales from values to pixels, and the areas already in use. */
 struct canvas {
     const struct speed_report *report;
-    double floor;                                /* errors below are shown there */
+    double floor;                                /* smaller errors are drawn at this value */
     double least[2], most[2];                    /* of the axes: seconds, error */
     const struct speed_row *front[VARIANTS_MAX]; /* the fastest first */
     int fronts;
@@ -44,10 +44,10 @@ struct canvas {
     int boxes;
 };
 
-/* A place for a label. */
+/* A position for a label. */
 struct place {
     struct patch box;
-    bool far; /* a line must lead to it */
+    bool far; /* the label needs a line from its point */
 };
 
 static bool shown(const struct speed_row *row) {
@@ -72,7 +72,7 @@ static bool patches_meet(const struct patch *a, const struct patch *b) {
     return a->left < b->right && b->left < a->right && a->low < b->high && b->low < a->high;
 }
 
-/* Does the line along the front cross it? */
+/* True if the line along the front crosses the box. */
 static bool front_crosses(const struct canvas *canvas, const struct patch *box) {
     enum { PARTS = 200 };
     for (int k = 0; k + 1 < canvas->fronts; k++) {
@@ -103,7 +103,7 @@ static void patch_take(struct canvas *canvas, const struct patch *box) {
         canvas->box[canvas->boxes++] = *box;
 }
 
-/* The floor and the axes, with room about the points. */
+/* Sets the floor and the axes, with room around the points. */
 static void canvas_frame(struct canvas *canvas) {
     const struct speed_report *report = canvas->report;
     canvas->floor = fmax(report->reference->floor, error_least);
@@ -146,7 +146,8 @@ static void front_collect(struct canvas *canvas) {
     }
 }
 
-/* The nearest free place for a text beside a point: on ever wider rings. False: there is none. */
+/* Finds the nearest free place for a text beside a point, on wider and wider rings. False if no place is
+ * free. */
 static bool place_find(const struct canvas *canvas, const struct speed_row *row, int rings,
                        struct place *place) {
     static const double side[SIDES][2] = {{1, 0.3}, {1, 1},   {1, -1}, {-1, 0.3},
@@ -179,7 +180,7 @@ static void label_write(FILE *file, const struct patch *box, const char *text, c
             (box->left + box->right) / 2 / WIDTH, (box->low + box->high) / 2 / HEIGHT, colour);
 }
 
-/* A line from a point to the edge of its label. */
+/* Writes a line from a point to the edge of its label. */
 static void line_write(FILE *file, const struct canvas *canvas, const struct speed_row *row,
                        const struct patch *box) {
     double x = pixel(canvas, 0, row->seconds), y = pixel(canvas, 1, error_shown(canvas, row));
@@ -188,7 +189,7 @@ static void line_write(FILE *file, const struct canvas *canvas, const struct spe
             fmin(fmax(y, box->low), box->high) / HEIGHT);
 }
 
-/* Labels of the front, or of the others as far as there is room near by. */
+/* Writes the labels of the front, or the labels of other points if there is room near the point. */
 static void labels_write(FILE *file, struct canvas *canvas, bool front) {
     for (int k = 0; k < canvas->report->rows; k++) {
         const struct speed_row *row = &canvas->report->row[k];
@@ -203,8 +204,8 @@ static void labels_write(FILE *file, struct canvas *canvas, bool front) {
     }
 }
 
-/* Marks at 1, 2, 5 of each decade, at more where the axis is short and at fewer where it is long, none too
- * near to the one before. */
+/* Writes marks at 1, 2, 5 of each decade, more on a short axis and fewer on a long axis, and no mark too near
+ * to the previous one. */
 static void tics_write(FILE *file, const struct canvas *canvas, int axis) {
     double span = log10(canvas->most[axis] / canvas->least[axis]), apart = axis == 0 ? 52 : 20, last = -apart;
     const char *digits = span < 0.4 ? "123456789" : span < 1.3 ? "12357" : span < 2.5 ? "125" : "1";
@@ -222,7 +223,8 @@ static void tics_write(FILE *file, const struct canvas *canvas, int axis) {
     fprintf(file, ")\n");
 }
 
-/* The points of a group (NULL: of the front) as a block of data; returns whether there are any. */
+/* Writes the points of a group (NULL: of the front) as a block of data; returns whether there are any
+ * points. */
 static bool points_write(FILE *file, const struct canvas *canvas, const char *group) {
     bool any = false;
     for (int k = 0; k < canvas->report->rows; k++) {
@@ -298,7 +300,7 @@ static void plot_write(FILE *file, struct canvas *canvas, const char *directory)
     fprintf(file, "\n");
 }
 
-/* Runs gnuplot on the script; its absence is told, no failure. */
+/* Runs gnuplot on the script; a missing gnuplot gives a message, and is no failure. */
 static void plot_run(const char *script) {
     char *argument[] = {"gnuplot", (char *)script, NULL};
     pid_t child;

@@ -68,7 +68,7 @@ static bool reference_write(const struct speed_reference *reference, const char 
     return file_close(file, path, error);
 }
 
-/* Who ran what, for how seconds are to be read. */
+/* Prints the processor, ranks and threads of the timed runs, and the clock of the seconds. */
 static void print_clock(const struct speed_reference *reference, FILE *file) {
     char cpu[128];
     bool lone = reference->ranks == 1 && reference->threads == 1;
@@ -107,7 +107,7 @@ static void print_row(const struct speed_row *row, const struct speed_reference 
                 row->momentum, row->judged, column_of(reference, row->worst));
 }
 
-/* A row in words, against the scene as it is. */
+/* Prints a row in words, compared with the scene as it is. */
 static void row_say(const struct speed_report *report, const struct speed_row *r, FILE *file) {
     const struct speed_reference *reference = report->reference;
     const struct speed_row *first = report->row;
@@ -125,7 +125,7 @@ static void row_say(const struct speed_report *report, const struct speed_row *r
             100 * spread);
 }
 
-/* What a row has to offer, in a line. */
+/* Prints the gain and the error of a row, in a line. */
 static void offer_say(const struct speed_report *report, const struct speed_row *r, double allowed,
                       FILE *file) {
     fprintf(file, "  %-10s %s: %.2f times as fast, %s off by %.2g %%%s\n", r->variant.group,
@@ -133,8 +133,8 @@ static void offer_say(const struct speed_report *report, const struct speed_row 
             100 * r->judged, r->judged <= allowed ? "" : ": more than is allowed");
 }
 
-/* Each row that computes something else; of other settings the fastest within what is allowed, or else the
- * nearest. */
+/* Prints each row with a different model; of other settings the fastest row within the allowed error, or else
+ * the nearest row. */
 static void offers_say(const struct speed_report *report, double allowed, FILE *file) {
     for (int k = 1; k < report->rows; k++) {
         const struct speed_row *r = &report->row[k];

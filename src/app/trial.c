@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Runs the first steps of a scene and notes what happens in them. Read trial.h first. */
+/* Runs the first steps of a scene and records rebuilds and contacts in these steps. Read trial.h first. */
 #include "app/trial.h"
 #include "engine/simulation.h"
 #include "engine/step.h"
@@ -23,7 +23,7 @@ static void step_once(struct simulation *s) {
     step_run(s, every > 0 && (s->clock.step + 1) % (uint64_t)every == 0);
 }
 
-/* What all ranks have seen. Collective. */
+/* Joins the observations of all ranks. Collective. */
 static void agree(const struct simulation *s, struct trial *trial, double began) {
     int64_t first[1] = {trial->touched ? -(int64_t)trial->contact_first : INT64_MIN};
     double seconds = timer_now() - began;
@@ -45,7 +45,7 @@ static void notice(const struct simulation *s, uint64_t rebuilds, struct trial *
     }
 }
 
-/* Returns the signal that ended it, or 0. */
+/* Runs the steps of the trial. Returns the signal that ended the trial, or 0. */
 static int steps_run(struct simulation *s, struct progress *progress, struct trial *trial) {
     uint64_t rebuilds = s->search.skin->rebuilds;
     double began = timer_now();
@@ -96,7 +96,7 @@ bool trial_run(const struct comm *comm, const struct scene *scene, struct trial 
     return error->kind == ERROR_NONE;
 }
 
-/* "WHAT (the first at step 12)" is added to a list. */
+/* Adds "WHAT (the first time is at step 12)" to a list. */
 static void lack(char *text, size_t room, const char *what, bool met, uint64_t first) {
     size_t used = strlen(text);
     char when[48] = "never in the whole run";

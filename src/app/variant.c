@@ -7,10 +7,10 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Every pair of particles is looked at by brute force, so it is left out above so many. */
+/* Brute force tests every pair of particles, so it is left out above this number of particles. */
 enum { BRUTE_PARTICLES_MAX = 20000 };
 
-/* The step is tried up to this part of the stable one. */
+/* The largest time step tried, as a part of the stable step. */
 #define VARIANT_STEP_MOST 0.95
 
 static void means_take(const struct simulation *s, struct variant_facts *facts) {
@@ -141,14 +141,15 @@ void variant_add(struct variant *to, const struct variant *from) {
     snprintf(to->settings + used, sizeof to->settings - used, "%s%s", used ? "; " : "", from->settings);
 }
 
-/* Linear springs that store the energy of the present law at the overlap of an impact at the speed met. */
+/* Sets linear springs that store the same energy as the present law at the overlap of an impact at the
+ * largest speed met. */
 static void pair_linear(const struct variant_facts *facts, enum law_normal normal, int a, int b,
                         struct law_pair *pair) {
     const struct law_coefficients *c = &facts->coefficients[a][b];
     const struct law_form *form = law_row_get(normal)->form;
     double radius = 1 / (1 / facts->radius[a] + 1 / facts->radius[b]);
     double mass = 1 / (1 / facts->mass[a] + 1 / facts->mass[b]);
-    if (!isfinite(radius) || !isfinite(mass)) { /* two materials of walls never touch */
+    if (!isfinite(radius) || !isfinite(mass)) { /* two materials that only walls have never touch */
         radius = 1;
         mass = 1;
     }
@@ -180,7 +181,7 @@ static void classes_set(struct scene *scene, int count) {
     scene->classes.count = count;
 }
 
-/* As the reader leaves a scene that says so. */
+/* Makes a scene frictionless, in the same form as the reader of scenes. */
 static void frictionless(struct scene *scene) {
     scene->law.tangential = LAW_FRICTIONLESS;
     scene->law.rolling = LAW_ROLLING_NONE;

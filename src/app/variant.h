@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The variants that `scree ablate --error` tries: a scene with one setting changed, or a few. Settings are
- * changed in the scene as read, so that a scene needs no new keys for them (stiffnesses for another
- * law, say). */
+/* The variants that `scree ablate --error` tries: a scene with one or a few settings changed. Settings are
+ * changed in the scene after reading, so that the scene file needs no new keys (for example stiffnesses for
+ * another law). */
 #ifndef SCREE_APP_VARIANT_H
 #define SCREE_APP_VARIANT_H
 
@@ -13,7 +13,7 @@ enum variant_kind {
     VARIANT_STEP,         /* the time step times `value` */
     VARIANT_INTEGRATOR,   /* integrator number `value` of those known */
     VARIANT_LINEAR,       /* the law with linear springs that store as much energy */
-    VARIANT_SOFT,         /* stiffnesses times `value`, the step the same part of the stable one */
+    VARIANT_SOFT,         /* stiffnesses times `value`; the step stays the same part of the stable step */
     VARIANT_FRICTIONLESS, /* no tangential force */
     VARIANT_NO_ROLLING,   /* no rolling resistance */
     VARIANT_SLIDING,      /* the other way of sliding: enum law_sliding */
@@ -31,19 +31,19 @@ struct variant_change {
 
 struct variant {
     const char *group;               /* "step", "law" ... */
-    char settings[VARIANT_TEXT_MAX]; /* for people: "dt x 2" */
+    char settings[VARIANT_TEXT_MAX]; /* shown to people: "dt x 2" */
     struct variant_change change[VARIANT_CHANGES_MAX];
     int changes; /* 0: the scene as it is */
 };
 
-/* What must be known of a scene to choose and apply variants. */
+/* The facts of a scene that are needed to choose and apply variants. */
 struct variant_facts {
     double dt, stable, rayleigh; /* time */
     double speed;                /* largest met, length/time; 0: not known yet */
     uint64_t particles;
     int classes; /* size classes */
     int materials;
-    double radius[LAW_MATERIALS_MAX]; /* mean, of free particles; infinite where there are none */
+    double radius[LAW_MATERIALS_MAX]; /* mean, of free particles; infinite without such particles */
     double mass[LAW_MATERIALS_MAX];
     struct law_coefficients coefficients[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
 };
@@ -52,19 +52,20 @@ struct variant_facts {
 bool variant_probe(const struct comm *comm, const struct scene *scene, struct variant_facts *facts,
                    struct error *error);
 
-/* Fills `list` with the scene as it is and the variants that make sense for it; returns how many. */
+/* Fills `list` with the scene as it is and the variants that make sense for the scene; returns the number of
+ * entries. */
 int variant_list(struct variant *list, const struct scene *scene, const struct variant_facts *facts);
 
 /* Adds the changes of `from` to `to`, and its settings to the text. */
 void variant_add(struct variant *to, const struct variant *from);
 
-/* Makes a variant's changes in a scene. Returns by how much the time step is to be multiplied. */
+/* Makes a variant's changes in a scene. Returns the factor for the time step. */
 double variant_apply(const struct variant *variant, const struct variant_facts *facts, struct scene *scene);
 
 /* True if the stable step changes with the variant, and the time step with it. */
 bool variant_scales_step(const struct variant *variant);
 
-/* True if results stay the same but for rounding and the order of sums. */
+/* True if results stay the same except for rounding and the order of sums. */
 bool variant_is_exact(const struct variant *variant);
 
 #endif

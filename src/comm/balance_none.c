@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The division by load, where the program is built without Zoltan: there is none. Read balance.h first. */
+/* The functions of balance.h for a program built without Zoltan: there is no division by load. Read balance.h
+ * first. */
 #include "comm/balance.h"
 
 bool balance_available(struct error *error) {

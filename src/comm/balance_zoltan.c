@@ -14,7 +14,7 @@ bool balance_available(struct error *error) {
     return true;
 }
 
-/* What Zoltan's questions are answered from. */
+/* The data from which Zoltan's callbacks are answered. */
 struct answers {
     const struct balance_load *load;
     int dimension;
@@ -91,7 +91,7 @@ static void partition(struct Zoltan_Struct *zoltan) {
     Zoltan_LB_Free_Part(&export_global, &export_local, &export_rank, &export_part);
 }
 
-/* What a division is of: the box, and beyond its open sides the particles that left it. */
+/* The region that is divided: the box, and beyond the open sides of the box the particles that left it. */
 struct extent {
     double lower[3], upper[3];
 };
@@ -109,8 +109,8 @@ static struct extent extent_of(const struct comm *comm, const struct box *box,
     return extent;
 }
 
-/* The cuts, as a tree: from the corners of all parts. NULL if they are none: Zoltan gives parts without
- * particles any corners, also ones far outside. */
+/* The tree of cuts, from the corners of all parts. NULL if the parts do not form a tree: Zoltan gives parts
+ * without particles arbitrary corners, also far outside. */
 static struct domain_tree *tree_of(struct Zoltan_Struct *zoltan, const struct extent *extent, int ranks,
                                    int dimension) {
     double(*lower)[3] = memory_allocate_zero((size_t)ranks, sizeof *lower, "subdomains");

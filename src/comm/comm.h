@@ -12,16 +12,16 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* The ranks of a run. `handle` is for output/ (parallel HDF5) and comm/ alone. */
+/* The ranks of a run. Only output/ (parallel HDF5) and comm/ use `handle`. */
 struct comm {
     MPI_Comm handle; /* a duplicate of MPI_COMM_WORLD, errors returned */
     int rank, size;
 };
 
-/* Who uses which tag of the communicator. */
+/* The tags of the communicator, one for each use. */
 enum comm_tag {
     COMM_TAG_GATHER,
-    COMM_TAG_SPARSE_EVEN, /* exchanges without a plan, by turns (exchange.h) */
+    COMM_TAG_SPARSE_EVEN, /* alternating rounds of exchanges without a plan (exchange.h) */
     COMM_TAG_SPARSE_ODD,
     COMM_TAG_FORWARD,
     COMM_TAG_REVERSE
@@ -54,12 +54,12 @@ void comm_min(const struct comm *comm, double *values, int n);
 void comm_sum_int(const struct comm *comm, int64_t *values, int n);
 void comm_max_int(const struct comm *comm, int64_t *values, int n);
 
-/* The two largest of all ranks' values: of each of the `n` pairs (largest, second largest), in place, the
- * result on every rank. A value that two ranks have is both. Collective. */
+/* The two largest of all ranks' values, for each of the `n` pairs (largest, second largest), in place, the
+ * result on every rank. If two ranks have the largest value, both members of the pair get it. Collective. */
 void comm_max_two(const struct comm *comm, double (*values)[2], int n);
 
-/* comm_max in two halves, so that work can lie between them: `values` may not be touched before _end. One at
- * a time per `reduction`. Collective. */
+/* comm_max in two halves, so that other work can run between the halves; `values` may not be touched before
+ * _end. One reduction at a time for each `reduction`. Collective. */
 struct comm_reduction {
     MPI_Request request;
 };
@@ -73,8 +73,8 @@ int64_t comm_scan(const struct comm *comm, int64_t value);
  */
 void comm_gather_all(const struct comm *comm, const void *mine, size_t bytes, void *all);
 
-/* Gathers a varying number of bytes from all ranks on rank 0: *all is allocated there (memory_free),
- * counts[size] filled if not NULL; NULL and 0 elsewhere. Any number of bytes. Returns the total. Collective.
+/* Gathers a varying number of bytes from all ranks on rank 0: rank 0 allocates *all (memory_free) and fills
+ * counts[size] if not NULL; other ranks get NULL and 0. Any number of bytes. Returns the total. Collective.
  */
 size_t comm_gather_varying(const struct comm *comm, const void *mine, size_t bytes, void **all,
                            size_t *counts);

@@ -20,7 +20,7 @@ void copies_reach(const struct size_classes *classes, bool reduced, double reach
     }
 }
 
-/* The finds of one thread, in the order of its particles. */
+/* The copies found by one thread, in the order of the thread's particles. */
 struct found {
     size_t count, capacity;
     int *rank;
@@ -31,7 +31,7 @@ struct found {
     double radius;
 };
 
-/* What all threads read. */
+/* Data that all threads read. */
 struct selection {
     const struct domain *domain;
     const struct particles *particles;
@@ -40,7 +40,7 @@ struct selection {
     const struct domain_place *place;
     size_t places;
     double clearance;
-    double lower[3], upper[3]; /* of the own subdomain; infinite where wrapped */
+    double lower[3], upper[3]; /* corners of the own subdomain; infinite in wrapped directions */
     double limit[3];           /* a ball must be smaller than this */
 };
 
@@ -112,7 +112,7 @@ static void find_copies(const struct selection *selection, size_t k, struct foun
     }
 }
 
-/* Joins the finds of all threads and sorts them by rank. Frees them. */
+/* Joins the copies found by all threads, sorts them by rank, and frees the threads' lists. */
 static void join(struct copies *copies, struct found *found, int threads, int size) {
     size_t total = 0;
     for (int t = 0; t < threads; t++)

@@ -13,7 +13,7 @@ int cores_each(const struct comm *comm) {
     cpu_set_t mine, all;
     MPI_Comm machine;
     int ranks;
-    if (sched_getaffinity(0, sizeof mine, &mine) != 0) /* more cores than a set has room for */
+    if (sched_getaffinity(0, sizeof mine, &mine) != 0) /* fails with too many cores for a set */
         CPU_ZERO(&mine);
     comm_check(MPI_Comm_split_type(comm->handle, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine),
                "MPI_Comm_split_type");

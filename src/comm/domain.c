@@ -18,7 +18,7 @@ struct domain {
     double edge[3];
     bool periodic[3], wrapped[3];
     double *cut[3];           /* grid[d] + 1 faces of the subdomains in direction d, from 0 to the edge */
-    struct domain_tree *tree; /* a bisection: instead of grid and cut; else NULL */
+    struct domain_tree *tree; /* of a bisection, which has no grid and cut; else NULL */
     struct domain_place *neighbour;
     size_t neighbours;
     double clearance;
@@ -94,7 +94,7 @@ void domain_destroy(struct domain **domain) {
     *domain = NULL;
 }
 
-/* The slab that holds a coordinate: the first guess may be off by rounding, the faces decide. */
+/* The slab that holds a coordinate. The first guess may be wrong by rounding; the faces decide. */
 static int slab_of(const struct domain *domain, int d, double x) {
     int n = domain->grid[d];
     const double *cut = domain->cut[d];
@@ -160,7 +160,7 @@ struct touching {
     double radius;
     struct domain_touch *touch;
     int room, found;
-    int slab[3]; /* where the search stands */
+    int slab[3]; /* the present slab of the search */
     signed char image[3];
 };
 
@@ -185,7 +185,7 @@ static void touching_slabs(struct touching *search, int d, int image, double squ
     double from = search->from[d] + image * domain->edge[d], to = search->to[d] + image * domain->edge[d];
     int first = slab_of(domain, d, from - search->radius), last = slab_of(domain, d, to + search->radius);
     if (first > 0)
-        first--; /* from - radius may have been rounded over a face */
+        first--; /* rounding may have moved from - radius over a face */
     if (last < domain->grid[d] - 1)
         last++;
     search->image[d] = (signed char)image;
@@ -214,7 +214,7 @@ static void touching_axis(struct touching *search, int d, double squared) {
         touching_slabs(search, d, image, squared);
 }
 
-/* The same in a cut tree: the leaves near each image. */
+/* As touching_slabs, for a tree of cuts: the leaves near each image. */
 static void touching_tree(struct touching *search) {
     const struct domain *domain = search->domain;
     double lower[3], upper[3], from[3], to[3];
@@ -317,7 +317,7 @@ static void find_neighbours(struct domain *domain) {
     memory_free(touch);
 }
 
-/* Looks farther and farther until something is found that is no neighbour. */
+/* Searches at growing distance until a subdomain is found that is no neighbour. */
 static double find_clearance(const struct domain *domain) {
     double most = 0, clearance = INFINITY;
     for (int d = 0; d < 3; d++)

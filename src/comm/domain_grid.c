@@ -7,7 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-/* How good a grid is: the area along which it cuts the box, then the thinnest part that a cut leaves. */
+/* The price of a grid: first the area along which the grid cuts the box, then the thinnest part that a cut
+ * leaves. */
 struct grid_price {
     double area, thinnest;
 };
@@ -38,7 +39,7 @@ static bool grid_allowed(const int grid[3], const struct box *box, const int wan
     return box->dimension == 3 || grid[2] == 1;
 }
 
-/* The part of bin b, of all along an axis, that lies in slab i of n. */
+/* The share of bin b along an axis that lies in slab i of n. */
 static double bin_share(int b, int i, int n) {
     double bins = DOMAIN_DENSITY_BINS, low = fmax(b / bins, (double)i / n);
     double high = fmin((b + 1) / bins, (i + 1.0) / n);
@@ -76,9 +77,10 @@ static double grid_load(const int grid[3], const double *density) {
     return most;
 }
 
-/* Calls `look` with each way to write `size` as a product of three that is allowed. Larger numbers first in
- * y, then x: particles are sorted by z, y and x, so what lies at a face in y lies together in memory (and at
- * one in x does not), and with gravity along z the columns are filled alike. In 2D gravity is along y. */
+/* Calls `look` with each way to write `size` as a product of three that is allowed. Larger numbers come first
+ * in y, then x. Particles are sorted by z, y and x, so the particles at a face in y lie together in memory,
+ * and the particles at a face in x do not. With gravity along z all columns are filled alike. In 2D gravity
+ * is along y. */
 static void grids_each(int size, const struct box *box, const int wanted[3],
                        void (*look)(void *context, const int grid[3]), void *context) {
     const int first = box->dimension == 2 ? 0 : 1;
@@ -136,7 +138,7 @@ bool domain_grid_choose(int size, const struct box *box, const int wanted[3], co
     if (particles > 0) {
         search.density = density;
         grids_each(size, box, wanted, look_for_load, &search);
-        search.bound *= 1.1 + 3 / sqrt(particles / size); /* a tenth, and the chance in counting so few */
+        search.bound *= 1.1 + 3 / sqrt(particles / size); /* a tenth, and the error of the counts */
     }
     grids_each(size, box, wanted, look_for_area, &search);
     memcpy(best, search.best, sizeof search.best);

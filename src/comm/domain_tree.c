@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Makes the tree of cuts and looks into it. Read domain_tree.h first. */
+/* Makes the tree of cuts and searches in the tree. Read domain_tree.h first. */
 #include "comm/domain_tree.h"
 
 #include "core/memory.h"
@@ -22,7 +22,7 @@ void domain_tree_destroy(struct domain_tree **tree) {
     *tree = NULL;
 }
 
-/* A node on the way down: its place in the array, its ranks, its corners. */
+/* A node during a descent of the tree: position in the array, ranks, corners. */
 struct node {
     int at, first, last;
     double lower[3], upper[3];
@@ -54,7 +54,7 @@ static struct node node_child(const struct domain_tree *tree, const struct node 
     return child;
 }
 
-/* True if the cuts of a node and of all below it lie inside of it and share its ranks out. */
+/* True if the cuts of a node and of all nodes below lie inside the node and divide the ranks of the node. */
 static bool node_divides(const struct domain_tree *tree, const struct node *node) {
     if (node_is_leaf(node))
         return true;
@@ -100,16 +100,16 @@ struct domain_tree *domain_tree_halve(int ranks, const struct box *box) {
     return tree;
 }
 
-/* Corners that a tree is sought for. */
+/* The corners of the subdomains whose tree is sought. */
 struct shape {
     const double (*lower)[3], (*upper)[3];
     int dimension;
-    int *part;     /* whose corners rank k gets */
+    int *part;     /* number of the part whose corners rank k gets */
     double *below; /* scratch: the largest upper corner of the parts up to here */
 };
 
-/* Looks for a cut across `axis` between the first and the last parts of a node, the one nearest to its
- * middle. */
+/* Looks for a cut across `axis` between the first and the last parts of a node; of several, the cut nearest
+ * to the middle of the node. */
 static bool cut_find(const struct shape *shape, const struct node *node, int axis, struct domain_cut *cut) {
     double most = -INFINITY, least = INFINITY;
     bool found = false;
@@ -127,7 +127,7 @@ static bool cut_find(const struct shape *shape, const struct node *node, int axi
     return found;
 }
 
-/* A part on its way to its place along an axis. */
+/* A part, for sorting along an axis. */
 struct place {
     double lower, upper;
     int part;
@@ -216,7 +216,8 @@ bool domain_tree_cuts(const struct domain_tree *tree, int axis) {
     return false;
 }
 
-/* A node holds all of its subdomains, so rounding cannot make it look farther away than one of them. */
+/* A node contains all of its subdomains, so rounding cannot make the node look farther away than one of the
+ * subdomains. */
 static void near(const struct domain_tree *tree, const struct domain_tree_search *search,
                  const struct node *node) {
     double squared = 0;

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A division of the box by recursive bisection: a binary tree of cuts across the axes, with the ranks as its
  * leaves, for domain.c. The ranks of a node are a range [first, last), divided at `middle` into those below
- * and those above the cut. The nodes lie in one array: the lower child of a node follows it, the upper one
- * stands `middle - first` places behind it. 16 bytes a rank: all that anybody keeps of ranks that are far
- * away.
+ * and those above the cut. The nodes lie in one array: the lower child of a node follows directly, and the
+ * upper child stands `middle - first` places behind the node. The tree takes 16 bytes a rank; a rank keeps no
+ * other data of far ranks.
  *
- * A position on a cut belongs above it. Subdomains may be empty (two cuts in one place). */
+ * A position on a cut belongs to the part above the cut. Subdomains may be empty (two cuts at one
+ * coordinate). */
 #ifndef SCREE_COMM_DOMAIN_TREE_H
 #define SCREE_COMM_DOMAIN_TREE_H
 
@@ -15,7 +16,7 @@
 
 struct domain_cut {
     double at;  /* coordinate, length unit */
-    int middle; /* the first rank above */
+    int middle; /* the first rank above the cut */
     int axis;
 };
 
@@ -28,7 +29,7 @@ struct domain_tree {
 struct domain_tree *domain_tree_halve(int ranks, const struct box *box);
 
 /* The tree whose subdomains have these corners, the ranks in the order of the cuts (lower ones first); axes
- * from `dimension` on are never cut. NULL if there is none. */
+ * from `dimension` on are never cut. NULL if no such tree exists. */
 struct domain_tree *domain_tree_from_bounds(int ranks, int dimension, const double (*lower)[3],
                                             const double (*upper)[3]);
 
@@ -59,7 +60,7 @@ struct domain_tree_search {
 void domain_tree_near(const struct domain_tree *tree, const struct domain_tree_search *search,
                       const double lower[3], const double upper[3]);
 
-/* How far [from, to] lies from [lower, upper]; 0 if they meet. */
+/* The distance of [from, to] from [lower, upper]; 0 if the intervals meet. */
 static inline double domain_gap(double lower, double upper, double from, double to) {
     return fmax(0, fmax(lower - to, from - upper));
 }

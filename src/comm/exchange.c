@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Both forms of exchange: sparse consensus, and messages that are planned. Read exchange.h first. */
+/* Both forms of exchange: sparse and planned. Read exchange.h first. */
 #include "comm/exchange.h"
 
 #include "core/memory.h"
@@ -22,7 +22,7 @@ static int compare_ranks(const void *a, const void *b) {
     return (left > right) - (left < right);
 }
 
-/* The place for what comes from a rank: a new one at its first piece. */
+/* The inbox entry for messages from a rank; the first piece of a message makes a new entry. */
 static struct exchange_message *inbox_from(struct exchange_inbox *inbox, int rank) {
     for (size_t k = inbox->count; k > 0; k--)
         if (inbox->message[k - 1].rank == rank)
@@ -68,7 +68,7 @@ static size_t piece_count(const struct exchange *exchange, const struct exchange
     return message->bytes / exchange->piece + 1;
 }
 
-/* Posts the synchronous sends of one message. Returns how many. */
+/* Posts the synchronous sends of one message. Returns the number of sends. */
 static int send_pieces(struct exchange *exchange, const struct exchange_message *message, int tag,
                        MPI_Request *request) {
     size_t pieces = piece_count(exchange, message);
@@ -86,8 +86,8 @@ static int send_pieces(struct exchange *exchange, const struct exchange_message 
     return (int)pieces;
 }
 
-/* Receives until all ranks have had their messages received: a reduction serves as the barrier. A rank may be
- * one round ahead of another, never two, as the barrier of a round needs all ranks in it: two tags by turns
+/* Receives until the messages of all ranks have been received; a reduction serves as the barrier. A rank may
+ * be one round ahead of another, never two, as the barrier of a round needs all ranks. Two alternating tags
  * keep the rounds apart. */
 static void receive_all(const struct exchange *exchange, int tag, MPI_Request *request, int sends,
                         struct exchange_inbox *inbox, int *flag) {
@@ -220,7 +220,8 @@ static void wait_for(MPI_Request *request, int peer, size_t expected) {
                     got);
 }
 
-/* One by one, as MPI_Waitall of Open MPI 4.1 may never return once a message was too long. */
+/* Waits for the messages one by one: MPI_Waitall of Open MPI 4.1 may never return after a message that was
+ * too long. */
 void exchange_finish(struct exchange_flight *flight) {
     for (size_t k = 0; k < flight->count; k++)
         wait_for(&flight->request[k], flight->peer[k], flight->expected[k]);

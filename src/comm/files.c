@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Takes MPI's calls on files in between and keeps what failed. Read files.h first. */
+/* Intercepts MPI's calls on files and records failures. Read files.h first. */
 #include "comm/files.h"
 
 #include <mpi.h>
@@ -18,7 +18,8 @@ static int look(int code, const char *what) {
     return code;
 }
 
-/* Bytes that a call which has ended moved less than `count` of a type; 0 where it does not tell. */
+/* The bytes that a finished call moved too few, compared with `count` items of a type; 0 if the call does not
+ * tell. */
 static MPI_Count missing(const MPI_Status *status, MPI_Datatype type, int count) {
     int size = 0;
     MPI_Count bytes = 0;
@@ -33,7 +34,7 @@ static int look_written(int code, const MPI_Status *status, MPI_Datatype type, i
     return look(code, "written");
 }
 
-/* The bytes that are missing may lie behind the end of the file. */
+/* Checks a read: missing bytes are allowed behind the end of the file. */
 static int look_read(int code, MPI_File file, MPI_Offset offset, const MPI_Status *status, MPI_Datatype type,
                      int count) {
     if (watcher != NULL && code == MPI_SUCCESS && missing(status, type, count) > 0) {
@@ -50,7 +51,7 @@ int MPI_File_open(MPI_Comm comm, const char *name, int mode, MPI_Info info, MPI_
     int code = look(PMPI_File_open(comm, name, mode, info, file), "opened"), failed = code != MPI_SUCCESS;
     if (watcher == NULL || PMPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, comm) != MPI_SUCCESS)
         return code;
-    /* what another rank lacks can only be left open: closing is collective */
+    /* closing is collective: after the failure of another rank, this rank's file must stay open */
     return failed && code == MPI_SUCCESS ? MPI_ERR_FILE : code;
 }
 

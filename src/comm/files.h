@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Calls on files that fail on one rank, noticed below the library that makes them: MPI's calls by which HDF5
- * opens, reads, writes and closes files are taken in between by MPI's profiling interface. */
+/* Notices failed calls on files on one rank, below the library that makes the calls: MPI's profiling
+ * interface intercepts the MPI calls by which HDF5 opens, reads, writes and closes files. */
 #ifndef SCREE_COMM_FILES_H
 #define SCREE_COMM_FILES_H
 
-/* From now on `failed` is called on a rank, in the middle of the library's work, when a call of this rank on
- * a file fails, or reads or writes less than asked for (reading beyond the end of a file is no failure);
- * `what` is what could not be done ("opened", "read", "written", "flushed", "cut", "closed"). NULL: nobody is
- * called. While somebody is, MPI_File_open ends with an error on all ranks where it does on one. One at a
- * time, kept in a static variable: the profiling interface hands nothing on. */
+/* From now on a rank calls `failed`, in the middle of the library's work, when a call of this rank on a file
+ * fails, or reads or writes fewer bytes than asked for (reading beyond the end of a file is no failure).
+ * `what` names the action that failed ("opened", "read", "written", "flushed", "cut", "closed"). NULL: no
+ * function is called. While a function is set, MPI_File_open fails on all ranks if it fails on one. One
+ * function at a time, kept in a static variable, because the profiling interface passes no context. */
 void files_watch(void (*failed)(const char *what));
 
 #endif

@@ -5,9 +5,10 @@
  *   - `to` and `from` are sorted by rank; peers may appear in one of them alone (reduced ghosts), and the own
  *     rank in both (copies of own particles).
  *   - to[t] covers the entries [first, first + count) of `original`: owned particles, one entry a copy;
- *     those that round 1 made (shadows.h) increase within a peer. from[f] covers the ghosts
+ *     the entries made by round 1 (shadows.h) increase within a peer. from[f] covers the ghosts
  *     owned + [first, first + count).
- *   - What rank a sends to b is, in number and order, what b has from a: no lengths travel with values.
+ *   - The copies that rank a sends to b agree in number and order with those that b has from a, so messages
+ *     contain no lengths.
  *   - Values cross in one message per peer; forward and reverse use the same two buffers the other way round,
  *     never at the same time.
  *   - Sums (reverse) run over `to` in rank order and inside a peer in entry order: fixed for a layout.
@@ -33,7 +34,7 @@ struct ghosts *ghosts_create(const struct comm *comm, const struct domain *domai
     ghosts->options = *options;
     ghosts->misfit.id = -1;
     exchange_init(&ghosts->exchange, comm);
-    /* its rounds are counted again: nobody may still be in one of an earlier plan */
+    /* the rounds are counted from 0 again: no rank may still be in a round of an earlier plan */
     comm_check(MPI_Barrier(comm->handle), "MPI_Barrier");
     return ghosts;
 }
@@ -87,10 +88,11 @@ void ghosts_migrate(struct ghosts *ghosts, struct particles *particles, struct h
     *rows = (struct history_rows){set.start, set.row, set.count};
 }
 
-/* Calls for parts of a transfer by several threads where it is long enough. */
+/* Calls a function for parts of a transfer, by several threads if the transfer is long enough. */
 enum { PART = 4096 };
 
-/* Fills the ghosts [first, first + n), counted from the first ghost, and shifts them to where they stand. */
+/* Fills the ghosts [first, first + n), counted from the first ghost, and shifts their positions by their
+ * images. */
 static void unpack(const struct ghosts *ghosts, struct particles *particles, const struct field_list *fields,
                    size_t first, size_t n, const char *buffer) {
     size_t each = fields_packed_bytes(particles, fields);
@@ -181,13 +183,14 @@ static char *buffer_room(char *buffer, size_t *room, size_t bytes) {
     return memory_allocate(*room, 1, "values of copies");
 }
 
-/* The messages that point into the buffers (these, and lengths, are set at each exchange). */
+/* Makes the messages. Each exchange sets the lengths and the pointers into the buffers. */
 static void plan_buffers(struct ghosts *ghosts) {
     ghosts->to_message = memory_allocate(ghosts->to_count, sizeof *ghosts->to_message, "messages");
     ghosts->from_message = memory_allocate(ghosts->from_count, sizeof *ghosts->from_message, "messages");
 }
 
-/* A particle that next-neighbour synchronisation does not serve; the copies are made all the same. */
+/* Notes a particle for which next-neighbour synchronisation is not enough. The copies of the particle are
+ * made nevertheless. */
 static void note_misfit(struct ghosts *ghosts, const struct copies *copies,
                         const struct particles *particles) {
     if (!copies->far || ghosts->options.sync != GHOSTS_NEIGHBOURS || ghosts->misfit.id >= 0)
@@ -237,7 +240,7 @@ void ghosts_make(struct ghosts *ghosts, struct particles *particles, const struc
     copies_free(&copies);
 }
 
-/* Copies have come, or are sent back, with so many bytes each. */
+/* Counts the bytes of copies that were received or are sent back, `each` bytes a copy. */
 static void count_bytes(struct ghosts *ghosts, size_t each) {
     for (int c = 0; c < CLASS_MAX; c++)
         ghosts->class_bytes[c] += ghosts->class_count[c] * each;

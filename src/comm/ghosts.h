@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Migration, and copies of particles that other ranks need (ghosts): made at a rebuild, valid until the next;
- * between rebuilds only values travel, along a plan that was made once. Neighbours are a graph, never "the
- * 26".
+ * between rebuilds only values travel, along a plan that was made once. Neighbours form a graph; a rank may
+ * have more or fewer than 26.
  *
  * The order of a rebuild: ghosts_drop, particles_wrap, ghosts_migrate, (classify, reorder), ghosts_make. A
- * copy stands where it is needed: at x + image * edge, next to the receiver's subdomain; a rank may hold
- * several copies of one particle, and in a periodic direction divided among ranks also copies of its own. In
- * wrapped directions (domain_wrap) there are none: the index wraps them. */
+ * copy stands at x + image * edge, next to the receiver's subdomain. A rank may hold several copies of one
+ * particle, and in a periodic direction divided among ranks also copies of the rank's own particles. In
+ * wrapped directions (domain_wrap) there are no copies: the index wraps these directions. */
 #ifndef SCREE_COMM_GHOSTS_H
 #define SCREE_COMM_GHOSTS_H
 
@@ -15,28 +15,29 @@
 #include "pairs/history.h"
 #include "particles/fields.h"
 
-/* How copies get to ranks (shadows.h). In steps both are the same: one message a peer, from the owner to all
- * holders, and one back with newton on. AUTO spreads where needed, which costs nothing where it is not. */
+/* The way that copies reach other ranks (shadows.h). In steps both ways are the same: one message a peer,
+ * from the owner to all holders, and one back with newton on. AUTO spreads copies from neighbour to neighbour
+ * if needed, and costs nothing if not. */
 enum ghosts_sync { GHOSTS_AUTO, GHOSTS_NEIGHBOURS, GHOSTS_SHADOW };
 
 struct ghosts_options {
     bool newton;
-    bool reduced;  /* small particles travel only as far as small partners; needs newton */
-    bool in_place; /* copies stand where their originals do once pairs are known: ghosts_unshift */
+    bool reduced;  /* small particles are sent only as far as their small partners need; requires newton */
+    bool in_place; /* after the search for pairs, copies stand at their originals: ghosts_unshift */
     enum ghosts_sync sync;
 };
 
 struct ghosts; /* the plan */
 
-/* Makes an empty plan; borrows comm, domain and box until destroyed. Newton off with reduced ghosts is a
- * programmer's mistake here: the scene refuses it. Collective. */
+/* Makes an empty plan; borrows comm, domain and box until destroyed. Reduced ghosts with newton off are a
+ * programmer's mistake here: the scene refuses this combination. Collective. */
 struct ghosts *ghosts_create(const struct comm *comm, const struct domain *domain, const struct box *box,
                              const struct ghosts_options *options);
 void ghosts_destroy(struct ghosts **ghosts);
 
-/* Sends every owned particle (wrapped before) to the rank that owns its place, with its history rows. ghosts
- * == 0 before and after. `rows` may be NULL where there is no history. Fields that do not migrate are 0 in
- * those who arrive: size classes are set by particles_classify afterwards. Collective. */
+/* Sends every owned particle (wrapped before) to the rank that owns the particle's position, with its history
+ * rows. ghosts == 0 before and after. `rows` may be NULL without history. Fields that do not migrate are 0 in
+ * arriving particles: particles_classify sets the size classes afterwards. Collective. */
 void ghosts_migrate(struct ghosts *ghosts, struct particles *particles, struct history_rows *rows);
 
 /* As ghosts_migrate, with any `n` sets of rows (at most MIGRATE_SETS_MAX), whose arrays are replaced. */
@@ -45,12 +46,12 @@ void ghosts_migrate_rows(struct ghosts *ghosts, struct particles *particles, str
 
 /* Makes the copies: rank q gets p iff dist(x_p + image, subdomain of q) <= r_p + max over the classes c whose
  * pair with p q computes of (radius_max(c) + margin); see copies.h. Sets the GHOST fields, and the REVERSE
- * ones to 0. Copies lie behind the owned particles, by source rank, then in the order there. Needs classified
- * particles where they belong (after ghosts_migrate). Collective. */
+ * ones to 0. Copies lie behind the owned particles, by source rank, then in the order of the source rank.
+ * Particles must have been classified and migrated to their owners (ghosts_migrate). Collective. */
 void ghosts_make(struct ghosts *ghosts, struct particles *particles, const struct size_classes *classes);
 
 /* False, with a user's error, if the sync is next-neighbour and a particle of this rank reached beyond the
- * neighbours of its subdomain. The copies are right even so. Errors may differ between ranks. */
+ * neighbours of its subdomain. The copies are correct nevertheless. Errors may differ between ranks. */
 bool ghosts_fit(const struct ghosts *ghosts, struct error *error);
 
 /* Drops all copies. Not collective. */
@@ -65,45 +66,47 @@ void ghosts_forward_end(struct ghosts *ghosts, struct particles *particles);
 
 /* Newton on: sends fields of doubles of the copies back and adds them to the originals, each step those of
  * fields_with(particles, FIELD_REVERSE), in a fixed order: by the rank that held the copy, then in the order
- * in which it has them. Newton off: nothing. The copies keep theirs. Collective (neighbours). */
+ * of the copies on that rank. Newton off: does nothing. The copies keep their values. Collective
+ * (neighbours). */
 void ghosts_reverse(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields);
 
-/* The owned particles that have copies elsewhere (or here), increasing, each once: what an integrator moves
- * first. Borrowed until the next ghosts_make or ghosts_drop. */
+/* The owned particles that have copies on any rank, increasing, each once: the particles that an integrator
+ * moves first. Borrowed until the next ghosts_make or ghosts_drop. */
 const uint32_t *ghosts_originals(const struct ghosts *ghosts, size_t *count);
 
-/* The copies that this rank holds of its own particles, where it is its own neighbour across the box: they
- * lie together; `first` is the number of the first one (particles.owned + ...). Returns whose copies they
- * are, one after another, NULL if there are none. Borrowed until the next ghosts_make or ghosts_drop. */
+/* The copies that this rank holds of its own particles, if the rank is its own neighbour across the box.
+ * These copies lie together; `first` is the number of the first one (particles.owned + ...). Returns the
+ * numbers of their originals, in the order of the copies; NULL without such copies. Borrowed until the next
+ * ghosts_make or ghosts_drop. */
 const uint32_t *ghosts_own(const struct ghosts *ghosts, size_t *first, size_t *count);
 
-/* With options.in_place, after the search for pairs: puts all copies where their originals stand, to the last
- * bit (x + image * edge has lost some), where ghosts_forward then keeps them. Returns the image code of each
- * copy, which their pairs must take over (pairlist_add_images); borrowed until the next ghosts_make or
- * ghosts_drop. Not collective. */
+/* With options.in_place, after the search for pairs: puts all copies at the positions of their originals, to
+ * the last bit (x + image * edge has lost some bits). ghosts_forward then keeps the copies at these
+ * positions. Returns the image code of each copy, which their pairs must take over (pairlist_add_images);
+ * borrowed until the next ghosts_make or ghosts_drop. Not collective. */
 const uint8_t *ghosts_unshift(struct ghosts *ghosts, struct particles *particles);
 
 /* The image code under which copy number k (of particles.owned + k) stands. */
 unsigned ghosts_image(const struct ghosts *ghosts, size_t k);
 
-/* What the communication of this rank amounts to. */
+/* Counters of the communication of this rank. */
 struct ghosts_counts {
     uint64_t ghosts; /* copies held now */
     uint64_t ghosts_class[CLASS_MAX];
     uint64_t bytes_class[CLASS_MAX];          /* of copies received, and sent back, since the start */
     double clearance;                         /* see domain.h */
-    double reach;                             /* the largest that was met beyond the neighbours; 0: none */
+    double reach;                             /* the largest reach beyond the neighbours so far; 0: none */
     uint64_t neighbours;                      /* other ranks talked to now */
     uint64_t messages, bytes;                 /* sent to other ranks since the start, all kinds */
-    uint64_t rebuild_messages, rebuild_bytes; /* of these, at rebuilds */
+    uint64_t rebuild_messages, rebuild_bytes; /* of messages and bytes: at rebuilds */
     uint64_t migrated;                        /* particles sent away since the start */
-    int rounds; /* the most that making copies took: 1 where every particle reached neighbours alone */
+    int rounds; /* largest number of rounds to make copies: 1 if every particle reached neighbours only */
 };
 void ghosts_count(const struct ghosts *ghosts, struct ghosts_counts *counts);
 
-/* True if the plan fits the particles: how many copies there are, the order of the peers, that the originals
- * are owned and that no copy of this rank's own particles stands where its original does; else `why` gets one
- * line. Not collective. Tests call it. */
+/* True if the plan fits the particles: the number of copies and the order of the peers are right, the
+ * originals are owned, and no copy of this rank's own particles stands at the position of its original. Else
+ * `why` gets one line. Not collective. For tests. */
 bool ghosts_valid(const struct ghosts *ghosts, const struct particles *particles, char *why, size_t why_size);
 
 #endif

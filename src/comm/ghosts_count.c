@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What the plan of the copies counts, and whether it holds together. */
+/* The counters of the plan of the copies, and a check that the plan is consistent. */
 #include "comm/ghosts_parts.h"
 
 #include <stdio.h>
 #include <string.h>
 
-/* Other ranks in either list; both are sorted. */
+/* The number of other ranks in either list; both lists are sorted. */
 static size_t count_neighbours(const struct ghosts *ghosts) {
     size_t t = 0, f = 0, count = 0;
     while (t < ghosts->to_count || f < ghosts->from_count) {

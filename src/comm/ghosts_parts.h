@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Inside of the plan of the copies, whose invariants ghosts.c tells. Nobody else includes this. */
+/* Private parts of the plan of the copies; ghosts.c states the invariants. Only ghosts.c and ghosts_count.c
+ * include this header. */
 #ifndef SCREE_COMM_GHOSTS_PARTS_H
 #define SCREE_COMM_GHOSTS_PARTS_H
 

@@ -10,11 +10,12 @@
 /* A rank that occurs, with its number of items. */
 struct occurrence {
     int rank;
-    uint32_t number; /* in the order in which ranks came */
+    uint32_t number; /* number of the rank, in the order of first occurrence */
     size_t items;
 };
 
-/* The ranks that occur: found by open addressing, so that nothing depends on how many ranks there are. */
+/* The ranks that occur: found by open addressing, so that time and memory do not depend on the number of
+ * ranks of the run. */
 struct occurrences {
     struct occurrence *list;
     size_t count;
@@ -38,7 +39,7 @@ static void occurrences_grow(struct occurrences *seen) {
         seen->slot[slot_of(seen, seen->list[k].rank)] = (uint32_t)k + 1;
 }
 
-/* The number of a rank, which is new or not. */
+/* The number of a rank; a new rank gets the next number. */
 static uint32_t number_of(struct occurrences *seen, int rank) {
     size_t k = slot_of(seen, rank);
     if (seen->slot[k] == 0) {

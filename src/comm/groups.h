@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Items sorted by the rank that they concern, for migrate.c and copies.c: the step between "who needs what"
- * and one message per neighbour. Time and memory follow the items, however many ranks there are. */
+/* Items sorted by the rank that they concern, for migrate.c and copies.c: the step between the list of items
+ * to send and one message per neighbour. Time and memory grow with the number of items, not with the number
+ * of ranks. */
 #ifndef SCREE_COMM_GROUPS_H
 #define SCREE_COMM_GROUPS_H
 
@@ -16,7 +17,7 @@ struct groups {
     uint32_t *item;
 };
 
-/* Sorts the items 0 ... n-1 by rank[item], each in 0 ... size-1; stable. _free releases what it allocated. */
+/* Sorts the items 0 ... n-1 by rank[item], each in 0 ... size-1; stable. _free releases the arrays. */
 void groups_make(struct groups *groups, const int *rank, size_t n, int size);
 void groups_free(struct groups *groups);
 

@@ -11,7 +11,7 @@
 #include <assert.h>
 #include <string.h>
 
-/* Those who leave, grouped by destination: groups.item numbers `particle`. */
+/* The particles that leave, grouped by destination: groups.item holds indices into `particle`. */
 struct leavers {
     struct groups groups;
     uint32_t *particle;
@@ -104,7 +104,7 @@ static uint64_t read_count(const char *from, size_t k) {
     return count;
 }
 
-/* Takes the part of `count` items of `size` bytes off the front of what is left of a message. */
+/* Takes `count` items of `size` bytes off the front of the rest of a message. */
 static const char *take(const struct exchange_message *message, size_t *left, uint64_t count, size_t size) {
     const char *part = message->data + (message->bytes - *left);
     if (size > 0 && count > *left / size)
@@ -134,7 +134,8 @@ static struct arrivals take_apart(const struct exchange_message *message, const 
     return arrivals;
 }
 
-/* Row set `s` again: of those who stay, from[0 ... stay - 1], then of the arrivals. */
+/* Makes row set `s` of the particles here now: first the rows of the particles that stay, from[0 ... stay -
+ * 1], then the rows of the arrivals. */
 static void join_rows(struct migrate_rows *rows, int s, const uint32_t *from, size_t stay,
                       const struct arrivals *arrivals, size_t messages) {
     size_t particles = stay, count = rows->count;
@@ -183,7 +184,8 @@ static void append_arrivals(struct particles *particles, const struct arrivals *
     }
 }
 
-/* Where the owned particles go, as particles_places says; returns how many stay. */
+/* The new places of the owned particles, as in particles_places; returns the number of particles that
+ * stay. */
 static size_t places_without(const struct leavers *leavers, size_t owned, uint32_t *place) {
     uint8_t *leaves = memory_allocate_zero(owned, 1, "particles that leave");
     for (size_t k = 0; k < leavers->count; k++)

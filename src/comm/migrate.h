@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Particles change ranks, with whatever travels with them. */
+/* Particles change ranks, together with their rows. */
 #ifndef SCREE_COMM_MIGRATE_H
 #define SCREE_COMM_MIGRATE_H
 
@@ -18,9 +18,10 @@ struct migrate_rows {
     size_t count, row_bytes;
 };
 
-/* Sends every owned particle to the rank that owns its position, which may be any. Those who stay lie
- * where particles_places puts them, arrivals follow by source rank, then in their order there. The `n` row
- * sets follow. Returns how many particles this rank sent away. Collective. */
+/* Sends every owned particle to the rank that owns the particle's position; this may be any rank. Particles
+ * that stay lie in the order of particles_places; arrivals follow by source rank, then in the order of the
+ * source rank. The `n` row sets are brought into the same order. Returns how many particles this rank sent
+ * away. Collective. */
 size_t migrate_particles(struct exchange *exchange, const struct domain *domain, struct particles *particles,
                          struct migrate_rows *rows, int n);
 

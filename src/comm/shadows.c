@@ -13,8 +13,8 @@
 struct head {
     int32_t owner;
     uint32_t number;
-    uint8_t image; /* in all */
-    uint8_t step;  /* from the sender's place to the receiver's */
+    uint8_t image; /* total image from the original */
+    uint8_t step;  /* image from the sender's place to the receiver's */
     uint8_t how;   /* COPY_FAR, COPY_RELAY */
     uint8_t unused;
 };
@@ -26,7 +26,7 @@ struct order {
     const char *fields;
 };
 
-/* A shadow to be handed on: what came, and from whom. */
+/* A shadow to be handed on: the copy received, and the sender. */
 struct arrival {
     struct order order;
     int sender;
@@ -36,12 +36,12 @@ struct spread {
     const struct shadows_place *place;
     struct shadows *result;
     struct field_list fields; /* the GHOST ones */
-    size_t each;              /* and their bytes */
+    size_t each;              /* bytes of these fields of a particle */
     int own;
-    struct order *order; /* of this round */
+    struct order *order; /* copies to hand on in this round */
     int *to;
     size_t orders, order_room;
-    struct arrival *fresh; /* of the last round */
+    struct arrival *fresh; /* shadows received in the last round */
     size_t fresh_count, fresh_room;
     struct head *seen; /* open addressing; owner -1: free */
     size_t seen_count, seen_room;
@@ -72,7 +72,7 @@ static void seen_grow(struct spread *spread) {
     memory_free(old);
 }
 
-/* Notes a shadow; false if it had come before. */
+/* Notes a shadow; false if the same shadow had come before. */
 static bool seen_put(struct spread *spread, const struct head *head) {
     if (2 * (spread->seen_count + 1) > spread->seen_room)
         seen_grow(spread);
@@ -103,7 +103,7 @@ static void hold(struct shadows *shadows, const struct head *head, const char *f
     shadows->shadow[shadows->count++] = (struct shadow){head->owner, head->number, head->image, fields};
 }
 
-/* Takes one copy that came. */
+/* Takes one copy received. */
 static void take(struct spread *spread, const struct head *head, const char *fields, int sender) {
     if (head->image >= IMAGE_CODES || head->step >= IMAGE_CODES || head->owner < 0 ||
         head->owner >= spread->place->exchange->comm->size)
@@ -147,7 +147,7 @@ static struct exchange_inbox *inbox_next(struct shadows *shadows) {
     return &shadows->inbox[shadows->inboxes++];
 }
 
-/* Delivers messages and takes what came. Returns true if any rank wants another round. */
+/* Delivers messages and takes the copies received. Returns true if any rank wants another round. */
 static bool deliver(struct spread *spread, struct exchange_message *out, size_t n, bool more) {
     struct shadows *result = spread->result;
     struct exchange_inbox *inbox = inbox_next(result);
@@ -172,7 +172,7 @@ static char *message_begin(struct exchange_message *message, const struct spread
     return message->data + sizeof n;
 }
 
-/* Round 1: what the owner knows itself. */
+/* Round 1: the owner sends copies to the places next to its subdomain. */
 static bool round_of_owners(struct spread *spread, const struct copies *copies) {
     const struct groups *groups = &copies->groups;
     struct exchange_message *out = memory_allocate(groups->count, sizeof *out, "messages");
@@ -193,7 +193,7 @@ static bool round_of_owners(struct spread *spread, const struct copies *copies) 
     return deliver(spread, out, groups->count, copies->far);
 }
 
-/* Number of the place from which `step` led here; `count` if it is none. */
+/* Number of the place from which `step` led to this rank; `count` if no place fits. */
 static size_t place_of_sender(const struct domain_place *places, size_t count, int rank, unsigned step) {
     int way[3];
     image_vector(step, way);
@@ -211,8 +211,8 @@ static bool places_meet(const struct domain_place *a, const struct domain_place 
     return true;
 }
 
-/* Orders the copy that a place needs of a shadow held, or passed on, here; `ball` is the shadow's particle.
- */
+/* Orders a copy for a place that needs one of a shadow that this rank holds or passes on; `ball` is the
+ * shadow's particle. */
 static void hand_on(struct spread *spread, const struct arrival *arrival, const struct domain_place *to,
                     const struct copy_ball *ball) {
     int image[3];
@@ -248,7 +248,7 @@ static void spread_arrival(struct spread *spread, const struct arrival *arrival)
             hand_on(spread, arrival, &places[p], &ball);
 }
 
-/* A later round: shadows are handed on. Returns true if any rank handed on one. */
+/* A later round: shadows are handed on. Returns true if any rank handed on a shadow. */
 static bool round_of_holders(struct spread *spread) {
     spread->orders = 0;
     particles_reserve(spread->place->particles, spread->place->particles->owned + 1);
@@ -272,7 +272,7 @@ static bool round_of_holders(struct spread *spread) {
     return more;
 }
 
-/* A number that a holder registers: of one of this rank's particles. */
+/* The number of one of this rank's particles, registered by a holder. */
 static uint32_t registered(const struct exchange_message *message, size_t k, size_t owned) {
     uint32_t number;
     memcpy(&number, message->data + k * sizeof number, sizeof number);
@@ -282,7 +282,8 @@ static uint32_t registered(const struct exchange_message *message, size_t k, siz
     return number;
 }
 
-/* What others hold: first what round 1 sent them, then what they say of later ones. */
+/* Makes the list of shadows that other ranks hold: first the copies of round 1, then the shadows of later
+ * rounds, as registered by their holders. */
 static void keep(struct shadows *result, const struct copies *copies, const struct exchange_inbox *inbox,
                  const struct shadows_place *place) {
     size_t total = copies->groups.start[copies->groups.count], n = 0;
@@ -310,7 +311,7 @@ static void keep(struct shadows *result, const struct copies *copies, const stru
     memory_free(rank);
 }
 
-/* Holders tell the owners which shadows came to them from round 2 on: shadow[first] and those behind it. */
+/* Holders tell the owners which shadows the holders got from round 2 on: shadow[first] and all behind. */
 static void register_shadows(struct spread *spread, size_t first, struct exchange_inbox *inbox) {
     const struct shadows *result = spread->result;
     size_t n = result->count - first;

@@ -31,15 +31,15 @@ static void force_loop_take(struct force_loop *loop, const struct force_kernel *
     loop->client.note = kernel->note;
 }
 
-/* True of two particles that are both prescribed and move and turn alike: their overlap stays, and is no
- * contact. */
+/* True if both particles are prescribed and move and turn alike: their overlap never changes, and does not
+ * count as a contact. */
 static bool force_fixed(const double record[8], const double *omega) {
     if (record[7] != 0.0 || record[4] != 0.0 || record[5] != 0.0 || record[6] != 0.0)
         return false;
     return omega == NULL || (omega[0] == omega[4] && omega[1] == omega[5] && omega[2] == omega[6]);
 }
 
-/* Contacts of particles that are fixed to each other are not wanted. */
+/* Drops contacts of particles that are fixed to each other. */
 static void force_select(const struct walk_task *task, const struct walk_batch *batch, uint8_t *keep) {
     for (int k = 0; k < batch->count; k++)
         keep[k] = !force_fixed(batch->record[k], task->work->gathers > 0 ? batch->gathered[0][k] : NULL);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The threaded force loop: the contact laws as a client of the walk over pairs (pairs/walk.h). A cheap vectorised
- * distance filter over the flat pairs of a block comes first, then the contacts that really touch, in batches
- * (docs/performance.md). The functions work block by block, so that the step may run other passes on a block just
- * before or after (docs/architecture.md). */
+/* The threaded force loop: the contact laws as a client of the walk over pairs (pairs/walk.h). A cheap
+ * vectorised distance filter over the flat pairs of a block comes first, then the contacts that really touch,
+ * in batches (docs/performance.md). The functions work block by block, so that the step may run other passes
+ * on a block just before or after (docs/architecture.md). */
 #ifndef SCREE_CONTACT_FORCE_H
 #define SCREE_CONTACT_FORCE_H
 
@@ -10,16 +10,16 @@
 #include "pairs/history.h"
 #include "pairs/pairlist.h"
 
-/* Sums of a force evaluation of this rank; a pair that two threads or ranks compute counts half on each. */
+/* Sums of a force evaluation on this rank. A pair computed by two threads or ranks counts half on each. */
 struct force_sums {
     double elastic_normal;     /* energy stored in normal springs */
-    double elastic_tangential; /* and in tangential and rolling ones; taken before */
+    double elastic_tangential; /* in tangential and rolling springs; the sum of `taken` includes it */
     double taken;       /* work taken in this step by normal dampers and by all tangential forces, springs
                            included (energy; exact to first order) */
     double virial[6];   /* sum of x_ij F_ij: xx yy zz xy xz yz, energy */
-    double overlap_max; /* largest overlap / smaller radius, and who */
+    double overlap_max; /* largest overlap / smaller radius; overlap_id: its particles */
     int64_t overlap_id[2];
-    /* Sides of touching pairs that were computed: 2 a pair, or 1 here and 1 elsewhere. */
+    /* Sides of touching pairs that were computed: 2 a pair, or 1 here and 1 on another thread or rank. */
     size_t contact_sides;
     size_t contacts; /* contact_sides / 2; over ranks add up the sides, then halve */
 };
@@ -40,21 +40,21 @@ struct force_context {
     struct history *history; /* NULL where the law has none */
     const struct law *law;
     double range;     /* how far beyond touch contacts reach, at most */
-    double dt;        /* by which histories advance; 0 in the first evaluation of a run (they stay) */
+    double dt;        /* time step of the histories; 0 in the first evaluation of a run: the histories stay */
     bool want_sums;   /* fill the energies of the sums; contacts and overlap_max always are */
-    bool want_virial; /* and the virial; only with want_sums */
+    bool want_virial; /* fill the virial; only with want_sums */
     bool prescribed;  /* there may be particles whose motion is prescribed */
     bool ordered;     /* forces are summed in an order that no layout changes (force_ordered.h) */
 };
 
-/* A force loop's own memory (slots, batches of each thread), and which compiled kernel it runs: that of the
- * best instruction set of this CPU. All kernels give the same bits. */
+/* A force loop's own memory (slots, batches of each thread), and the compiled kernel that the loop runs: the
+ * kernel for the best instruction set of this CPU. All kernels give the same bits. */
 struct force_loop;
 struct force_loop *force_loop_create(int threads);
 void force_loop_destroy(struct force_loop **loop);
 
-/* The name of the kernel in use: "x86-64-v4", "x86-64-v3" or "baseline". force_loop_choose takes another one,
- * for tests and measurements; false if there is none of that name or the CPU cannot run it. */
+/* The name of the kernel in use: "x86-64-v4", "x86-64-v3" or "baseline". force_loop_choose chooses another
+ * kernel, for tests and measurements; false if no kernel has that name or the CPU cannot run the kernel. */
 const char *force_loop_kernel(const struct force_loop *loop);
 bool force_loop_choose(struct force_loop *loop, const char *kernel);
 
@@ -62,24 +62,24 @@ bool force_loop_choose(struct force_loop *loop, const char *kernel);
 void force_loop_prepare(struct force_loop *loop, const struct force_context *context);
 
 /* Computes the pairs of one block by thread `thread`; blocks of a thread in increasing order, all of them,
- * then force_loop_finish. Adds to particles.force (zeroed before by the integrator). Many threads at once,
- * each its own blocks. */
+ * then force_loop_finish. Adds to particles.force (zeroed before by the integrator). May be called by many
+ * threads at once, each with its own blocks. */
 void force_loop_block(struct force_loop *loop, const struct force_context *context, int thread, int block);
 
 /* Ends the evaluation: adds the slots in thread order, flips the history, adds up the sums. Called by one
  * thread after all have finished their blocks. */
 void force_loop_finish(struct force_loop *loop, const struct force_context *context, struct force_sums *sums);
 
-/* Forgets an evaluation instead of ending it: histories and sums are those before it; the caller clears the
- * forces. One thread. */
+/* Discards an evaluation instead of ending it: histories and sums stay as before the evaluation; the caller
+ * clears the forces. One thread. */
 void force_loop_abandon(struct force_loop *loop, const struct force_context *context);
 
-/* All blocks, all threads: the plain order. */
+/* Computes all blocks by all threads: the plain order. */
 void force_loop_run(struct force_loop *loop, const struct force_context *context, struct force_sums *sums);
 
-/* Evaluates the present contacts again without touching forces or history, and hands them out, for output. Of
- * a pair that two threads or ranks hold only the home's is given. Returns how many; `contacts` is allocated
- * (memory_free). One thread. */
+/* Evaluates the present contacts again without changing forces or history, and returns the contacts for
+ * output. If two threads or ranks hold a pair, only the home of the pair gives the contact. Returns the
+ * number of contacts; `contacts` is allocated (memory_free). One thread. */
 size_t force_loop_contacts(const struct force_context *context, struct force_contact **contacts);
 
 #endif

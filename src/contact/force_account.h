@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What the force loop notes of a batch beside forces: the largest overlap, energies, the virial. Included by
- * force_block.c alone, which is compiled for several instruction sets. */
+/* Sums that the force loop takes of a batch besides the forces: the largest overlap, energies, the virial.
+ * Included by force_block.c alone, which is compiled for several instruction sets. */
 #ifndef SCREE_CONTACT_FORCE_ACCOUNT_H
 #define SCREE_CONTACT_FORCE_ACCOUNT_H
 
 #include "contact/force_kernel.h"
 
-/* The largest overlap so far, relative to the smaller radius, and whose. */
+/* Updates the largest overlap so far, relative to the smaller radius, and the ids of its particles. */
 static inline void force_watch(const struct particles *particles, const struct force_batch *restrict b,
                                struct force_sums *sums) {
     const struct walk_batch *restrict w = &b->walk;

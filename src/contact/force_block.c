@@ -13,7 +13,7 @@ static inline void force_mix(const struct law *law, const uint8_t *material, str
             b, k, &law->pair[material_of(material, b->walk.i[k])][material_of(material, b->walk.j[k])]);
 }
 
-/* The same coefficients for all. */
+/* The same coefficients for all contacts of a batch. */
 static void force_mix_one(struct force_batch *b, const struct law_coefficients *c) {
     for (int k = 0; k < FORCE_BATCH; k++)
         force_set_coefficients(b, k, c);

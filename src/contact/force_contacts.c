@@ -6,7 +6,7 @@
 #include "contact/spin.h"
 #include "core/memory.h"
 
-/* A walk over the records of one thread, in the order of its pairs. */
+/* A walk over the history records of one thread, in the order of the thread's pairs. */
 struct force_walk {
     const struct history_part *part; /* NULL without history */
     size_t cursor, base;
@@ -32,14 +32,14 @@ static bool force_same(const double a[3], const double b[3]) {
     return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
 }
 
-/* True of two particles that are fixed to each other, as the force loop has it. */
+/* True if two particles are fixed to each other, by the rule of the force loop. */
 static bool force_pair_fixed(const struct particles *p, const double (*omega)[4], size_t i, size_t j) {
     const struct particle_state *si = &p->state[i], *sj = &p->state[j];
     return si->inverse_mass + sj->inverse_mass == 0.0 && force_same(si->v, sj->v) &&
            (omega == NULL || force_same(omega[i], omega[j]));
 }
 
-/* What two spheres bring to the law; false if they do not touch. `separation` is x_j - x_i. */
+/* Fills the law's input for two spheres; false if the spheres do not touch. `separation` is x_j - x_i. */
 static bool force_pair_contact(const struct force_context *context, size_t k, const double *record,
                                struct law_contact *in, struct law_vector *separation) {
     const struct particles *p = context->particles;
@@ -80,7 +80,8 @@ static bool force_pair_contact(const struct force_context *context, size_t k, co
     return true;
 }
 
-/* Of a one-sided pair, whose mirror is computed elsewhere: is this the side that reports it? */
+/* For a one-sided pair, whose mirror another thread or rank computes: true if this side reports the
+ * contact. */
 static bool force_pair_home(int64_t id_i, int64_t id_j, struct law_vector separation) {
     if (id_i != id_j)
         return id_i < id_j;

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Inside of the force loop: the contact laws as a client of the walk over pairs (pairs/walk.h), a batch of
- * contacts at a time. The walls use batches and `respond` for their contacts (walls_force.c). Nobody else but
- * tests includes this.
+/* Private parts of the force loop: the contact laws as a client of the walk over pairs (pairs/walk.h), a
+ * batch of contacts at a time. The walls use batches and `respond` for their contacts (walls_force.c). Apart
+ * from these, only tests include this header.
  *
- * force_block.c is compiled for several instruction sets, as the walk is. All give the same bits. Its
- * `compute` has two phases:
+ * force_block.c is compiled for several instruction sets, as the walk is. All compiled versions give the same
+ * bits. `compute` in force_block.c has two phases:
  *
  *   measure  a vectorised loop, specialised for the law: geometry
  *   respond  another: law_respond
  *
- * Distances are formed as (x_j - x_i) + shift, so that a pair and its mirror have exactly opposite ones; the
- * law keeps that up. */
+ * Distances are formed as (x_j - x_i) + shift, so that a pair and its mirror have exactly opposite distances;
+ * the law keeps this symmetry. */
 #ifndef SCREE_CONTACT_FORCE_KERNEL_H
 #define SCREE_CONTACT_FORCE_KERNEL_H
 
@@ -20,16 +20,16 @@
 
 enum { FORCE_BATCH = WALK_BATCH, FORCE_LANES = WALK_LANES };
 
-/* Where the batch of the walk has what the law answers: components x y z each. */
+/* Places of the law's results in `out` of the walk's batch: components x y z each. */
 enum { FORCE_OUT = 0, FORCE_MOMENT = 3, FORCE_ROLLING = 6 };
 
-/* Contacts on their way through the law. Entry k of each array belongs to contact k; the loops run to the
- * next multiple of FORCE_LANES. walk.history: the springs, tangential (0..2) and rolling (3..5). walk.out:
- * the force on j, the torque per lever, the rolling torque on j. walk.gathered[0]: omega_i 0 omega_j 0. */
+/* Contacts that pass through the law. Entry k of each array belongs to contact k; the loops run to the next
+ * multiple of FORCE_LANES. walk.history: the springs, tangential (0..2) and rolling (3..5). walk.out: the
+ * force on j, the torque per lever, the rolling torque on j. walk.gathered[0]: omega_i 0 omega_j 0. */
 struct force_batch {
     struct walk_batch walk;
     double coefficient[6][FORCE_BATCH]; /* the members of struct law_coefficients */
-    double overlap[FORCE_BATCH];        /* what struct law_contact holds, by component */
+    double overlap[FORCE_BATCH];        /* from here on: the members of struct law_contact, by component */
     double mass[FORCE_BATCH];
     double effective[FORCE_BATCH];
     double normal[3][FORCE_BATCH];
@@ -66,19 +66,19 @@ static inline void force_add_virial(double virial[6], double weight, const doubl
 /* Adds a thread's sums to the total; largest overlaps are compared. */
 void force_sums_add(struct force_sums *total, const struct force_sums *part);
 
-/* A thread's batch, and what its law and its sums need. */
+/* A thread's batch, with data for the law and the sums. */
 struct force_thread {
     struct force_batch batch;
     struct force_sums sums;
     struct law_step step;
     bool energies;
-    const uint8_t *material;          /* NULL where all are of one */
+    const uint8_t *material;          /* NULL if all particles are of one material */
     force_physics *measure, *respond; /* the loops of this law */
 };
 
 struct force_kernel {
     const char *name; /* the instruction set */
-    /* Before a thread's blocks: chooses its loops. */
+    /* Called before a thread's blocks: chooses the thread's loops. */
     void (*begin)(struct force_thread *thread, const struct force_context *context);
     void (*compute)(const struct walk_task *task,
                     struct walk_batch *batch); /* the client's part of a batch */

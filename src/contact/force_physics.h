@@ -21,7 +21,7 @@ LAW_INLINE void force_set(double a[3][FORCE_BATCH], int k, struct law_vector v) 
     a[2][k] = v.z;
 }
 
-/* First loop: what the law wants to know of contact k, from the records. */
+/* First loop: computes the law's input for contact k from the records. */
 LAW_INLINE void force_measure(struct law_case law, struct force_batch *b, int k, struct law_step step) {
     const double *record = b->walk.record[k], *omega = b->walk.gathered[0][k];
     double ri = b->walk.radius[0][k], rj = b->walk.radius[1][k];
@@ -88,9 +88,9 @@ LAW_INLINE void force_respond(struct law_case law, struct force_batch *b, int k,
     force_set(b->walk.history + 3, k, out.roll);
 }
 
-/* Two loops, as one is so long that a processor cannot begin a contact before the last has waited for all its
- * roots and divisions. Their bodies are functions, as variables inside of an `omp simd` loop would become
- * arrays. */
+/* Two loops instead of one: in a single, long loop a processor could not begin a contact before all roots and
+ * divisions of the previous contact are done. The bodies of the loops are functions, as variables inside an
+ * `omp simd` loop would become arrays. */
 LAW_INLINE void force_measure_all(struct law_case law, struct force_batch *restrict b, struct law_step step) {
     int count = b->walk.padded;
 #pragma omp simd
@@ -106,8 +106,8 @@ LAW_INLINE void force_respond_loop(struct law_case law, struct force_batch *rest
         force_respond(law, b, k, step);
 }
 
-/* A law that does not bring turned springs back to their length (LAMMPS's) has no root and division for it:
- * `rescale` set to a constant is what lets the compiler drop them from its loop. */
+/* A law that does not bring turned springs back to their length (LAMMPS's) needs no root and division for
+ * this. A constant `rescale` lets the compiler drop both from the loop of that law. */
 LAW_INLINE void force_respond_all(struct law_case law, struct force_batch *restrict b, struct law_step step) {
     if (law.friction && !law.rolling && step.rescale == 0.0) {
         step.rescale = 0.0;
@@ -117,8 +117,8 @@ LAW_INLINE void force_respond_all(struct law_case law, struct force_batch *restr
     }
 }
 
-/* The specialisations: of the geometry force_measure_table[radius and lever][friction], of the laws of the table
- * force_respond_table[law][damper][energies][friction]. */
+/* The specialisations: force_measure_table[radius and lever][friction] for the geometry, and
+ * force_respond_table[law][damper][energies][friction] for the laws of the table. */
 #define FORCE_PHYSICS(phase, name, ...)                                                                      \
     static void name(struct force_batch *b, struct law_step step) {                                          \
         phase((struct law_case){__VA_ARGS__}, b, step);                                                      \

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Contact laws: what two spheres (or a sphere and a wall) that touch do to each other.
+/* Contact laws: forces and torques between two spheres (or a sphere and a wall) that touch.
  *
- * A law sees two particles and a contact; never a loop, a thread or a rank. The functions that the force
- * loops call are the `static inline` ones of law_kernel.h, specialised by constant arguments; this header
- * holds what is prepared once: options and the table of coefficients for each pair of materials.
+ * A law gets two particles and a contact, and knows nothing of loops, threads and ranks. The functions that
+ * the force loops call are the `static inline` ones of law_kernel.h, specialised by constant arguments; this
+ * header holds the data prepared once: options and the table of coefficients for each pair of materials.
  *
  * With the overlap d > 0, the approach speed v_n, the effective mass m* and radius R*, the law of the table
  * (law_table.h) gives the elastic force F_e(d) and the tangential stiffness k_t(d). The normal force is
@@ -15,7 +15,7 @@
  *
  *   F_t = -k_t xi - c_t v_t       |F_t| <= mu |F_n|
  *
- * docs/physics.md has the other terms, and where all of this comes from. */
+ * docs/physics.md has the other terms and the sources of all terms. */
 #ifndef SCREE_CONTACT_LAW_H
 #define SCREE_CONTACT_LAW_H
 
@@ -24,13 +24,13 @@
 
 enum { LAW_MATERIALS_MAX = 32 };
 
-/* Where the damping comes from: the restitution asked for, or LAMMPS's coefficients per unit of effective
+/* The source of the damping: the restitution of the scene, or LAMMPS's coefficients per unit of effective
  * mass. */
 enum law_damping { LAW_DAMPING_RESTITUTION, LAW_DAMPING_COEFFICIENT };
 enum law_tangential { LAW_FRICTIONLESS, LAW_TANGENTIAL_HISTORY };
-/* What the tangential damper sees while the contact slides: the spring's own change, as the slider is in
- * series with both (energy is never made); or all of the slip, the spring being set to what is left of the
- * limit (Luding, Granular Matter 10 (2008) 235; LAMMPS). */
+/* The velocity of the tangential damper while the contact slides. SERIES: the rate of change of the spring,
+ * as the slider is in series with spring and damper (energy is never made). TOTAL: the whole slip velocity;
+ * the spring takes the rest of the limit (Luding, Granular Matter 10 (2008) 235; LAMMPS). */
 enum law_sliding { LAW_SLIDING_SERIES, LAW_SLIDING_TOTAL };
 enum law_rolling { LAW_ROLLING_NONE, LAW_ROLLING_SPRING };
 
@@ -64,8 +64,8 @@ struct law {
 /* The defaults: hertz, restitution, end at zero force, history, no rolling. */
 struct law_options law_options_default(void);
 
-/* How far beyond touch spheres of these radii interact, for any two materials; a wall has an infinite radius. Any
- * thread. */
+/* The largest gap at which spheres of these radii interact, for any two materials; a wall has an infinite
+ * radius. Any thread. */
 double law_range(const struct law *law, double radius_a, double radius_b);
 
 /* Makes the table of coefficients from the entries pair[a][b], a <= b < materials. Fails (user) on values out

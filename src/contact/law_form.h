@@ -1,29 +1,30 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A contact law's form: how the elastic force between two spheres, or a sphere and a wall, depends on their
- * overlap. Damping, friction and rolling are the same for all forms (law_kernel.h); a form brings the springs
- * that they go with.
+ * overlap. Damping, friction and rolling are the same for all forms (law_kernel.h); a form provides the
+ * springs.
  *
  * How to add a law:
  *
- *   1. Write contact/law_NAME.h like its neighbours: the function law_NAME_springs, and a struct law_form named
- *      law_NAME.
- *   2. Include it in law_table.h, and add a row to LAW_TABLE there.
+ *   1. Write contact/law_NAME.h like its neighbours: the function law_NAME_springs, and a struct law_form
+ *      named law_NAME.
+ *   2. Include the new header in law_table.h, and add a row to LAW_TABLE there.
  *   3. List the file in src/contact/local.mk, and describe the law in docs/physics.md.
  *
  * The scene's keys, the loops of all instruction sets, the stable step, `scree check`, `scree ablate`, the
- * report and the help follow from that. tests/test_law.c holds each row of the table to its own potential. */
+ * report and the help then know the law. tests/test_law.c compares each law of the table with the law's own
+ * potential. */
 #ifndef SCREE_CONTACT_LAW_FORM_H
 #define SCREE_CONTACT_LAW_FORM_H
 
 #include <math.h>
 #include <stdbool.h>
 
-/* A loop over contacts vectorises only if nothing in it stays a call. */
+/* A loop over contacts vectorises only if the compiler inlines all calls in the loop. */
 #define LAW_INLINE static inline __attribute__((always_inline))
 
 enum { LAW_NAME_MAX = 64 };
 
-/* When a contact ends: at zero overlap (the damper may attract just before), or where the force would
+/* The end of a contact: at zero overlap (the damper may attract just before), or as soon as the force would
  * attract. */
 enum law_end { LAW_END_OVERLAP, LAW_END_FORCE };
 
@@ -46,9 +47,9 @@ struct law_pair {
                                 1/(time length), times the contact radius */
 };
 
-/* What the kernel needs of a pair of materials, made once. */
+/* Input of the kernel for a pair of materials, made once. */
 struct law_coefficients {
-    double k_n, k_t; /* of the springs, as the form reads them */
+    double k_n, k_t; /* of the springs; the form defines their meaning */
     double c_n;      /* coefficients given: gamma_n, times m* and the form's contact; restitution: the form's
                    `damper` times the damping ratio, times sqrt(m* x elastic force / overlap) */
     double c_t;      /* the same for the tangential damper; the rolling spring takes k_t and c_t too */
@@ -57,24 +58,25 @@ struct law_coefficients {
 
 /* The springs of one contact. */
 struct law_springs {
-    double force;      /* elastic normal force, positive: it pushes */
+    double force;      /* elastic normal force; positive: repulsion */
     double stiffness;  /* force / overlap: sets the damper that belongs to a restitution */
-    double tangent;    /* d force / d overlap: what the stable step goes by */
+    double tangent;    /* d force / d overlap, for the stable step */
     double tangential; /* stiffness of the tangential and of the rolling spring */
-    double contact;    /* what a given damping coefficient is multiplied with */
+    double contact;    /* factor of a given damping coefficient */
     double energy;     /* stored in the normal spring */
 };
 
-/* All else that is known of a form. */
+/* The other properties of a form. */
 struct law_form {
-    bool linear;    /* force proportional to overlap whatever the radii: other laws are compared with it */
+    bool linear;    /* force proportional to overlap for all radii; other laws are compared with this one */
     bool radius;    /* the springs depend on the effective radius */
     double damper;  /* c_n over the damping ratio of the linear spring-dashpot with the same restitution */
     double tangent; /* d force / d overlap over force / overlap, at small overlaps */
-    /* Laws with moduli: k_n and k_t from Young's modulus and Poisson's ratio of both materials. NULL: they are
-     * those of the pair. */
+    /* Laws with moduli: k_n and k_t from Young's modulus and Poisson's ratio of both materials. NULL: k_n and
+     * k_t are those of the pair. */
     void (*moduli)(const struct law_material *a, const struct law_material *b, struct law_coefficients *c);
-    /* How far beyond touch two spheres of these radii interact, length; monotonic in each. NULL: not at all. */
+    /* The largest gap at which two spheres of these radii interact, length; monotonic in each radius. NULL:
+     * no interaction without touch. */
     double (*range)(const struct law_coefficients *c, double radius_a, double radius_b);
     /* Largest overlap of an elastic impact at `speed`, with the effective mass and radius; length. */
     double (*impact)(const struct law_coefficients *c, double mass, double radius, double speed);

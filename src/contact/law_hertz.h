@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Hertz and Mindlin: elastic spheres. With the effective moduli E* and G* of the two materials and the contact
- * radius a = sqrt(R* d),
+/* Hertz and Mindlin: elastic spheres. With the effective moduli E* and G* of the two materials and the
+ * contact radius a = sqrt(R* d),
  *
  *   F = 4/3 E* a d                k_t = 8 G* a (Mindlin)
  *   1/E* = sum (1 - nu^2) / E     1/G* = sum (2 - nu) / G,  G = E / (2 (1 + nu))
  *
  * The damper c = alpha sqrt(m* F / d), alpha = sqrt(5) zeta, gives any impact the same restitution, as
- * d^(5/4) turns the damped contact into a linear spring-dashpot (Antypov and Elliott, EPL 94 (2011) 50004). With
- * given coefficients, k_n and k_t times a, the dampers gamma m* a: LAMMPS's gran/hertz/history. */
+ * d^(5/4) turns the damped contact into a linear spring-dashpot (Antypov and Elliott, EPL 94 (2011) 50004).
+ * With given coefficients the springs are k_n a and k_t a, and the dampers gamma m* a: LAMMPS's
+ * gran/hertz/history. */
 #ifndef SCREE_CONTACT_LAW_HERTZ_H
 #define SCREE_CONTACT_LAW_HERTZ_H
 
@@ -39,7 +40,7 @@ static inline double law_hertz_impact(const struct law_coefficients *c, double m
     return pow(1.25 * mass * speed * speed / (c->k_n * sqrt(radius)), 0.4);
 }
 
-/* 2.94328 overlap / speed, the speed that energy gives for the overlap. */
+/* 2.94328 overlap / speed; conservation of energy gives the speed for the overlap. */
 static inline double law_hertz_duration(const struct law_coefficients *c, double mass, double radius,
                                         double overlap) {
     return 2.94328 * overlap / sqrt(0.8 * c->k_n * sqrt(radius) * pow(overlap, 2.5) / mass);

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The contact laws themselves, as `static inline` functions: one contact in, forces and torques out. Sphere
- * against sphere and sphere against wall use the same function; the caller brings geometry, this file the
- * physics (docs/physics.md).
+ * against sphere and sphere against wall use the same function. The caller computes the geometry, this file
+ * the physics (docs/physics.md).
  *
- * How to use it: fill a `struct law_case` with constants, so that the compiler drops what the law has not;
- * fill a `struct law_contact`; call law_respond. There are no branches that a vectorising compiler could not
- * turn into selects, and no memory: a loop that calls it once an iteration vectorises
- * (contact/force_physics.h does).
+ * How to use it: fill a `struct law_case` with constants, so that the compiler drops the terms that the law
+ * does not have; fill a `struct law_contact`; call law_respond. There are no branches that a vectorising
+ * compiler could not turn into selects, and no memory: a loop that calls law_respond once an iteration
+ * vectorises (as in contact/force_physics.h).
  *
  * Signs. The normal n points from i to j (wall: from the sphere to the wall). Velocities are those of j minus
  * those of i. Force, rolling torque and springs are those of j; the negatives hold for i. With n, velocities
@@ -17,9 +17,9 @@
  *
  * Spheres: velocity = v_j - v_i of the centres, surface = lever_i omega_i + lever_j omega_j (levers of the
  * half step where springs advance in its plane), spin = omega_j - omega_i, mass and radius the effective
- * ones. The lever is r - overlap / 2: the contact point lies in the middle of the overlap whatever the radii,
- * so that the levers add up to the distance and angular momentum is conserved; with lammps_history it is r.
- * Walls: velocity = that of the wall's material point at the contact point - v of the sphere's centre,
+ * ones. The lever is r - overlap / 2: the contact point lies in the middle of the overlap for all radii, so
+ * that the levers add up to the distance and angular momentum is conserved; with lammps_history the lever is
+ * r. Walls: velocity = that of the wall's material point at the contact point - v of the sphere's centre,
  * surface = lever_i omega_i, spin = omega of the wall - omega_i, mass and radius those of the sphere. */
 #ifndef SCREE_CONTACT_LAW_KERNEL_H
 #define SCREE_CONTACT_LAW_KERNEL_H
@@ -31,30 +31,31 @@ struct law_vector {
     double x, y, z;
 };
 
-/* What a specialised loop knows beforehand: compile-time constants there. */
+/* The case of a law that a loop is specialised for: compile-time constants in that loop. */
 struct law_case {
     enum law_normal normal; /* the law of the table */
-    bool coefficient;       /* the damper is a coefficient times the effective mass; else it comes from the
+    bool coefficient;       /* the damper is a coefficient times the effective mass; else from the
                           restitution */
     bool friction;          /* a tangential spring with history */
-    bool rolling;           /* and a rolling one */
+    bool rolling;           /* a rolling spring with history */
     bool synchronised;      /* springs advance in the half-step tangent plane */
-    bool radius;            /* the effective radius matters */
+    bool radius;            /* the springs depend on the effective radius */
     bool lever_radius;      /* the lever is r (LAMMPS's), else r - overlap / 2 */
     bool energies;          /* fill the three energies of the response */
 };
 
-/* What is the same for all contacts of one evaluation; from law_step_of. */
+/* The numbers common to all contacts of one evaluation; from law_step_of. */
 struct law_step {
-    double dt;           /* by which springs advance, time; 0: they stay */
-    double force_least;  /* the normal force is never less: 0, or -DBL_MAX where it may attract */
+    double dt;           /* time step of the springs, time; 0: the springs stay */
+    double force_least;  /* lower bound of the normal force: 0, or -DBL_MAX if the force may attract */
     double spring_least; /* an over-limit spring of this square length or less gives no force; -1: never, 0:
                             empty ones (LAMMPS) */
-    double rescale;      /* 1: a turned spring keeps its length; 0: it is projected only */
-    double relaxation;   /* 1 / dt where a sliding spring relaxes against its damper; 0: it is cut at once */
+    double rescale;      /* 1: a turned spring keeps its length; 0: the spring is projected only */
+    double relaxation;   /* 1 / dt if a sliding spring relaxes against its damper; 0: cut at once */
 };
 
-/* One contact. The third block matters with friction only, `spin` and `roll` with rolling only. */
+/* One contact. The members from half_normal on are used with friction only, `spin` and `roll` with rolling
+ * only. */
 struct law_contact {
     double overlap, mass,
         radius; /* length, effective mass (0: both sides are prescribed, no damping), effective radius */
@@ -76,8 +77,8 @@ struct law_response {
     struct law_vector spring, roll; /* the springs to remember */
     double normal_energy;           /* stored in the normal spring */
     double spring_energy;           /* stored in the tangential and rolling springs */
-    double taken; /* work taken in this step by the normal damper and by all tangential forces: what it
-                     exceeds the growth of spring_energy by is dissipated */
+    double taken; /* work taken in this step by the normal damper and by all tangential forces; the
+                     excess over the growth of spring_energy is dissipated */
 };
 
 LAW_INLINE double law_dot(struct law_vector a, struct law_vector b) {
@@ -121,7 +122,7 @@ LAW_INLINE struct law_vector law_transport(struct law_vector a, struct law_vecto
     return law_add(a, -share, law_add(m, 1.0, n));
 }
 
-/* The numbers of one evaluation of a law with time step dt. */
+/* Makes the numbers of one evaluation of a law with time step dt. */
 LAW_INLINE struct law_step law_step_of(const struct law_options *options, double dt) {
     bool series = options->sliding == LAW_SLIDING_SERIES && !options->lammps_history;
     return (struct law_step){.dt = dt,
@@ -145,18 +146,18 @@ LAW_INLINE struct law_case law_case_of(const struct law_options *options, bool e
                              .energies = energies};
 }
 
-/* The lever arm of a sphere (length) against another or a wall: from its centre to the middle of the overlap,
- * or its radius (LAMMPS). */
+/* The lever arm of a sphere (length) against another sphere or a wall: from the centre of the sphere to the
+ * middle of the overlap, or the radius of the sphere (LAMMPS). */
 LAW_INLINE double law_lever(struct law_case law, double radius, double overlap) {
     return law.lever_radius ? radius : radius - 0.5 * overlap;
 }
 
 /* One spring-dashpot with a sliding limit: advances `spring` by dt x rate, turns it into the tangent plane,
- * and lets it slide where the force passes `limit`: the force is cut to the limit, and the spring takes the
- * length with which spring and damper give that, the damper seeing the spring's own change (slider in series,
- * dissipation never negative) or all of `rate` (relaxation 0). `rate` is taken in the half-step plane if
- * synchronised. Returns the force; energies are added to the response; the work is that of the mean of the
- * forces before and after the step. */
+ * and lets the spring slide if the force exceeds `limit`. The force is then cut to the limit, and the spring
+ * takes the length at which spring and damper give that force. The damper acts on the rate of change of the
+ * spring (slider in series, dissipation never negative) or on all of `rate` (relaxation 0). `rate` is taken
+ * in the half-step plane if synchronised. Returns the force. Energies are added to the response; the work is
+ * that of the mean of the forces before and after the step. */
 LAW_INLINE struct law_vector law_slide(struct law_case law, struct law_step step,
                                        const struct law_contact *in, struct law_vector rate,
                                        struct law_vector *spring, double stiffness, double damping,
@@ -187,7 +188,8 @@ LAW_INLINE struct law_vector law_slide(struct law_case law, struct law_step step
     return force;
 }
 
-/* Tangential and rolling part of law_respond; normal_force, stiffness and base are those found there. */
+/* Tangential and rolling part of law_respond; normal_force, stiffness and base are values found in
+ * law_respond. */
 LAW_INLINE void law_rub(struct law_case law, struct law_step step, const struct law_contact *in,
                         double normal_force, double stiffness, double base, struct law_response *out) {
     struct law_vector plane = law.synchronised ? in->half_normal : in->normal;
@@ -209,7 +211,7 @@ LAW_INLINE void law_rub(struct law_case law, struct law_step step, const struct 
     out->rolling = law_scale(in->radius, force);
 }
 
-/* What the contact does: formulas in law.h and docs/physics.md. Any thread. */
+/* Forces and torques of a contact: formulas in law.h and docs/physics.md. Any thread. */
 LAW_INLINE struct law_response law_respond(struct law_case law, struct law_step step,
                                            const struct law_contact *in) {
     struct law_response out = {0};

@@ -10,14 +10,14 @@
 
 /* Damping ratio zeta of the linear spring-dashpot for a restitution e. End at zero overlap: zeta = -ln e /
  * sqrt(pi^2 + ln^2 e), 1 for e = 0. End at zero force: inverts e(zeta) of Schwager and Poeschel (Granular
- * Matter 9 (2007) 465); there e = 0 needs an infinite damper, and e below LAW_RESTITUTION_LEAST is taken as
- * that. */
+ * Matter 9 (2007) 465); there e = 0 needs an infinite damper, and e below LAW_RESTITUTION_LEAST counts as
+ * LAW_RESTITUTION_LEAST. */
 double law_damping_ratio(double restitution, enum law_end end);
 
-/* By which part of Coulomb's impulse, mu (1 + e) m* v, the friction of an impact that slides throughout
- * exceeds it: 0 where the contact ends at zero force; where it ends at zero overlap the limit counts the
- * damper's pull, too: 2 (e_F - e) / (1 + e), e_F being what e would be if the same damper ended at zero force
- * (both laws; docs/physics.md). */
+/* The relative excess of the friction impulse of an impact that slides throughout, over Coulomb's impulse mu
+ * (1 + e) m* v. The excess is 0 if the contact ends at zero force. If the contact ends at zero overlap, the
+ * limit counts the damper's pull, too, and the excess is 2 (e_F - e) / (1 + e); e_F is the restitution of the
+ * same damper with end at zero force (both laws; docs/physics.md). */
 double law_end_friction(double restitution, enum law_end end);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The rows of the table of contact laws (law_table.h), for whoever does not need them at compile time. */
+/* The rows of the table of contact laws (law_table.h), for code that does not need the rows at compile
+ * time. */
 #include "contact/law_table.h"
 
 #define LAW_ROW(NAME, name, traits, summary) [LAW_##NAME] = {#name, traits, summary, &law_##name},

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The table of contact laws. Read law_form.h first: the recipe is there.
+/* The table of contact laws. Read law_form.h first: that header has the recipe for a new law.
  *
- * A row: LAW_NAME for the number, the name in scenes, the traits that keys of a scene ask for (scene/schema.h),
- * and what the law is. Traits: `moduli`, a law whose springs come from young and poisson of the materials;
- * `stiffness`, one whose springs are k_n and k_t of the pair, force/length. */
+ * A row: LAW_NAME for the number, the name in scenes, the traits that keys of a scene ask for
+ * (scene/schema.h), and what the law is. Traits: `moduli`, a law whose springs come from young and poisson of
+ * the materials; `stiffness`, one whose springs are k_n and k_t of the pair, force/length. */
 #ifndef SCREE_CONTACT_LAW_TABLE_H
 #define SCREE_CONTACT_LAW_TABLE_H
 
@@ -14,7 +14,7 @@
     ROW(HOOKE, hooke, "stiffness", "linear spring and dashpot")                                              \
     ROW(HERTZ, hertz, "moduli", "elastic spheres, Hertz and Mindlin")
 
-/* The law of a scene that names none. */
+/* The law of a scene that names no law. */
 #define LAW_NORMAL_DEFAULT LAW_HERTZ
 #define LAW_NORMAL_DEFAULT_NAME "hertz"
 
@@ -33,8 +33,8 @@ const struct law_row *law_row_get(enum law_normal normal);
 /* The law with linear springs. */
 enum law_normal law_linear(void);
 
-/* The springs of a contact by the law `normal`: a constant wherever that matters, so that nothing is left of
- * the others. Any thread. */
+/* The springs of a contact by the law `normal`. In time-critical code `normal` is a constant, so that the
+ * compiler drops the other laws. Any thread. */
 LAW_INLINE struct law_springs law_springs(enum law_normal normal, const struct law_coefficients *c,
                                           double radius, double overlap) {
 #define LAW_CASE(NAME, name, traits, summary)                                                                \

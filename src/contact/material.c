@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The field that tells materials apart. */
+/* The field with the material of each particle. */
 #include "contact/material.h"
 
 #include "particles/fields.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The material of each particle: which row of the law's coefficients it has. Registered where a scene has
- * more than one. */
+/* The material of each particle: the row of the law's coefficients for the particle. Registered if a scene
+ * has more than one material. */
 #ifndef SCREE_CONTACT_MATERIAL_H
 #define SCREE_CONTACT_MATERIAL_H
 
@@ -9,7 +9,8 @@
 /* Registers `material`. */
 void material_register(struct particles *particles);
 
-/* The number of the material of each particle; NULL where all are of one. Borrowed until the set grows. */
+/* The number of the material of each particle; NULL if all particles are of one material. Borrowed until the
+ * set grows. */
 uint8_t *material_numbers(const struct particles *particles);
 
 /* Material of particle i, from material_numbers. */

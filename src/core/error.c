@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Fills errors and ends the program on those that nobody can handle. Read error.h first. */
+/* Fills errors, and ends the program on an error that no caller can handle. Read error.h first. */
 #include "core/error.h"
 
 #include <errno.h>

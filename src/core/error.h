@@ -4,7 +4,7 @@
  * A function that can fail because of the user or of the system takes a `struct error *` as its last
  * argument, fills it and returns false. Nobody below `app/` prints or exits: the caller decides, and under
  * MPI `comm_agree` turns the error of one rank into the same error on all of them, so that exactly one
- * message appears. A programmer's mistake is an assert. Only what cannot be reported upwards (memory
+ * message appears. A programmer's mistake is an assert. Only an error that cannot be reported upwards (memory
  * exhausted in a thread, a failed MPI call) goes through `error_fatal`.
  */
 #ifndef SCREE_CORE_ERROR_H
@@ -19,7 +19,7 @@ enum error_kind {
     ERROR_SYSTEM = 1,  /* MPI, HDF5, memory, disk: exit status 1 */
     ERROR_USER = 2,    /* scene, data, mesh, checkpoint, command line: exit status 2 */
     ERROR_PHYSICS = 3, /* a guard stopped the run: exit status 3 */
-    ERROR_SIGNAL = 128 /* plus its number: a signal ended the run: exit status 128 + number */
+    ERROR_SIGNAL = 128 /* plus the signal's number: a signal ended the run: exit status 128 + number */
 };
 
 struct error {
@@ -28,7 +28,7 @@ struct error {
 };
 
 /* Fills `error` with a kind and a printf-style text (no newline at the end; for a user's mistake: file, line,
- * key and what is allowed). The first error wins: a filled `error` is left alone. `error` may not be NULL.
+ * key and the allowed values). The first error wins: a filled `error` is left alone. `error` may not be NULL.
  * Returns false always, so that a caller can write `return error_set(...)`. */
 bool error_set(struct error *error, enum error_kind kind, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
@@ -40,8 +40,9 @@ bool error_set_errno(struct error *error, const char *format, ...) __attribute__
  * failures that cannot be handed upwards; may be called from any thread. */
 _Noreturn void error_fatal(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Sets the rank named in fatal messages and what ends the program (NULL: abort()). `comm_start` sets
- * MPI_Abort, and `comm_stop` takes it away again; before, it is rank 0 and abort(). One thread. */
+/* Sets the rank named in fatal messages and the function that ends the program (NULL: abort()). `comm_start`
+ * sets MPI_Abort, and `comm_stop` removes MPI_Abort again. Before `comm_start` the rank is 0 and the function
+ * is abort(). One thread. */
 void error_set_abort(int rank, void (*abort_hook)(int status));
 
 #endif

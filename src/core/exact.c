@@ -35,7 +35,7 @@ void exact_join(struct exact *sum, const struct exact *other) {
         sum->word[k] += other->word[k];
 }
 
-/* Brings all digits but the last into [0, 2^32); the last has the sign of the sum. */
+/* Brings all digits but the last into [0, 2^32). The last digit has the sign of the sum. */
 static void carry(struct exact *sum) {
     for (int k = 0; k < EXACT_DIGITS - 1; k++) {
         int64_t rest = (int64_t)((uint64_t)sum->word[k] & low_bits);

@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A block is what the system gave, an array is what the caller sees:
+/* The system gives a block; the caller sees the array inside it:
  *
  *   block ... header | array (count * size bytes) | padding of at least one cache line ... end of block
  *
  * The header, one cache line, ends where the array begins and knows the block. Small blocks begin on a cache
- * line and the array right after the header. Large ones begin on a huge page and the system is asked to back
- * them with huge pages; their arrays begin at offsets that differ from array to array, as arrays that all
- * begin at the same place of a page would fight for the same few lines of the cache when a loop runs over
- * many of them.
+ * line and the array right after the header. Large blocks begin on a huge page, and the system is asked to
+ * back large blocks with huge pages. Arrays in large blocks begin at different offsets: arrays that all began
+ * at the same place of a page would compete for the same few cache lines when a loop runs over many arrays.
  *
  * Large blocks that are freed are kept for a while (cache_*), and given out again to arrays of about the same
- * size: a rebuild frees and allocates the same arrays each time, and fresh pages cost more than the work on
- * them. What is kept is bounded by a part of what is in use; it counts in the peak.
+ * size: a rebuild frees and allocates the same arrays each time, and fresh pages cost more time than the work
+ * on the arrays. The bytes kept are bounded by a part of the bytes in use, and count in the peak.
  */
 #include "core/memory.h"
 
@@ -39,7 +38,7 @@ struct header {
 static const uint64_t HEADER_MARK = 0x7363726565617272u;
 
 static _Atomic size_t bytes_in_use;
-static _Atomic size_t bytes_kept; /* freed, but not given back to the system */
+static _Atomic size_t bytes_kept; /* bytes freed, but not given back to the system */
 static _Atomic size_t bytes_peak;
 static _Atomic unsigned large_arrays;
 
@@ -60,7 +59,7 @@ static size_t round_up(size_t bytes, size_t unit) {
     return (bytes + unit - 1) / unit * unit;
 }
 
-/* Freed large blocks, newest last. Entered by one thread at a time. */
+/* Freed large blocks, newest last. One thread at a time uses this list. */
 enum { CACHE_BLOCKS = 12, CACHE_SHARE = 16 };
 
 static struct {
@@ -77,7 +76,7 @@ static void cache_drop(int k) {
     memmove(&cache.entry[k], &cache.entry[k + 1], (size_t)(cache.count - k) * sizeof cache.entry[0]);
 }
 
-/* A kept block of at least `held` bytes and not much more, or NULL; `held` becomes its size. */
+/* A kept block of at least `held` bytes and not much more, or NULL; `held` becomes the size of the block. */
 static void *cache_take(size_t *held) {
     void *block = NULL;
 #pragma omp critical(memory_cache)
@@ -137,7 +136,7 @@ void *memory_allocate(size_t count, size_t size, const char *what) {
                     memory_in_use());
     }
     if (fresh && bytes >= LARGE) {
-        madvise(block, held, MADV_HUGEPAGE); /* a wish: without it all is as right, only slower */
+        madvise(block, held, MADV_HUGEPAGE); /* optional: huge pages only save time */
     }
     char *array = (char *)block + offset;
     struct header *header = (struct header *)(array - MEMORY_ALIGNMENT);
@@ -146,8 +145,8 @@ void *memory_allocate(size_t count, size_t size, const char *what) {
     return array;
 }
 
-/* Copies `copied` bytes from `source` and zeroes on to `bytes`: large arrays by all threads, each its part,
- * so that pages lie near the thread that later works on that part. */
+/* Copies `copied` bytes from `source` and sets the rest, up to `bytes`, to zero. All threads fill a large
+ * array, each thread its own part, so that pages lie near the thread that later works on that part. */
 static void fill(char *array, const char *source, size_t copied, size_t bytes) {
 #pragma omp parallel if (bytes >= LARGE)
     {
@@ -216,7 +215,7 @@ void memory_peak_reset(void) {
     atomic_store(&bytes_peak, atomic_load(&bytes_in_use));
 }
 
-/* VmHWM and not getrusage: the latter counts what the process was before exec. */
+/* Reads VmHWM, not getrusage: getrusage also counts the memory of the process before exec. */
 size_t memory_peak_resident(void) {
     FILE *status = fopen("/proc/self/status", "r");
     if (status == NULL) {

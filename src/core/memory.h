@@ -17,18 +17,18 @@ void *memory_allocate(size_t count, size_t size, const char *what);
 /* As memory_allocate, filled with zeros. */
 void *memory_allocate_zero(size_t count, size_t size, const char *what);
 
-/* Grows or shrinks an array that came from here (or NULL) to `count * size` bytes, keeping the smaller of
- * both contents. Returns the new array; the old pointer is dead. */
+/* Grows or shrinks an array of this interface (or NULL) to `count * size` bytes. The contents are kept up to
+ * the smaller of both sizes. Returns the new array; the old pointer must not be used any more. */
 void *memory_resize(void *array, size_t count, size_t size, const char *what);
 
-/* Frees an array from here; NULL is fine. */
+/* Frees an array of this interface; NULL is allowed. */
 void memory_free(void *array);
 
 /* Bytes now held through this interface on this process, and the largest value so far. */
 size_t memory_in_use(void);
 size_t memory_peak(void);
 
-/* Starts the largest value again from what is held now. */
+/* Sets the largest value to the bytes held now. */
 void memory_peak_reset(void);
 
 /* The peak resident set of the process in bytes, as the operating system counts it (0 where unknown). */

@@ -19,7 +19,7 @@ static philox4x32_ctr_t next_block(struct random_sequence *sequence) {
     return philox4x32(counter, key);
 }
 
-/* The 53 high bits of two words, in [0, 1). */
+/* The 53 high bits of two words as a number in [0, 1). */
 static double unit_interval(uint32_t low, uint32_t high) {
     uint64_t bits = (uint64_t)high << 32 | low;
     return (double)(bits >> 11) * 0x1p-53;

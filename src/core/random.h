@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Counter-based random numbers (Random123's Philox4x32-10): a value depends on the seed, a stream and a
- * counter alone, never on the rank or thread that asks. */
+ * counter alone, never on the rank or thread that calls. */
 #ifndef SCREE_CORE_RANDOM_H
 #define SCREE_CORE_RANDOM_H
 
 #include <stdint.h>
 
-/* What a stream is for, so that no two uses share numbers. */
+/* The uses of streams: one stream for each use, so that no two uses share numbers. */
 enum random_stream { RANDOM_POSITION, RANDOM_RADIUS, RANDOM_VELOCITY, RANDOM_INSERTION, RANDOM_TEST };
 
-/* A reader of one sequence: (seed, stream, item) fixes it, each draw advances `draw`. Plain data, copy
- * freely. */
+/* A reader of one sequence: (seed, stream, item) fixes the sequence, and each draw advances `draw`. Plain
+ * data; may be copied. */
 struct random_sequence {
     uint64_t seed, item;
     uint32_t stream, draw;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Two passes over the counts: every thread sums its block, then, knowing the sum of the blocks before its
- * own, writes its offsets. The three public functions differ in the width of counts and offsets alone. */
+ * own, writes its offsets. The three public functions differ only in the width of counts and offsets. */
 #include "core/scan.h"
 
 #include "core/memory.h"
@@ -8,7 +8,7 @@
 #include <assert.h>
 #include <omp.h>
 
-enum { SCAN_THREADED = 1 << 16 }; /* below this a team costs more than it saves */
+enum { SCAN_THREADED = 1 << 16 }; /* below so many counts a team of threads costs more time than it saves */
 
 /* Exactly one of counts32 and counts64 is set, and one of offsets32 and offsets64. */
 struct scan {

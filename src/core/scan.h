@@ -6,17 +6,18 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* offsets[i] = counts[0] + ... + counts[i - 1] for i = 0 ... n: n + 1 entries are written, the last one is
- * the total, which is returned. `counts` has n entries. Opens its own team of threads (inside a parallel
- * region it runs on the calling thread); the result does not depend on their number. In place (offsets ==
- * counts) is allowed where the types agree and the array has room for n + 1 entries. */
+/* offsets[i] = counts[0] + ... + counts[i - 1] for i = 0 ... n: n + 1 entries are written; the last one is
+ * the total, which is returned. `counts` has n entries. The function opens its own team of threads; inside a
+ * parallel region the function runs on the calling thread. The result does not depend on the number of
+ * threads. In place (offsets == counts) is allowed where the types agree and the array has room for n + 1
+ * entries. */
 size_t scan_counts(const uint32_t *counts, size_t n, size_t *offsets);
 
 /* As scan_counts, for size_t counts. */
 size_t scan_sizes(const size_t *counts, size_t n, size_t *offsets);
 
-/* As scan_counts, with 32-bit offsets: the total must be below 2^32 (asserted; the true total is returned, so
- * that a caller who cannot know it beforehand compares it with UINT32_MAX). */
+/* As scan_counts, with 32-bit offsets: the total must be below 2^32 (asserted). The true total is returned: a
+ * caller that cannot know the total beforehand compares the total with UINT32_MAX. */
 size_t scan_counts_narrow(const uint32_t *counts, size_t n, uint32_t *offsets);
 
 #endif

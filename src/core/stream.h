@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Writes past the caches, for arrays so large that what is written will be gone from them before it is read:
- * a plain write of a cache line fetches it first, which is a third of the traffic of a copy. On CPUs without
- * such instructions these are plain writes. */
+/* Writes that bypass the caches, for arrays so large that the caches would drop the data before a thread
+ * reads them. A plain write of a cache line fetches the line first, which is a third of the traffic of a
+ * copy. On CPUs without such instructions the functions write plainly. */
 #ifndef SCREE_CORE_STREAM_H
 #define SCREE_CORE_STREAM_H
 
@@ -12,11 +12,11 @@
 #include <emmintrin.h>
 #endif
 
-/* An array of more bytes than this is worth it. */
+/* Arrays of more bytes than this gain from such writes. */
 enum { STREAM_BYTES = 16 << 20 };
 
-/* Copies `bytes`, or (`from` NULL) writes zeros. `to` is aligned to 16 bytes. Any thread; who reads the
- * result in another thread waits for the writer's stream_end. */
+/* Copies `bytes`, or (`from` NULL) writes zeros. `to` is aligned to 16 bytes. Any thread. Another thread
+ * reads the result only after the writer's stream_end. */
 static inline __attribute__((always_inline)) void stream_copy(void *to, const void *from, size_t bytes) {
     size_t k = 0;
 #ifdef __SSE2__
@@ -32,7 +32,7 @@ static inline __attribute__((always_inline)) void stream_copy(void *to, const vo
         memset((char *)to + k, 0, bytes - k);
 }
 
-/* What this thread streamed is seen by all threads that it meets from now on. */
+/* Ends the writes of this thread: every thread that synchronises with this one from now on sees the data. */
 static inline void stream_end(void) {
 #ifdef __SSE2__
     _mm_sfence();

@@ -11,8 +11,9 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Seconds: of a span, of the probe at the start. In spans: of a trial, from a failed trial to the next (twice
- * as many after each that fails), and crowded ones until a warning. */
+/* In seconds: the length of a span, and of the probe at the start. In spans: the length of a trial, the pause
+ * from a failed trial to the next (doubled after each failed trial), and the crowded spans until a
+ * warning. */
 #define SPAN 0.025
 #define PROBE 0.01
 enum { SPAN_STEPS = 4, TRIAL = 2, PAUSE_FIRST = 40, PAUSE_MOST = 1200, CROWDED_WARN = 40 };
@@ -36,13 +37,14 @@ static double pace(const struct team_sample *sample) {
     return sample->work / (double)sample->steps;
 }
 
-/* Adds a span; older ones count less and less. */
+/* Adds a span; older spans count less and less. */
 static void remember(struct team_sample *sum, const struct team_sample *more, double weight) {
     sum->work = weight * sum->work + more->work;
     sum->steps = (uint64_t)(weight * (double)sum->steps) + more->steps;
 }
 
-/* Threads were put aside, and got less than nine tenths of the processors that they asked for. */
+/* True if threads were put aside, and the threads got less than nine tenths of the processor time that they
+ * asked for. */
 static bool is_crowded(const struct team *team, const struct team_sample *sample) {
     return sample->put_aside > 0 && sample->processor < 0.9 * team->size * sample->seconds;
 }
@@ -58,8 +60,7 @@ static int longer(int pause) {
     return pause < PAUSE_MOST / 2 ? 2 * pause : PAUSE_MOST;
 }
 
-/* At the end of a trial: fewer threads stay where they are no slower, more threads where they gain a tenth.
- */
+/* Ends a trial: fewer threads are kept if they are no slower, more threads if they gain a tenth. */
 static bool conclude(struct team *team) {
     bool down = team->size < team->before;
     bool keep = pace(&team->trial) < (down ? 1.0 : 0.9) * pace(&team->usual);
@@ -119,7 +120,7 @@ static struct team_sample clocks(double now, double work) {
                                 .put_aside = use.ru_nivcsw};
 }
 
-/* All threads busy until `end`. */
+/* Keeps all threads busy until `end`. */
 static void spin(double end) {
 #pragma omp parallel
     while (timer_now() < end)

@@ -22,7 +22,7 @@ enum timer_stage {
     TIMER_PAIRS,   /* rebuild: the pair list counted and filled */
     TIMER_HISTORY, /* rebuild: contact history carried over */
     TIMER_OUTPUT,  /* files, observables, progress */
-    TIMER_OTHER,   /* what no other stage covers */
+    TIMER_OTHER,   /* time that no other stage covers */
     TIMER_STAGES
 };
 
@@ -43,7 +43,7 @@ enum timer_stage timer_stage_find(const char *name);
 /* The name of a stage as it stands in report.json ("advance", "contact", ...). */
 const char *timer_stage_name(enum timer_stage stage);
 
-/* Starts a stage inside the running one (whose clock pauses), and ends it again. */
+/* timer_start starts a stage inside the running one, whose clock pauses; timer_stop ends the stage. */
 void timer_start(struct timers *timers, enum timer_stage stage);
 void timer_stop(struct timers *timers, enum timer_stage stage);
 

@@ -19,7 +19,7 @@ const char *version_revision(void) {
 
 const char *version_compiler(void) {
 #ifdef __clang__
-    return __VERSION__; /* names itself */
+    return __VERSION__; /* the text contains the compiler's name */
 #else
     return "gcc " __VERSION__;
 #endif

@@ -40,7 +40,7 @@ static void destroy(void *self) {
     walk_destroy(&walk);
 }
 
-/* The particle itself counts once; shares of copies go home. */
+/* Sums over pairs; the particle itself counts once, and the shares of copies are sent to their originals. */
 static void sum(const struct physics_context *context) {
     struct particles *p = context->particles;
     struct field_list field = fields_one(fields_find(p, "number_density"));

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What number density adds to tables: its section of a scene, its field, its observables. */
+/* The rows that number density adds to tables: its section of a scene, its field, its observables. */
 #include "density/density.h"
 #include "observe/observables_kinds.h"
 #include "particles/fields.h"

@@ -4,8 +4,8 @@
 #include "core/memory.h"
 #include <math.h>
 
-/* Radii that stand for all when classes are chosen: of each of so many logarithmic bins the smallest and the
- * largest, and more by weight. */
+/* A sample of the radii, for the choice of classes: the smallest and the largest radius of each of so many
+ * logarithmic bins, and more radii by weight. */
 enum { CLASS_BINS = 1024, CLASS_SAMPLE = 64 };
 
 struct radius_bins {
@@ -56,8 +56,8 @@ static size_t radius_sample(const struct radius_bins *bins, double total, double
     return n;
 }
 
-/* What choosing may know of the scene: functions of the radii and the box alone, so that a resume chooses
- * alike. */
+/* Input for the choice of classes: only functions of the radii and the box, so that a resume makes the same
+ * choice. */
 static struct classes_options classes_wanted(const struct simulation *s, const struct radius_bins *bins,
                                              double total) {
     struct classes_options options = s->scene->classes;

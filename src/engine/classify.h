@@ -5,8 +5,8 @@
 
 #include "engine/state.h"
 
-/* Chooses size classes from the radii on all ranks, counts their populations, and sets margins by what the
- * interactions want. Collective. */
+/* Chooses size classes from the radii on all ranks, counts their populations, and sets the margins that the
+ * interactions need. Collective. */
 bool classify_choose(struct simulation *simulation, struct error *error);
 
 #endif

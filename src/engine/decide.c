@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Is a rebuild due? Bounds of the displacements, on all ranks (pairs/skin.h). */
+/* Decides on rebuilds by bounds of the displacements on all ranks (pairs/skin.h). */
 #include "engine/decide.h"
 #include <math.h>
 #include <string.h>
 
-/* Bounds of the displacements grow by the largest speeds; where they reach a skin, displacements are
+/* Bounds of the displacements grow by the largest speeds. If a bound reaches a skin, the displacements are
  * measured. */
 static void decide_skin(struct simulation *s) {
     double speed[CLASS_MAX] = {0};
@@ -18,7 +18,7 @@ static void decide_skin(struct simulation *s) {
                s->grains.walls ? walls_displacement(s->grains.walls) : 0);
 }
 
-/* Bounds, signals and errors on their way to being the same on all ranks. */
+/* Starts the reduction of bounds, signals and errors over all ranks. */
 void decide_begin(struct simulation *s) {
     double *value = s->agree.value;
     int n = s->classes.count;
@@ -65,7 +65,7 @@ static void measure_all(struct simulation *s) {
     }
 }
 
-/* Where the bounds say that a rebuild may be due, displacements are measured. */
+/* Measures the displacements if the bounds say that a rebuild may be due. */
 void decide_measure(struct simulation *s) {
     if (s->agree.signals.rebuild || !skin_due(s->search.skin, &s->classes))
         return;

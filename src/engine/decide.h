@@ -1,20 +1,22 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Is a rebuild due? All ranks agree on it, and on the signals of a step, in one reduction. */
+/* Decides whether a rebuild is due. All ranks agree on a rebuild, and on the signals of a step, in one
+ * reduction. */
 #ifndef SCREE_ENGINE_DECIDE_H
 #define SCREE_ENGINE_DECIDE_H
 
 #include "engine/state.h"
 
-/* Bounds grow by what particles have just moved; they and the signals are sent to all ranks. decide_end waits for
- * them. Between the two other work may be done. Collective. */
+/* decide_begin adds the last displacements of particles to the bounds, and starts to send bounds and signals
+ * to all ranks. decide_end waits for the bounds and signals of all ranks. Between the two calls other work
+ * may be done. Collective. */
 void decide_begin(struct simulation *simulation);
 void decide_end(struct simulation *simulation);
 
-/* Where the bounds say that a rebuild may be due, displacements are measured: signals.rebuild says the rest.
+/* Measures the displacements if the bounds say that a rebuild may be due; sets signals.rebuild.
  * Collective. */
 void decide_measure(struct simulation *simulation);
 
-/* All three. */
+/* Runs decide_begin, decide_end and decide_measure. */
 void decide_run(struct simulation *simulation);
 
 #endif

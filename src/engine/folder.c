@@ -11,10 +11,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* The longest of what a run adds to the path of its directory. */
+/* The longest text that a run adds to the path of its directory. */
 static const char longest[] = "/checkpoint-18446744073709551615" CHECKPOINT_STOPPED ".h5.part";
 
-/* The directory in which one that is not there would be made. */
+/* The parent of a directory that does not exist yet. */
 static void parent_of(const char *directory, char parent[FILE_PATH_MAX]) {
     snprintf(parent, FILE_PATH_MAX, "%s", directory);
     size_t length = strlen(parent);

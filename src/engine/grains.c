@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Grains as a physics: contacts between them and with walls, and the integrator that moves them. Its self is the
- * simulation, whose parts are still those of grains. Read physics.h first. */
+/* Grains as a physics: contacts between grains and with walls, and the integrator that moves the grains.
+ * `self` is the simulation, which still holds the parts of grains. Read physics.h first. */
 #include "engine/grains.h"
 #include "engine/guards.h"
 #include "engine/limit.h"
@@ -18,7 +18,7 @@ static void servo(const struct physics_context *context) {
     comm_sum(s->comm, s->grains.servo_force[0], 3 * walls_count(s->grains.walls));
 }
 
-/* A speed that is no number stays: the guards look for it. */
+/* A speed that is not a number is kept, so that the guards find it. */
 static void advance(const struct physics_context *context, int thread, size_t first, size_t last,
                     int size_class) {
     struct simulation *s = context->self;
@@ -50,7 +50,7 @@ static void wall(const struct physics_context *context, int thread) {
     walls_force_share(s->grains.walls, &s->grains.contact, thread);
 }
 
-/* Forces on walls summed without rounding: rank 0 gets those of all ranks. */
+/* Sums the forces on walls without rounding; rank 0 gets the sum over all ranks. */
 static void walls_agree(struct simulation *s) {
     int count;
     int64_t *words = walls_exact(s->grains.walls, &count);
@@ -141,7 +141,7 @@ static double limit(const struct physics_context *context, double most) {
 }
 
 static void guard(const struct physics_context *context, struct error *error) {
-    (void)error; /* it is the simulation's */
+    (void)error; /* the same as the error of the simulation */
     guards_check(context->self);
 }
 

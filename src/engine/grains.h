@@ -5,7 +5,7 @@
 
 #include "engine/state.h"
 
-/* Its self is the struct simulation, its options the struct law. */
+/* `self` of this physics is the struct simulation, the options are the struct law. */
 extern const struct physics grains_physics;
 
 #endif

@@ -6,11 +6,11 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The balance of energies is looked at every so many steps. */
+/* Steps between two checks of the balance of energies. */
 enum { ENERGY_EVERY = 20, ENERGY_EVERY_AUTO = 100 };
 
-/* By default a run stops where more than this times guards.energy_bound has come without cause: no drift, but
- * energy that grows without bound. */
+/* By default a run stops if the energy gained without cause exceeds this factor times guards.energy_bound:
+ * such a gain is no drift, but energy that grows without bound. */
 #define ENERGY_AUTO 10
 
 /* Stops or warns. */
@@ -30,7 +30,7 @@ static void name_at(const struct simulation *s, size_t k, char *text, size_t roo
              x[0] + origin[0], x[1] + origin[1], x[2] + origin[2]);
 }
 
-/* The same for a partner by id: a wall (negative) by its name. */
+/* As name_at, for a partner by id: a wall (negative id) by its name. */
 static void name_partner(const struct simulation *s, int64_t id, char *text, size_t room) {
     if (id < 0 && -id <= s->scene->walls) {
         snprintf(text, room, "wall '%s'", s->scene->wall[-id - 1].name);
@@ -59,7 +59,7 @@ static void guard_overlap(struct simulation *s) {
     guard_trip(s, s->scene->guards.overlap, 0, text);
 }
 
-/* The free or moved particle of this rank that is fastest. */
+/* The fastest of the free and moved particles of this rank. */
 static size_t fastest_find(const struct simulation *s, double *speed) {
     size_t worst = 0;
     double most = -1;
@@ -75,8 +75,8 @@ static size_t fastest_find(const struct simulation *s, double *speed) {
     return worst;
 }
 
-/* A particle that moves by more than the smallest radius in a step may pass through another unseen. A speed
- * that is no number shows here at once. */
+/* A particle that moves by more than the smallest radius in a step may pass through another particle without
+ * contact. This check also finds a speed that is not a number. */
 static void guard_speed(struct simulation *s) {
     double fastest = 0;
     bool finite = true;
@@ -120,7 +120,7 @@ static bool state_finite(const struct particle_state *p) {
     return isfinite(p->x[0] + p->x[1] + p->x[2] + p->v[0] + p->v[1] + p->v[2]);
 }
 
-/* Positions that are no numbers would break the search, so they always stop the run. */
+/* Positions that are not numbers would break the search, so such positions always stop the run. */
 void guards_check_positions(struct simulation *s) {
     size_t bad = s->particles->owned;
 #pragma omp parallel for schedule(static) reduction(min : bad)
@@ -144,7 +144,7 @@ void guards_check_positions(struct simulation *s) {
     }
 }
 
-/* Where a particle is, unwrapped, cannot be told any more, so this always stops the run. */
+/* Always stops the run, as the unwrapped position of such a particle is lost. */
 void guards_check_images(struct simulation *s) {
     const struct box *box = &s->scene->box;
     for (size_t k = 0; k < s->particles->owned; k++) {
@@ -184,7 +184,7 @@ bool guards_prepare(struct simulation *s, struct error *error) {
     s->grains.sums_each_step = s->grains.sums_each_step || !s->guards.energy.mechanical;
     if (!observables_create(&s->guards.energy.observables, &options, &view, &run, error))
         return false;
-    if (s->clock.step == 0) /* else there are no sums before the first step */
+    if (s->clock.step == 0) /* a resumed run has no sums before its first step */
         guards_check_energy(s);
     return true;
 }
@@ -199,8 +199,8 @@ bool guards_energy_due(const struct simulation *s, uint64_t step) {
     return energy->observables && step % (energy->mechanical ? ENERGY_EVERY_AUTO : ENERGY_EVERY) == 0;
 }
 
-/* The balance, and the energy in play: the largest that any form has reached, potential energy left out, as
- * its zero is arbitrary. */
+/* Measures the balance, and the energy in play: the largest value that any form of energy has reached.
+ * Potential energy is left out, as its zero is arbitrary. */
 static bool energy_measure(struct simulation *s, double *balance, double *in_play) {
     struct observables *observables = s->guards.energy.observables;
     struct output_view view = simulation_view(s);
@@ -233,7 +233,7 @@ void guards_check_energy(struct simulation *s) {
         return;
     energy->in_play = fmax(energy->in_play, in_play);
     if (!energy->begun || changes != energy->changes || s->sources.last_step > energy->step) {
-        energy->gained += energy->begun ? balance - energy->last : 0; /* brought by particles that came */
+        energy->gained += energy->begun ? balance - energy->last : 0; /* energy of particles that came */
         energy->start = energy->begun ? energy->start : balance;
         energy->begun = true;
     }
@@ -242,7 +242,7 @@ void guards_check_energy(struct simulation *s) {
     energy->step = s->clock.step;
     double growth = balance - energy->start - energy->gained;
     double bound = s->scene->guards.energy_bound * (energy->mechanical ? ENERGY_AUTO : 1);
-    if (energy->mechanical) /* what is lost is lost */
+    if (energy->mechanical) /* losses of energy are no fault: the lowest balance counts */
         energy->start = fmin(energy->start, balance - energy->gained);
     if (!(growth > bound * energy->in_play) || s->particles->owned == 0)
         return;

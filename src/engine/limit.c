@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Puts the contacts of all ranks before stability.h and iterates. Read limit.h first. */
+/* Passes the contacts of all ranks to stability.h and iterates. Read limit.h first. */
 #include "engine/limit.h"
 #include "core/memory.h"
 #include "integrate/stability.h"
@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Sends the sums of copies to their originals, as forces go: a few components at a time, in the place of the forces,
- * which are put back. */
+/* Sends the sums of copies to their originals, by the exchange of forces: a few components at a time, in the
+ * memory of the forces. The forces are restored afterwards. */
 static void sums_home(struct simulation *s, struct stability *stability) {
     struct particles *p = s->particles;
     struct field_list fields = fields_with(p, FIELD_REVERSE);
@@ -32,7 +32,8 @@ static void sums_home(struct simulation *s, struct stability *stability) {
     memory_free(kept);
 }
 
-/* Tells copies what was found for their originals, in the place of a velocity, which is put back. */
+/* Sends the results of originals to their copies, in the memory of the velocity. The velocity is restored
+ * afterwards. */
 static void local_out(struct simulation *s, struct stability *stability) {
     struct particles *p = s->particles;
     struct field_list fields = fields_one(FIELD_VELOCITY);
@@ -76,8 +77,8 @@ static double eigenvalue_at(struct simulation *s, double h) {
     return worst;
 }
 
-/* The eigenvalue is S h^2 + D h with S and D that depend on h little or not at all: the root of its springs
- * alone is above the limit, and from there the root of a straight line is below it, by little. */
+/* The eigenvalue is S h^2 + D h; S and D depend on h little or not at all. The root for the springs alone
+ * lies above the limit. From there the root of a straight line lies slightly below the limit. */
 double limit_of_contacts(struct simulation *s, double most) {
     double worst = eigenvalue_at(s, most), h;
     if (worst <= 4)

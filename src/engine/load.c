@@ -4,11 +4,11 @@
  * Bricks are laid once, by the particles at the start; a bisection follows the load. A resume on as many
  * ranks keeps the division of the checkpoint.
  *
- * The weight of a particle is what it costs: 1 for itself and half for each pair in its row (both about right
- * for the force loop), or the same scaled by the seconds that its rank took for the weight it has, or 1. The
- * bisection is made again where the largest load exceeds the mean by the threshold, but not where the last
- * division could do no better: a plane cannot cut through a particle. That is forgotten by and by, as
- * particles come and move. */
+ * The weight of a particle is its cost in time. By pairs: 1, plus 1/2 for each pair in the row of the
+ * particle (both about right for the force loop). By time: the same weight, scaled by the seconds that the
+ * rank took for its whole weight. By particles: 1. The bisection is made again if the largest load exceeds
+ * the mean by the threshold, but not if the last division could do no better: a plane cannot cut through a
+ * particle. The imbalance that the last division reached is forgotten slowly, as particles come and move. */
 #include "engine/load.h"
 #include "comm/balance.h"
 #include "comm/domain_grid.h"
@@ -16,8 +16,8 @@
 #include <math.h>
 #include <string.h>
 
-/* What is left after a rebuild of the imbalance above 1 that the last division reached: it is tried again
- * after some twenty. */
+/* Factor on the remembered imbalance above 1 of the last division, at each rebuild: a new division is tried
+ * after some twenty rebuilds. */
 static const double remembered = 0.995;
 
 double load_seconds(const struct simulation *s) {
@@ -53,7 +53,7 @@ static double weights_by_pairs(const struct simulation *s, double *weight) {
     return sum;
 }
 
-/* Divides the box by positions as migration will see them; false if it stays as it is. */
+/* Divides the box by the positions that migration will use; false if the division stays as it is. */
 static bool divide(struct simulation *s, const double *weight) {
     const struct box *box = &s->scene->box;
     size_t owned = s->particles->owned;
@@ -73,14 +73,14 @@ static bool divide(struct simulation *s, const double *weight) {
     return divided;
 }
 
-/* The part of the box along axis d that a coordinate lies in. */
+/* The bin along axis d that contains a coordinate. */
 static size_t density_bin(const struct box *box, int d, double x) {
     double at = x / box->edge[d];
     at = box->periodic[d] ? at - floor(at) : at;
     return (size_t)fmin(fmax(at * DOMAIN_DENSITY_BINS, 0), DOMAIN_DENSITY_BINS - 1);
 }
 
-/* Where the particles of all ranks are; memory_free. */
+/* The map of the particles of all ranks; memory_free. */
 static double *density_map(const struct simulation *s) {
     enum { BINS = DOMAIN_DENSITY_BINS };
     double *density = memory_allocate_zero((size_t)BINS * BINS * BINS, sizeof *density, "map of particles");

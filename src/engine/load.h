@@ -1,25 +1,26 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Balance of the load among ranks (`domain: bisection`), and what of a rank's time is work. */
+/* Balance of the load among ranks (`domain: bisection`), and the part of a rank's time that is work. */
 #ifndef SCREE_ENGINE_LOAD_H
 #define SCREE_ENGINE_LOAD_H
 
 #include "engine/state.h"
 
-/* Lays the bricks by where the particles of all ranks are, or as the checkpoint of a resume has them
- * (`resumed`: ranks per direction, 0: none) where that serves. Before the first rebuild; a bisection:
- * nothing. Collective. */
+/* Lays the bricks by the positions of the particles of all ranks, or with the grid of a resume's checkpoint
+ * (`resumed`: ranks per direction, 0: none) if that grid fits. Before the first rebuild; does nothing for a
+ * bisection. Collective. */
 void load_lay(struct simulation *simulation, const int resumed[3]);
 
-/* Divides the box by the numbers of particles, once, before the first migration. Bricks: nothing. Collective.
- */
+/* Divides the box by the numbers of particles, once, before the first migration. Does nothing for bricks.
+ * Collective. */
 void load_begin(struct simulation *simulation);
 
-/* Divides the box as a checkpoint on as many ranks had it; takes the tree over. `fresh`: the imbalance was
- * not measured since; `reached`: the imbalance after the division. */
+/* Divides the box by the tree of a checkpoint written on as many ranks; becomes the owner of the tree.
+ * `fresh`: the imbalance has not been measured since the division. `reached`: the imbalance after the
+ * division. */
 void load_restore(struct simulation *simulation, struct domain_tree *tree, bool fresh, double reached);
 
-/* At a rebuild, while the last pair list still stands: divides the box again if the loads have become uneven.
- * Collective. */
+/* At a rebuild, while the last pair list is still valid: divides the box again if the loads have become
+ * uneven. Collective. */
 void load_balance(struct simulation *simulation);
 
 /* Seconds of this rank so far: of work, and in communication (waiting for others included). */

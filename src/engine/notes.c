@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Looks at a simulation for what is seldom meant. Read notes.h first. */
+/* Looks in a simulation for settings that are probably a mistake. Read notes.h first. */
 #include "engine/notes.h"
 #include "core/memory.h"
 #include <math.h>
@@ -15,7 +15,8 @@ static void extent_add(struct extent *extent, const double x[3], double reach) {
     }
 }
 
-/* Of the particles on all ranks, and how many centres lie beyond an open side of the box. Collective. */
+/* The extent of the particles on all ranks, and the number of centres beyond an open side of the box.
+ * Collective. */
 static struct extent particles_extent(const struct simulation *s, int64_t *outside) {
     const struct box *box = &s->scene->box;
     struct extent extent = nothing;
@@ -77,7 +78,7 @@ static void add(struct notes *notes, bool warning, const char *format, ...) {
     va_end(list);
 }
 
-/* What lies apart was seldom meant to: a unit was forgotten, or a scale. */
+/* Notes parts that lie far apart: often a unit or a scale was forgotten. */
 static void look_at_places(const struct simulation *s, struct notes *notes) {
     const struct scene *scene = s->scene;
     if (notes->outside > 0)
@@ -128,7 +129,7 @@ static void look_at_guards(const struct simulation *s, struct notes *notes) {
             s->clock.dt / s->timing.limits.stable);
 }
 
-/* A run of hours that leaves its last state alone. */
+/* Notes a run of hours whose only output is the last state. */
 static void look_at_output(const struct simulation *s, struct notes *notes) {
     const struct output_options *output = &s->scene->output;
     if (!output_interval_set(&output->trajectory.every) &&

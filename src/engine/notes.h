@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What people should look at again before they trust a run: `scree check` shows it, and `scree run` repeats
- * it before the first step. Whatever is seldom meant, and no error, gets its note here. */
+/* Notes on a scene, which people should read before they trust a run. `scree check` prints the notes, and
+ * `scree run` repeats the notes before the first step. A setting that is probably a mistake, but no error,
+ * gets a note here. */
 #ifndef SCREE_ENGINE_NOTES_H
 #define SCREE_ENGINE_NOTES_H
 
@@ -9,21 +10,21 @@
 
 enum { NOTES_MAX = WALLS_MAX + 16, NOTE_TEXT_MAX = 320 };
 
-/* The smallest box around something, in the user's coordinates; lower above upper: nothing. */
+/* The smallest box around a set of points, in the user's coordinates; lower above upper: no points. */
 struct extent {
     double lower[3], upper[3];
 };
 
-/* A wall: a mesh at its place at the start; a cylinder and a plane as the scene gives them, a plane that is
- * not square to an axis without bounds. */
+/* The extent of a wall: of a mesh, at its place at the start; of a cylinder or a plane, as the scene gives
+ * it. A plane that is not perpendicular to an axis has no bounds. */
 struct extent notes_wall_extent(const struct simulation *simulation, int wall);
 
 struct note {
-    bool warning; /* the run will fail, or its results will be wrong; else: seldom meant */
+    bool warning; /* the run will fail, or its results will be wrong; else: probably a mistake */
     char text[NOTE_TEXT_MAX];
 };
 
-/* The notes of a simulation, and what they were made from; the same on all ranks. */
+/* The notes of a simulation, and the data of the notes; the same on all ranks. */
 struct notes {
     struct extent particles; /* of all ranks */
     int64_t outside;         /* centres beyond an open side of the box */
@@ -33,7 +34,7 @@ struct notes {
     struct note note[NOTES_MAX];
 };
 
-/* The way of a step at the expected speed, over the smallest radius. */
+/* The distance moved in a step at the expected speed, over the smallest radius. */
 double notes_moved(const struct simulation *simulation);
 
 /* Makes all notes, before the first step. Collective. */

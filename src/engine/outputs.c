@@ -34,7 +34,7 @@ static bool fail_at(const struct simulation *s, const char *key, struct error *e
     return false;
 }
 
-/* An id above all others stays without a particle where none are inserted. */
+/* Refuses ids above those of all particles if the scene inserts no particles. */
 static bool observables_check_ids(const struct simulation *s, struct error *error) {
     const struct observables_options *options = &s->scene->output.observables;
     for (int k = 0; s->scene->insertions == 0 && k < options->count; k++)
@@ -191,7 +191,7 @@ bool outputs_close(struct outputs **outputs, const struct comm *comm, struct err
     struct error own = {0};
     if (o == NULL)
         return true;
-    /* where the machine failed nothing more is tried; another error does not keep the rest from the files */
+    /* after a failure of the system nothing more is written; after another error the rest is still written */
     struct error *here = error->kind == ERROR_SYSTEM ? error : &own;
     bool good = true;
     if (o->h5md)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The files of a run: which are open, when they are due. */
+/* The files of a run: opens the files, and writes to each when it is due. */
 #ifndef SCREE_ENGINE_OUTPUTS_H
 #define SCREE_ENGINE_OUTPUTS_H
 
@@ -9,16 +9,16 @@
 
 struct outputs;
 
-/* What stays the same for the writers of a run. Borrows the simulation and the directory, which may be NULL
- * where nothing is written. */
+/* The data that stay the same for the writers of a run. Borrows the simulation and the directory, which may
+ * be NULL if nothing is written. */
 struct output_run outputs_run(const struct simulation *simulation, const char *directory);
 
-/* Checks what the scene asks for; writes nothing. `run` and its strings are borrowed until the end. Errors
- * (user) name the place in the scene. Collective. */
+/* Checks the outputs that the scene asks for; writes nothing. `run` and its strings are borrowed until the
+ * end. Errors (user) name the place in the scene. Collective. */
 bool outputs_create(struct outputs **outputs, const struct simulation *simulation,
                     const struct output_run *run, struct error *error);
 
-/* Opens the files in run->directory; on a resume goes on with those there. Collective. */
+/* Opens the files in run->directory; a resume continues the existing files. Collective. */
 bool outputs_open(struct outputs *outputs, const struct simulation *simulation, bool resumed,
                   struct error *error);
 
@@ -28,17 +28,18 @@ bool outputs_want_sums(const struct outputs *outputs, const struct simulation *s
 /* True if dissipated energy or another sum over steps is observed. */
 bool outputs_sum_each_step(const struct outputs *outputs);
 
-/* True if outputs_write has anything to write now: what physics show then must be known (physics_look). */
+/* True if outputs_write has anything to write now: the values that physics show must then be computed
+ * (physics_look). */
 bool outputs_due(const struct outputs *outputs, const struct simulation *simulation);
 
-/* Writes what is due at the present step. Collective. */
+/* Writes all outputs that are due at the present step. Collective. */
 bool outputs_write(struct outputs *outputs, const struct simulation *simulation, struct error *error);
 
-/* Writes what waits for the next frame. Collective. */
+/* Writes the data that wait for the next frame. Collective. */
 bool outputs_flush(struct outputs *outputs, struct error *error);
 
-/* Closes all files, with what waits for the next frame unless `error` is of kind ERROR_SYSTEM, and frees.
- * Collective. */
+/* Writes the data that wait for the next frame, unless `error` is of kind ERROR_SYSTEM, closes all files, and
+ * frees. Collective. */
 bool outputs_close(struct outputs **outputs, const struct comm *comm, struct error *error);
 
 #endif

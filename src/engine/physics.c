@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The physics of a run: who is asked for, and what they are told. Read physics.h first. */
+/* The physics of a run: finds the physics that the scene asks for, and calls them. Read physics.h first. */
 #include "engine/physics.h"
 #include <math.h>
 
-/* What the table stands for. */
+/* An entry of the table of physics. */
 struct physics_entry {
     const struct physics *physics;
     void (*fields)(struct particles *particles);

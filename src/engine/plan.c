@@ -29,7 +29,7 @@ static struct plan_pass entry_of(const struct physics_active *active, const stru
                               .context = &active->context};
 }
 
-/* The passes of a stage; those of `visit` go there instead of into the plan. */
+/* Adds the passes of a stage to the plan; passes that fit the visit go to `visit` instead. */
 static void add_stage(struct plan *plan, struct plan_visit *visit, const struct physics_set *set,
                       enum pass_stage stage) {
     for (int k = 0; k < set->count; k++)

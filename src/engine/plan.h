@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The plan of a step: the passes of all active physics and of the engine itself, merged into one list that runs
- * from top to bottom and that `scree check` prints.
+/* The plan of a step: the passes of all active physics and of the engine itself, merged into one list that
+ * runs from top to bottom and that `scree check` prints.
  *
- * Two orders are made from the same passes. The plain one runs pass after pass, stage by stage (physics.h). In
- * the fused one the passes by rows that move particles, and the passes by block that follow them, share one
- * visit to each block: a block's particles move just before the first pair that looks at them, while they are in
- * the cache (pairs/sweep.h). The rule: passes by block join the visit if they walk over the list that the sweep
- * was planned for, which is that of the first of them; others run by themselves, once copies have arrived. */
+ * Two orders are made from the same passes. The plain one runs pass after pass, stage by stage (physics.h).
+ * In the fused one the passes by rows that move particles, and the passes by block that follow them, share
+ * one visit to each block: the particles of a block move just before the first pair that reads them, while
+ * the particles are in the cache (pairs/sweep.h). A pass by block joins the visit if the pass walks over the
+ * list of the sweep, which is the list of the first pass by block. Other passes run by themselves, after the
+ * copies have arrived. */
 #ifndef SCREE_ENGINE_PLAN_H
 #define SCREE_ENGINE_PLAN_H
 
@@ -46,13 +47,13 @@ struct plan_visit {
     struct plan_pass pass[PLAN_PASSES_MAX];
 };
 
-/* Both orders, and what their visits consist of. */
+/* Both orders, and the passes of their visits. */
 struct step_plan {
     struct plan plain, fused, forces; /* forces: the plain one from PASS_PAIRS on */
     struct plan_visit moves, pairs;   /* by rows; by block, on the list of the sweep */
 };
 
-/* What the engine does between the stages of the physics; lists end with a NULL run. */
+/* The engine's own passes between the stages of the physics; lists end with a NULL run. */
 struct engine_passes {
     const struct engine_pass *moved;  /* plain: after everything has moved */
     const struct engine_pass *paired; /* plain: after PASS_CLOSE */
@@ -67,21 +68,23 @@ void plan_make(struct step_plan *plan, const struct physics_set *set, const stru
 /* Runs all passes, each under its timer. */
 void plan_run(const struct plan *plan, struct timers *timers, struct simulation *simulation);
 
-/* Moves the particles [first, last) of a class; one block of pairs. Many threads at once. */
+/* plan_move moves the particles [first, last) of a class; plan_block computes one block of pairs. Many
+ * threads at once. */
 void plan_move(const struct plan_visit *moves, int thread, size_t first, size_t last, int size_class);
 void plan_block(const struct plan_visit *pairs, int thread, int block);
 
-/* All rows by all threads; all blocks; for tests of the plain order and repeated evaluations. Open teams. */
+/* All rows, and all blocks, by all threads; for tests of the plain order and for repeated evaluations. Both
+ * functions open their own teams. */
 void plan_move_all(const struct plan_visit *moves, const struct pairlist *list);
 void plan_block_all(const struct plan_visit *pairs, const struct pairlist *list);
 
-/* Forgets what the blocks of this step have done. */
+/* Discards the results of the blocks of this step. */
 void plan_abandon(const struct plan_visit *pairs);
 
-/* A line a pass: name, what brings it, what it reads and writes. */
+/* Prints a line for each pass: name, reason, fields read and written. */
 void plan_print(const struct plan *plan, FILE *file);
 
-/* "advance, contact": the passes of a visit, and of a second one, in one line. */
+/* Prints the passes of a visit, and of a second one, in one line: "advance, contact". */
 void plan_print_visits(const struct plan_visit *first, const struct plan_visit *second, FILE *file);
 
 #endif

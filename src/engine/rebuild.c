@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The full rebuild: a list of passes (at the end of this file), as the step is one. It stands between a drift and
- * the forces: positions are new, forces are zero, histories are those of the last evaluation. Copies appear,
- * vanish and migrate only here. */
+/* The full rebuild: a list of passes (at the end of this file), as the step is one. The rebuild runs between
+ * a drift and the forces: positions are new, forces are zero, histories are those of the last evaluation.
+ * Copies appear, vanish and migrate only here. */
 #include "engine/rebuild.h"
 #include "engine/view.h"
 #include "engine/classify.h"
@@ -29,7 +29,8 @@ static bool one_image(const struct simulation *s) {
     return true;
 }
 
-/* How far images of a particle are apart that may meet the same partner; INFINITY: none may. */
+/* The smallest distance between two images of a particle that may meet the same partner; INFINITY: no two
+ * images may. */
 static double images_apart(const struct simulation *s) {
     double apart = INFINITY;
     if (one_image(s))
@@ -40,8 +41,8 @@ static double images_apart(const struct simulation *s) {
     return apart;
 }
 
-/* Who stays keeps its histories here, and gets a place among those who do; what concerns others becomes rows.
- */
+/* Particles that stay keep their histories here, and get a place among the particles that stay. The histories
+ * of other particles become rows. */
 static void part_with_leavers(struct simulation *s, struct rebuild_rows *rows) {
     size_t owned = s->particles->owned;
     double lower[3], upper[3];
@@ -155,7 +156,8 @@ void rebuild_plan(struct simulation *s) {
     timer_stop(&s->timers, TIMER_PAIRS);
 }
 
-/* Size classes: those that travelled have none, and where classes are chosen again everybody's change. */
+/* Sets size classes: particles that migrated have none, and after a new choice of classes the classes of all
+ * particles change. */
 static void classify(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
     bool again = s->classes_stale || !s->ranks.alone;
@@ -165,7 +167,7 @@ static void classify(struct simulation *s, struct rebuild_rows *rows) {
         particles_classify(s->particles, &s->classes);
 }
 
-/* Walls that move are bounded by how far they move where particles are, those outside of an open box too. */
+/* The motion of walls is bounded in the region of the particles, including particles outside an open box. */
 static void walls_reach(struct simulation *s) {
     double lower[3] = {INFINITY, INFINITY, INFINITY}, upper[3] = {-INFINITY, -INFINITY, -INFINITY};
     if (!walls_move(s->grains.walls))
@@ -186,7 +188,8 @@ static void walls_pass(struct simulation *s, struct rebuild_rows *rows) {
     walls_build(s->grains.walls, s->particles, &s->classes);
 }
 
-/* Springs find their pairs by separations where images matter: copies must stand where particles now are. */
+/* If images matter, springs find their pairs by separations, so copies must follow the present positions of
+ * their originals. */
 static void follow(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
     if (one_image(s))
@@ -220,7 +223,7 @@ static void wrap(struct simulation *s, struct rebuild_rows *rows) {
     guards_check_images(s);
 }
 
-/* Whom walls will meet depends on who is prescribed. */
+/* Particles come and go. The partners of walls depend on which particles are prescribed. */
 static void come_and_go(struct simulation *s, struct rebuild_rows *rows) {
     sources_run(s, rows);
     integrator_prescribe(s->particles, &s->grains.motion);
@@ -254,7 +257,7 @@ static bool with_history(const struct simulation *s, const struct rebuild_rows *
     return s->grains.law.history_components > 0;
 }
 
-/* A pass of the rebuild. `needed`: rows NULL asks whether it may ever run. */
+/* A pass of the rebuild. `needed` with rows NULL tells whether the pass may ever run. */
 struct rebuild_pass {
     const char *name, *why; /* why NULL: always */
     enum timer_stage timer;
@@ -262,7 +265,7 @@ struct rebuild_pass {
     void (*run)(struct simulation *s, struct rebuild_rows *rows);
 };
 
-/* Those before `wrap` are left out where histories come from elsewhere. */
+/* The passes of a rebuild. The passes before `wrap` are left out if histories come from a checkpoint. */
 static const struct rebuild_pass passes[] = {
     {"balance", "several ranks", TIMER_MIGRATE, many_ranks, balance},
     {"follow", "history, several ranks", TIMER_COMM, many_with_history, follow},

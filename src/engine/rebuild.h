@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The rebuild (rebuild.c tells it). */
+/* The rebuild; rebuild.c describes the passes. */
 #ifndef SCREE_ENGINE_REBUILD_H
 #define SCREE_ENGINE_REBUILD_H
 
@@ -12,10 +12,10 @@ void rebuild_run(struct simulation *simulation);
 /* Prints the passes of a rebuild, a line each. */
 void rebuild_print(const struct simulation *simulation, FILE *file);
 
-/* Makes the plan of the sweep, if there is none since the last rebuild. Before a fused step. */
+/* Makes the plan of the sweep, if none was made since the last rebuild. Called before a fused step. */
 void rebuild_plan(struct simulation *simulation);
 
-/* As rebuild_run, but with rows from elsewhere (a checkpoint); takes them over. */
+/* As rebuild_run, but with rows from a checkpoint; becomes the owner of the rows. */
 void rebuild_from_rows(struct simulation *simulation, struct rebuild_rows *rows);
 
 #endif

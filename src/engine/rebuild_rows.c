@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Contact histories as rows, on the move. */
+/* Turns contact histories into rows. */
 #include "engine/rebuild_rows.h"
 #include "core/memory.h"
 

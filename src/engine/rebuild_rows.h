@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Contact histories on the move, over a rebuild or into a checkpoint. */
+/* Contact histories as rows, for a rebuild or a checkpoint. */
 #ifndef SCREE_ENGINE_REBUILD_ROWS_H
 #define SCREE_ENGINE_REBUILD_ROWS_H
 
@@ -7,12 +7,12 @@
 #include "pairs/history_keep.h"
 #include "walls/wall.h"
 
-/* Contact history (pairs and walls together) on the move over a rebuild or into a checkpoint. */
+/* Contact history of pairs and walls during a rebuild, or on the way to a checkpoint. */
 struct rebuild_rows {
     struct history_rows pairs;
-    bool keep; /* the short way, where particles neither come nor go: records of pairs that stay on this rank
+    bool keep; /* the short way, if particles neither come nor go: records of pairs that stay on this rank
                 */
-    uint32_t *place; /* several ranks: number after the migration of each of `before` particles */
+    uint32_t *place; /* several ranks: number of each of the `before` particles after the migration */
     size_t before;
     uint32_t *order;          /* new particle k is old order[k] */
     struct history_kept kept; /* made between reorder and search */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Checkpoints and going on from them. A checkpoint step rebuilds, so the particles stand in the order that a
- * rebuild gives, and a resume on the same layout rebuilds into the same order: its trajectory is the
- * uninterrupted one's, bit for bit. */
+/* Writes checkpoints and resumes from them. A checkpoint step rebuilds, so the particles stand in the order
+ * of a rebuild, and a resume on the same layout rebuilds into the same order. The trajectory of the resumed
+ * run then equals that of the uninterrupted run, bit for bit. */
 #include "engine/load.h"
 #include "engine/resume_check.h"
 #include "engine/rebuild_rows.h"
@@ -13,14 +13,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Numbers of a run that do not lie in the simulation as they are written. What belongs to the ranks: work of
- * walls, and what a bisection knows of its load (load.h) if as many resume. */
+/* Numbers of a run that the simulation does not hold in the form that is written. Numbers of the ranks: the
+ * work of walls and, if as many ranks resume, the state of a bisection's load (load.h). */
 struct resume_numbers {
-    double fraction; /* of the stable step that was taken; 0: it was given */
+    double fraction; /* fraction of the stable step; 0: the scene gives the step */
     double wall_work, load_fresh, load_reached;
 };
 
-/* Numbers that a resume needs, under their names. */
+/* Lists the numbers that a resume needs, with their names. */
 static void numbers_list(struct simulation *s, struct resume_numbers *own, struct restart *restart) {
     restart_add(restart, RESTART_INTEGER, false, &s->clock.step_base, "step base");
     restart_add(restart, RESTART_REAL, false, &s->clock.time_base, "time base");
@@ -77,14 +77,16 @@ static int row_compare(const void *a, const void *b) {
     return memcmp(x->separation, y->separation, sizeof x->separation);
 }
 
-/* Threads leave a particle's rows in any order; sorted, the same state gives the same file. */
+/* Sorts rows: threads leave the rows of a particle in any order, and the same state should give the same
+ * file. */
 static void rows_sort(struct history_rows *rows, size_t owned) {
     for (size_t i = 0; rows->start && i < owned; i++)
         qsort(rows->row + rows->start[i], rows->start[i + 1] - rows->start[i], sizeof *rows->row,
               row_compare);
 }
 
-/* A resume gives all forces on walls to the first rank; so does the run that goes on. */
+/* Gives all forces on walls to the first rank, as a resume does, so that the continued run has the same
+ * sums. */
 static void wall_forces_gather(struct simulation *s) {
     double force[WALLS_MAX][6];
     walls_forces(s->grains.walls, force);
@@ -97,7 +99,7 @@ static void wall_forces_gather(struct simulation *s) {
 bool resume_write(struct simulation *s, const struct output_run *run, const char *suffix,
                   struct error *error) {
     struct rebuild_rows rows;
-    rebuild_detach(s, true, &rows); /* whoever reads it may divide the particles otherwise */
+    rebuild_detach(s, true, &rows); /* the reader may divide the particles differently */
     rows_sort(&rows.pairs, s->particles->owned);
     if (s->grains.walls && !s->ranks.alone)
         wall_forces_gather(s);
@@ -138,7 +140,7 @@ static void walls_restore(struct simulation *s, const struct checkpoint_loaded *
     }
 }
 
-/* Walls are known by their names: the scene may have others, or the same in another order. */
+/* Finds walls by their names: the scene may have other walls, or the same walls in another order. */
 static void wall_rows_rename(const struct simulation *s, const struct checkpoint_loaded *loaded) {
     const struct wall_rows *rows = &loaded->wall_history;
     for (size_t k = 0; k < rows->count; k++) {
@@ -148,7 +150,7 @@ static void wall_rows_rename(const struct simulation *s, const struct checkpoint
     }
 }
 
-/* What was read becomes the simulation's. */
+/* Moves the data read into the simulation. */
 static bool take(struct simulation *s, const char *path, struct checkpoint_loaded *loaded,
                  struct rebuild_rows *rows, struct error *error) {
     struct resume_numbers own = {0};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What a scene may change between a checkpoint and its resume, and what it must not. */
+/* The changes of a scene that are allowed between a checkpoint and a resume. */
 #include "engine/resume_check.h"
 #include "contact/material.h"
 #include "core/memory.h"
@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A density counts as that of its material if it differs by rounding alone. */
+/* The density of a particle counts as that of the material if both differ only by rounding. */
 static const double same_density = 1e-9;
 
 static bool check_box(const struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
@@ -55,7 +55,7 @@ static int group_find(const struct scene *scene, const char *name) {
     return -1;
 }
 
-/* Every material and group that particles are of must still be there. */
+/* Checks that every material and group of a particle still exists. */
 static bool check_names(const struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
                         struct error *error) {
     for (int k = 0; k < loaded->materials; k++)
@@ -74,7 +74,7 @@ static bool check_names(const struct simulation *s, const char *path, const stru
     return true;
 }
 
-/* Lists the keys that differ; some must not. */
+/* Lists the keys that differ; refuses changes of some keys. */
 static bool check_scene(struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
                         struct error *error) {
     char *now = scene_echo(s->scene);
@@ -96,7 +96,7 @@ bool resume_check(struct simulation *s, const char *path, const struct checkpoin
            check_names(s, path, loaded, error) && check_scene(s, path, loaded, error);
 }
 
-/* The first that has particles: that of all where the set has no numbers. */
+/* The first material or group that has particles; a set without numbers has no other. */
 static int only(const struct checkpoint_kind *kind, int kinds) {
     for (int k = 0; k < kinds; k++)
         if (kind[k].particles > 0)
@@ -104,13 +104,14 @@ static int only(const struct checkpoint_kind *kind, int kinds) {
     return 0;
 }
 
-/* The density of a particle as it was read; `density` of all where they are kept. */
+/* The density of a particle as read; `density` holds the densities of all particles, if the set keeps
+ * them. */
 static double density_of(const struct particles *p, const double *density, size_t i) {
     return density ? density[i]
                    : 1 / (p->state[i].inverse_mass * particles_sphere_mass(p->state[i].radius, 1));
 }
 
-/* Masses of particles of material `then`, where its density has changed to `density`. */
+/* Changes the mass of a particle of material `then`, whose density has changed to `density`. */
 static bool change_mass(struct particles *p, size_t i, const struct checkpoint_kind *then, double density) {
     double *kept = groups_densities(p);
     if (density == then->density ||
@@ -141,8 +142,8 @@ static void apply_materials(struct simulation *s, const struct checkpoint_loaded
     s->resumed.masses = (uint64_t)changed;
 }
 
-/* Particles of groups whose motion is prescribed now and was not then, or the other way round, get the mass
- * that goes with it. */
+/* Changes the masses of particles in groups whose motion has become prescribed or free since the
+ * checkpoint. */
 static void apply_groups(struct simulation *s, const struct checkpoint_loaded *loaded) {
     struct particles *p = s->particles;
     uint8_t *group = groups_of(p);

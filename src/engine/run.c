@@ -26,14 +26,14 @@
 
 enum { POSITIONS_EVERY = 100 };
 
-/* The one thing that a signal handler may touch. */
+/* The only variable that the signal handler changes. */
 static volatile sig_atomic_t run_signal;
 
 static void on_signal(int number) {
     run_signal = number;
 }
 
-/* One that came since an earlier run stays: it ends this one. */
+/* A signal that came after an earlier run is kept: this signal ends the present run. */
 void run_signals_catch(void) {
     struct sigaction action = {.sa_handler = on_signal};
     sigemptyset(&action.sa_mask);
@@ -53,15 +53,15 @@ struct run {
     struct output_run output;
     const struct run_options *options;
     struct progress progress;
-    uint64_t last; /* step */
+    uint64_t last; /* number of the last step */
     struct run_record record;
     double checkpoint_last; /* seconds: the last checkpoint by wall clock */
-    bool checkpoint_due;    /* decided in the step before */
-    int lock;               /* of the folder */
-    bool crowd_told;        /* that other programs use the cores */
+    bool checkpoint_due;    /* decided in the previous step */
+    int lock;               /* handle of the folder's lock */
+    bool crowd_told;        /* the message that other programs use the cores was printed */
 };
 
-/* What can be said of the directory before anything is made. */
+/* Checks the directory before any file is made. */
 static bool directory_suits(const struct comm *comm, const struct run_options *options, struct error *error) {
     if (options->directory == NULL)
         return true;
@@ -88,7 +88,7 @@ bool run_directory(const struct comm *comm, const struct run_options *options, s
     return comm_agree(comm, error);
 }
 
-/* More steps than this nobody waits for: a run of infinite or huge duration ends there, or by a signal. */
+/* The largest number of steps of a run: a run of infinite or huge duration ends here, or by a signal. */
 static const uint64_t steps_most = (uint64_t)1 << 62;
 
 uint64_t run_last_step(const struct simulation *s) {
@@ -108,7 +108,7 @@ static bool checkpoint_step(const struct run *run, uint64_t step) {
                                        (step == run->last && run->s->scene->output.checkpoint.at_end));
 }
 
-/* What this rank knows before the step; decide makes it everybody's. */
+/* Sets the signals of this rank before the step; decide then sends the signals to all ranks. */
 static void signals_ask(struct run *run) {
     double minutes = run->s->scene->output.checkpoint.every_minutes;
     run->s->agree.signals = (struct step_signals){
@@ -118,7 +118,8 @@ static void signals_ask(struct run *run) {
     };
 }
 
-/* What a guard has condemned in this very step is none to go on from, nor a reason to delete an older one. */
+/* Writes a regular checkpoint, unless a guard has stopped the run in the present step: such a state must not
+ * be resumed from, and must not replace an older checkpoint. */
 static bool checkpoint_regular(struct run *run, struct error *error) {
     struct error condemned = run->s->error;
     if (!comm_agree(run->s->comm, &condemned))
@@ -128,7 +129,7 @@ static bool checkpoint_regular(struct run *run, struct error *error) {
            resume_write(run->s, &run->output, "", error);
 }
 
-/* Says once that other programs use the cores. */
+/* Warns once that other programs use the cores. */
 static void crowd_tell(struct run *run) {
     const struct simulation *s = run->s;
     char text[400];
@@ -140,7 +141,7 @@ static void crowd_tell(struct run *run) {
             run->progress.mode == PROGRESS_BAR ? "\r\033[K" : "", text);
 }
 
-/* A step that is shortened needs more steps to the end. */
+/* Checks the time step; a shortened time step needs more steps to the end. */
 static void look_at_step(struct run *run) {
     struct simulation *s = run->s;
     double dt = s->clock.dt;
@@ -185,8 +186,8 @@ static bool step_once(struct run *run, struct error *error) {
     return good;
 }
 
-/* Steps until the end, an error or a signal. A signal is seen by all ranks in one step, and the next writes
- * the checkpoint. */
+/* Runs steps until the end, an error or a signal. All ranks see a signal in the same step, and the next step
+ * writes the checkpoint. */
 static bool steps(struct run *run, struct error *error) {
     struct simulation *s = run->s;
     bool stopping = false;
@@ -197,7 +198,7 @@ static bool steps(struct run *run, struct error *error) {
             return false;
         if (stopping) {
             int64_t number = run_signal;
-            comm_max_int(s->comm, &number, 1); /* one rank may be the only one that it came to */
+            comm_max_int(s->comm, &number, 1); /* the signal may have reached only one rank */
             run->record.stopped = (int)number;
             return true;
         }
@@ -218,7 +219,7 @@ static bool report_out(const struct run *run, const struct report *report, struc
     return report_write_json(report, path, error);
 }
 
-/* A guard stopped the run: leave the state to look at. */
+/* Writes the state of a run that a guard stopped, for inspection. */
 static void stopped_checkpoint(struct run *run, const struct error *why) {
     struct error second = {0};
     if (run->options->directory == NULL || why->kind != ERROR_PHYSICS)
@@ -227,7 +228,7 @@ static void stopped_checkpoint(struct run *run, const struct error *why) {
         fprintf(stderr, "scree: the state at the stop could not be written: %s\n", second.text);
 }
 
-/* Takes away what an earlier run left that would be taken for this one's. */
+/* Deletes files of an earlier run that could be mistaken for files of this run. */
 static bool folder_prepare(const struct run *run, struct error *error) {
     const struct comm *comm = run->s->comm;
     const char *directory = run->options->directory;
@@ -274,12 +275,12 @@ static void run_loop(struct run *run, struct error *error) {
     progress_finish(&run->progress);
     timer_stop(&s->timers, TIMER_OTHER);
     if (error->kind == ERROR_NONE)
-        *error = s->error; /* also of the last step, which nobody has asked for yet */
+        *error = s->error; /* also an error of the last step, not checked yet */
     if (!comm_agree(s->comm, error))
         stopped_checkpoint(run, error);
 }
 
-/* What `scree check` would say of it. */
+/* Prints the notes that `scree check` prints for the scene. */
 static void notes_tell(const struct simulation *s) {
     struct notes *notes = memory_allocate_zero(1, sizeof *notes, "notes");
     notes_take(s, notes);
@@ -288,7 +289,7 @@ static void notes_tell(const struct simulation *s) {
     memory_free(notes);
 }
 
-/* A resume of what is over: says so, and there is nothing to write. */
+/* True, with a message, if a resumed run is already at its end; then no file is written. */
 static bool over_already(const struct simulation *s, const char *resume) {
     if (resume == NULL || run_last_step(s) > s->clock.step)
         return false;

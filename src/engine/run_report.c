@@ -8,9 +8,9 @@
 #include <math.h>
 #include <stdio.h>
 
-/* The level table and the choice of the index. Ranks choose for themselves, so they may differ in both: the
- * table has as many levels as the rank with most, its counts are sums, its bounds and cells the widest, and
- * the words of a choice are those of rank 0. */
+/* The level table and the choice of the index. Each rank chooses by itself, so ranks may differ in both. The
+ * table has as many levels as the rank with most levels; the counts are sums, the bounds and cells are the
+ * widest, and the words of a choice are those of rank 0. */
 static void report_levels(const struct simulation *s, struct report *report) {
     struct index_description description;
     int64_t counts[REPORT_LEVELS_MAX][2] = {0}, levels;
@@ -48,7 +48,7 @@ static void report_levels(const struct simulation *s, struct report *report) {
     report->choice_measured = seconds[1];
 }
 
-/* Pairs by sides, as contacts: with newton off one that crosses ranks is in the lists of both. */
+/* Counts pairs by sides, as contacts: with newton off a pair across ranks is in the lists of both ranks. */
 static int64_t pair_sides(const struct pairlist *list) {
     size_t sides = 0;
     for (int b = 0; b < list->block_count; b++) {
@@ -59,7 +59,7 @@ static int64_t pair_sides(const struct pairlist *list) {
     return (int64_t)sides;
 }
 
-/* How copies spread, and why. */
+/* Reports the way that copies spread, and the reason. */
 static void report_sync(const struct simulation *s, const struct ghosts_counts *ghosts,
                         struct report *report) {
     static const char *const asked[] = {

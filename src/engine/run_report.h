@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What a run reports of itself at its end. */
+/* The report of a run at its end. */
 #ifndef SCREE_ENGINE_RUN_REPORT_H
 #define SCREE_ENGINE_RUN_REPORT_H
 
 #include "engine/state.h"
 #include "observe/report.h"
 
-/* What the loop notes of itself for the report. */
+/* Data of the loop of steps for the report. */
 struct run_record {
     uint64_t first;              /* step before the loop */
-    double began, setup;         /* seconds: clock at the start of the loop; time before it */
+    double began, setup;         /* seconds: clock at the start of the loop; time before the loop */
     double particle_steps;       /* sum over steps of the particles moved */
-    struct ghosts_counts before; /* the loop: what set-up sent */
-    int stopped;                 /* signal that ended it; 0: none */
+    struct ghosts_counts before; /* counts before the loop: those of set-up */
+    int stopped;                 /* signal that ended the loop; 0: none */
 };
 
 /* Fills a report that report_create made. Collective: all ranks call, outside parallel regions; each may have

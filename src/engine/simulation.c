@@ -73,7 +73,7 @@ bool simulation_prepare(struct simulation *s, struct error *error) {
     return s->search.index != NULL && sources_prepare(s, error);
 }
 
-/* All that does not depend on the particles' number. */
+/* Makes all parts that do not depend on the number of particles. */
 static void parts_create(struct simulation *s) {
     s->ranks.ghosts = ghosts_create(s->comm, s->ranks.domain, &s->scene->box, &s->scene->ghosts);
     interactions_create(&s->search.interactions, &(struct pairlist_options){.threads = s->threads});
@@ -114,7 +114,7 @@ static bool taken(void *context, const double x[3], double radius) {
     return s->grains.walls && walls_overlap(s->grains.walls, x, radius);
 }
 
-/* How far a placement is that takes long: a line of rank 0 every ten seconds, where progress is shown. */
+/* Prints the progress of a long placement: a line of rank 0 every ten seconds, if progress is shown. */
 static void placed(void *context, const char *what, double part) {
     static const double pause = 10;
     struct simulation *s = context;
@@ -143,7 +143,8 @@ static bool particles_make(struct simulation *s, struct error *error) {
     return true;
 }
 
-/* No cut-off may reach around a periodic box: to the particle itself, or twice to another one. */
+/* Checks that no cut-off reaches around a periodic box: to the particle itself, or twice to another
+ * particle. */
 static bool box_holds(const struct simulation *s, double radius, double other, double margin,
                       struct error *error) {
     char place[SCENE_PATH_MAX], whom[96];
@@ -162,7 +163,7 @@ static bool box_holds(const struct simulation *s, double radius, double other, d
     return true;
 }
 
-/* For the particles there are, and for those that insertions may bring. */
+/* Calls box_holds for the present particles, and for particles of insertions. */
 static bool box_suffices(const struct simulation *s, struct error *error) {
     const struct size_classes *classes = &s->classes;
     bool good = true;
@@ -214,7 +215,7 @@ static bool run_go_on(struct simulation *s, struct rebuild_rows *rows, struct er
     return timing_contacts(s, error);
 }
 
-/* What must hold of the particles, now that they are there. */
+/* Checks the particles after they have been made. */
 static bool particles_suit(struct simulation *s, struct error *error) {
     if (s->total >= (uint64_t)s->comm->size << PARTICLE_INDEX_BITS)
         return error_set(error, ERROR_USER,
@@ -233,7 +234,7 @@ static bool particles_suit(struct simulation *s, struct error *error) {
     return comm_agree(s->comm, error); /* each rank looks at its own particles */
 }
 
-/* The physics that the scene asks for, with grains first. */
+/* Starts the physics that the scene asks for, with grains first. */
 static void physics_start(struct simulation *s) {
     struct physics_context context = {.options = &s->grains.law,
                                       .scene = s->scene,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Particles that come and go during a run: inserted, deleted, or leaving through an open side. All of it
- * happens at a rebuild, while there are no copies. Insertion regions are looked at every SOURCES_EVERY steps,
- * so that the steps at which particles appear do not depend on ranks, threads or index. */
+/* Particles that come and go during a run: inserted, deleted, or leaving through an open side. These changes
+ * happen only at a rebuild, while there are no copies. Every SOURCES_EVERY steps insertion regions are
+ * checked, so that the steps at which particles appear do not depend on ranks, threads or index. */
 #include "engine/sources.h"
 #include "engine/rebuild_rows.h"
 #include "contact/material.h"
@@ -16,7 +16,8 @@
 
 enum { SOURCES_EVERY = 100 };
 
-/* A sphere that its region cannot hold would keep all behind it waiting for ever. */
+/* Checks that an insertion region can hold its largest sphere: a sphere that does not fit would block all
+ * later spheres for ever. */
 static bool insertion_fits(const struct simulation *s, int k, struct error *error) {
     const struct insertion *insertion = &s->sources.insertion[k];
     char key[64], place[SCENE_PATH_MAX];
@@ -84,7 +85,8 @@ static bool sides_matter(const struct simulation *s) {
     return false;
 }
 
-/* The side through which a particle has left, as direction x 2 + upper, where that matters; -1: inside. */
+/* The side through which a particle has left, as direction x 2 + upper, without sides at which the box keeps
+ * particles; -1: inside. */
 static int side_left(const struct box *box, const double x[3], enum box_leave *leave) {
     for (int d = 0; d < box->dimension; d++) {
         int side = x[d] < 0 ? 0 : x[d] > box->edge[d] ? 1 : -1;
@@ -106,7 +108,7 @@ static void leave_error(struct simulation *s, size_t k, int side) {
               p->x[0] + box->origin[0], p->x[1] + box->origin[1], p->x[2] + box->origin[2], s->clock.time);
 }
 
-/* Is the particle in a deletion region that is active now? */
+/* True if the particle is in a deletion region that is active now. */
 static bool deleted_by_region(const struct simulation *s, const double x[3]) {
     const struct box *box = &s->scene->box;
     double user[3] = {x[0] + box->origin[0], x[1] + box->origin[1], x[2] + box->origin[2]};
@@ -187,7 +189,7 @@ static void candidates_block(const struct simulation *s, const struct placegrid 
     memory_free(all);
 }
 
-/* Appends an accepted candidate where this rank owns its place; its number counts everywhere. */
+/* Appends an accepted candidate if this rank owns its position; all ranks advance the next id. */
 static void candidate_append(struct simulation *s, const struct insertion_candidate *candidate) {
     int64_t id = s->sources.next_id++;
     if (domain_owner(s->ranks.domain, candidate->x) != s->comm->rank)
@@ -213,7 +215,7 @@ static void candidate_append(struct simulation *s, const struct insertion_candid
         density[k] = candidate->density;
 }
 
-/* New rows of history are empty: starts are extended for the particles appended. */
+/* Extends the starts of history rows for the appended particles, whose rows are empty. */
 static void *starts_extend(size_t *start, size_t before, size_t after) {
     if (start == NULL || before == after)
         return start;

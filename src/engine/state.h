@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The state of a simulation: everything that a run holds. The parts know nothing of each other beyond what the arrows
- * of docs/architecture.md allow; they meet here. simulation.h makes one, step.h and rebuild.h advance it. */
+/* The state of a simulation: everything that a run holds. The parts use each other only along the arrows of
+ * docs/architecture.md; this struct joins all parts. simulation.h makes a simulation, step.h and rebuild.h
+ * advance it. */
 #ifndef SCREE_ENGINE_STATE_H
 #define SCREE_ENGINE_STATE_H
 
@@ -20,27 +21,27 @@ struct simulation;
 struct domain;
 struct walls;
 
-/* What all ranks must know of a step before they go on; one reduction. */
+/* The signals that all ranks must agree on in a step; one reduction. */
 struct step_signals {
     bool rebuild;
     bool stop;       /* a signal asked the run to end */
-    bool checkpoint; /* wall clock says so */
+    bool checkpoint; /* a checkpoint is due by wall clock */
     bool error;      /* a rank has an error */
 };
 
-/* The guard of energies (guards.c). Energies as in observables. */
+/* The guard of energies (guards.c). The energies are those of the observables. */
 struct guard_energy {
-    struct observables *observables; /* NULL: not asked for */
-    bool mechanical; /* kinetic, elastic and potential energy alone, which cannot grow: needs no sums each
+    struct observables *observables; /* NULL: the scene does not ask for the guard */
+    bool mechanical; /* only kinetic, elastic and potential energy, which cannot grow: no sums at each
                         step */
     bool begun;
     double start, last, gained, in_play;
-    uint64_t step, changes; /* of the last look: its number, particles that have come and gone */
+    uint64_t step, changes; /* at the last check: number of the step; particles that have come and gone */
 };
 
-/* Trials of what an index that chooses has on offer (tune.c). */
+/* Trials of the variants that an index offers (tune.c). */
 struct tuning {
-    int64_t choices; /* of all ranks together: more of them start the trials again */
+    int64_t choices; /* choices of all ranks together: more choices start the trials again */
     int variant, rebuilds;
     bool settled;
     double start, seconds[TUNING_VARIANTS_MAX];
@@ -51,24 +52,24 @@ struct clock {
     uint64_t step; /* steps done */
     uint64_t step_base;
     double time, time_base, dt;
-    double dt_fraction; /* of the stable step that dt is; 0: dt was given */
+    double dt_fraction; /* dt as a fraction of the stable step; 0: the scene gives dt */
 };
 
-/* The stable step, and what it was found from (timing.h). */
+/* The stable step, and the data from which it was found (timing.h). */
 struct timing {
     struct timestep_limits limits;
-    double expected;         /* the stable step for contacts to come, those that there are left out */
+    double expected;         /* the stable step for future contacts, without the present contacts */
     double overlap_started;  /* largest overlap at the start of a run, over the smaller radius */
-    double speed_expected;   /* of an impact: what the stable step counts with; length/time */
-    double overlap_expected; /* of the heaviest like particles, or of one and a wall, at that speed, over the
+    double speed_expected;   /* speed of an impact for the stable step; length/time */
+    double overlap_expected; /* of the heaviest equal particles, or of one and a wall, at that speed, over the
                                 radius */
 };
 
-/* What grains keep (grains.c). */
+/* Data of grains (grains.c). */
 struct grains {
     struct law law;
     struct integrator_context motion;
-    const struct pairlist *list; /* of contacts; one of the interactions' */
+    const struct pairlist *list; /* of contacts; one of the lists of `interactions` */
     struct history *history;     /* NULL: the law has none */
     struct walls *walls;         /* NULL: none */
     struct force_loop *loop;
@@ -86,22 +87,22 @@ struct search {
     struct tuning tuning;
     double pairs_seconds;             /* wall time of all pair list builds */
     struct index_view view;           /* of the last rebuild */
-    struct interactions interactions; /* and their lists */
+    struct interactions interactions; /* the interactions with their lists */
     struct skin *skin;
-    struct sweep *sweep; /* the plan of the fused order; NULL: the scene wants the plain one alone */
+    struct sweep *sweep; /* the plan of the fused order; NULL: the scene wants only the plain order */
 };
 
-/* This rank among others. */
+/* The division among ranks, and this rank's copies. */
 struct ranks {
     struct domain *domain;
     bool wrap[3]; /* directions that the index wraps */
     struct ghosts *ghosts;
     bool alone; /* one rank: nothing to exchange */
     struct load {
-        bool begun, fresh;  /* divided at all; divided since the imbalance was measured */
+        bool begun, fresh;  /* box was divided; divided since the imbalance was measured */
         double reached;     /* imbalance right after the last division; 0: none yet */
-        double seconds;     /* of work when it was measured last */
-        uint64_t divisions; /* by weight */
+        double seconds;     /* of work at the last measurement */
+        uint64_t divisions; /* number of divisions by weight */
     } load;                 /* load.h */
 };
 
@@ -109,43 +110,43 @@ struct ranks {
 struct sources {
     struct scene_census census;
     int64_t next_id;
-    double placing_told; /* seconds: when a placement last told how far it is; 0: not yet */
+    double placing_told; /* seconds: clock at the last progress line of a placement; 0: none yet */
     struct insertion insertion[INSERTIONS_MAX];
     struct insertion_state state[INSERTIONS_MAX];
     uint64_t inserted, deleted;
-    uint64_t last_step; /* at which particles came or went */
+    uint64_t last_step; /* last step at which particles came or went */
 };
 
-/* What a checkpoint brought (resume.h). */
+/* Data read from a checkpoint (resume.h). */
 struct resumed {
-    double dt;                    /* step of the run that wrote it; 0: not resumed */
-    double fraction;              /* and its fraction */
-    int grid[3];                  /* its ranks per direction */
-    struct scene_changes changes; /* of the scene since */
-    uint64_t masses;              /* particles that got another mass */
+    double dt;                    /* time step of the run that wrote the checkpoint; 0: not resumed */
+    double fraction;              /* dt_fraction of that run */
+    int grid[3];                  /* ranks per direction of that run */
+    struct scene_changes changes; /* changes of the scene since the checkpoint */
+    uint64_t masses;              /* number of particles whose mass was changed */
 };
 
-/* What guards remember (guards.h). */
+/* Data of the guards (guards.h). */
 struct guards {
-    unsigned warned; /* bit by guard: has warned */
+    unsigned warned; /* one bit for each guard: has warned */
     struct guard_energy energy;
 };
 
-/* What all ranks agree on in a step (decide.h). */
+/* Data of the agreement of all ranks in a step (decide.h). */
 struct agree {
-    double value[2 * CLASS_MAX + 4]; /* bounds of the skin and signals, on their way through all ranks */
+    double value[2 * CLASS_MAX + 4]; /* bounds of the skin and signals, in the reduction */
     struct comm_reduction reduction;
-    struct step_signals signals; /* in: this rank's; out of step_run: everybody's */
+    struct step_signals signals; /* before step_run: of this rank; after step_run: of all ranks */
 };
 
 struct simulation {
     const struct comm *comm;   /* borrowed */
     const struct scene *scene; /* borrowed */
-    int threads;               /* that work is dealt out to */
-    struct team team;          /* those that work at a time */
+    int threads;               /* threads to which work is dealt out */
+    struct team team;          /* threads that work at a time */
     struct particles *particles;
     struct size_classes classes;
-    bool classes_stale; /* radii may have changed: choose classes again at the next rebuild */
+    bool classes_stale; /* radii may have changed: the next rebuild chooses classes again */
     uint64_t total;     /* particles on all ranks */
     struct clock clock;
     struct timing timing;
@@ -158,8 +159,8 @@ struct simulation {
     struct physics_set physics;
     struct step_plan plan;
     struct resumed resumed;
-    struct lineage lineage; /* this run, and those that it goes on from */
-    struct error error;     /* of a guard or of particles that left; checked after each step */
+    struct lineage lineage; /* this run and its earlier runs */
+    struct error error;     /* error of a guard, or of particles that left; checked after each step */
     struct timers timers;
 };
 #endif

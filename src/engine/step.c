@@ -3,29 +3,30 @@
  *
  * In plain order, pass after pass:
  *
- *     servo      forces on walls summed over ranks, where a servo wants them
+ *     servo      forces on walls summed over ranks, if a servo needs the sums
  *     advance    v(n+1/2) = v(n-1/2) + dt (f/m + g);  x(n+1) = x(n) + dt v(n+1/2);  forces to zero
  *     walls      walls move to n+1
- *     decide     is a rebuild due? (one reduction over ranks, where there are several)
+ *     decide     whether a rebuild is due (one reduction, with several ranks)
  *     exchange   rebuild (rebuild.c), or new values for the copies
  *     contact    particle-particle forces, block by block
  *     wall       particle-wall forces, block by block
  *     finish     sums over threads, histories change places
- *     reverse    forces of copies go home (newton on, several ranks)
+ *     reverse    forces of copies are sent to the originals (newton on, several ranks)
  *
- * Fused, the particles of a block move just before the first pair that looks at them, while they are in the
- * cache:
+ * In fused order the particles of a block move just before the first pair that reads the particles, while
+ * they are in the cache:
  *
  *     servo, walls
- *     early      (several ranks) what others look at moves (pairs/sweep.h); values leave for the copies
- *     sweep      (one rank: early particles,) block by block: late ones move, then the block's forces
+ *     early      (several ranks) particles that others read move (pairs/sweep.h); values leave for copies
+ *     sweep      (one rank: early particles,) block by block: late particles move, then the block's forces
  *     receive    values arrive; meanwhile the ranks agree on bounds
  *     copies     forces of pairs with copies
- *     verify     did a particle leave its skin after all? Then forces are made again after a rebuild
+ *     verify     if a particle has left its skin: rebuild, and compute the forces again
  *     wall, finish, reverse
  *
- * Both give the same bits. A step is fused unless a rebuild must come or is to be expected
- * (docs/architecture.md). The lists are made once from the scene: what a scene does not need is not in them.
+ * Both orders give the same bits. A step is fused unless a rebuild is due or to be expected
+ * (docs/architecture.md). The lists of passes are made once from the scene, without passes that the scene
+ * does not need.
  */
 #include "engine/step.h"
 #include "engine/decide.h"
@@ -33,7 +34,7 @@
 #include "engine/rebuild.h"
 #include <string.h>
 
-/* Copies carry no force yet. */
+/* Sets the forces of copies to zero. */
 static void copies_clear(struct simulation *s) {
     fields_clear_reverse(s->particles, s->particles->owned, s->particles->ghosts);
 }
@@ -53,7 +54,7 @@ static void exchange_run(struct simulation *s) {
     copies_clear(s);
 }
 
-/* The early particles of a thread, before all others. */
+/* Moves the early particles of a thread, before all other particles. */
 static void early_move(struct simulation *s, int t) {
     const struct sweep_thread *plan = &s->search.sweep->thread[t];
     for (size_t r = 0; r < plan->early_count; r++)
@@ -68,7 +69,7 @@ static void early_run(struct simulation *s) {
     ghosts_forward_begin(s->ranks.ghosts, s->particles, &fields);
 }
 
-/* The blocks of a thread: late particles move, then forces. */
+/* Computes the blocks of a thread: late particles move, then forces. */
 static void late_sweep(struct simulation *s, int t) {
     const struct pairlist *list = s->grains.list;
     const struct sweep_thread *plan = &s->search.sweep->thread[t];
@@ -168,7 +169,7 @@ void step_plan_print(const struct simulation *s, FILE *file) {
     rebuild_print(s, file);
 }
 
-/* Seconds in the stages whose work is dealt out to threads and that wait for no other rank. */
+/* Seconds in stages whose work is dealt out to threads and that do not wait for other ranks. */
 static double work_seconds(const struct timers *timers) {
     return timers->seconds[TIMER_ADVANCE] + timers->seconds[TIMER_SWEEP] + timers->seconds[TIMER_CONTACT] +
            timers->seconds[TIMER_WALL];

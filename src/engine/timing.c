@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The time step of a run: given, or a fraction of the stable one; refused where it lies above. The stable one
- * depends on the speeds of the particles at the start, so a resume by the same rule keeps the step that it
- * finds. */
+/* The time step of a run: given, or a fraction of the stable step; a step above the stable step is refused.
+ * The stable step depends on the speeds of the particles at the start, so a resume with the same rule keeps
+ * the step of the checkpoint. */
 #include "engine/timing.h"
 #include "contact/material.h"
 #include "engine/guards.h"
@@ -9,13 +9,13 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Contacts are looked at every so many steps; the step may be this part of the stable one at most. */
+/* Contacts are checked every so many steps; the time step may be at most this part of the stable step. */
 enum { LOOK_EVERY = 500 };
 #define LOOK_PART 0.9
 
-/* What is present, from this rank's free particles and from what insertions may bring. Particles of one
- * material may differ in density: they are kept apart by powers of two of it, and each kind is taken to have
- * its least density at every size where that is the worst, and the largest where that is. */
+/* The kinds of particles present: this rank's free particles, and the particles of insertions. Particles of
+ * one material may differ in density, and are divided into kinds by powers of two of the density. At every
+ * size a kind counts with its least density if that is the worst case, else with its largest density. */
 enum { DENSITIES = 16, KINDS = LAW_MATERIALS_MAX * DENSITIES };
 struct kinds {
     double radius_min[KINDS], radius_max[KINDS];
@@ -40,7 +40,7 @@ static void kinds_put(struct kinds *kinds, int kind, double radius, double mass)
     kinds->heaviest[kind] = fmax(kinds->heaviest[kind], mass / cube(radius));
 }
 
-/* Those of an insertion. */
+/* Adds the kinds of an insertion. */
 static void kinds_insert(const struct simulation *s, struct kinds *kinds,
                          const struct insertion_options *options) {
     double radius[2], usual = s->scene->material[options->material].density;
@@ -78,7 +78,8 @@ static void kinds_collect(const struct simulation *s, struct kinds *kinds) {
     comm_max(s->comm, kinds->fixed, LAW_MATERIALS_MAX);
 }
 
-/* The largest speed expected: the scene's word, else the fastest particle now, or a fall through the box. */
+/* The largest speed expected: from the scene, else the speed of the fastest particle now, or of a fall
+ * through the box. */
 static double speed_expected(const struct simulation *s) {
     const struct scene *scene = s->scene;
     double fall = 0, fastest = 0;
@@ -95,8 +96,7 @@ static double speed_expected(const struct simulation *s) {
     return sqrt(fmax(fall, fastest));
 }
 
-/* Overlap over the smaller radius when the largest particles of two kinds meet at a speed, without damping.
- */
+/* Overlap over the smaller radius, if the largest particles of two kinds meet at a speed, without damping. */
 static double overlap_of(const struct law *law, const struct timestep_kind *a, const struct timestep_kind *b,
                          const double heaviest[2], double speed) {
     double mass[2] = {INFINITY, INFINITY}, radius[2] = {INFINITY, INFINITY};
@@ -197,7 +197,7 @@ bool timing_choose(struct simulation *s, struct error *error) {
     return dt_allowed(s, error);
 }
 
-/* From now on steps are of another length. */
+/* Changes the length of steps from now on. */
 static void dt_change(struct simulation *s, double dt) {
     s->clock.step_base = s->clock.step;
     s->clock.time_base = s->clock.time;
@@ -229,7 +229,7 @@ void timing_look(struct simulation *s) {
     if (s->clock.dt_fraction > 0) {
         struct integrator_context shift = s->grains.motion;
         dt_change(s, fmin(s->clock.dt_fraction, LOOK_PART) * stable);
-        shift.dt = s->clock.dt - before; /* velocities stand half a step back: of the new one */
+        shift.dt = s->clock.dt - before; /* moves velocities to half a new step back */
         integrator_stagger(s->particles, &shift, 0, s->particles->owned);
         if (s->comm->rank == 0)
             fprintf(stderr,

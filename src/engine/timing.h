@@ -5,15 +5,16 @@
 
 #include "engine/state.h"
 
-/* Stable time step and its limits from the particles present; sets dt or refuses. Collective. */
+/* Finds the stable time step and its limits from the particles present; sets dt, or refuses. Collective. */
 bool timing_choose(struct simulation *simulation, struct error *error);
 
-/* The same for the contacts that there are, once pairs are known and before velocities are staggered;
+/* Does the same for the present contacts, after the search for pairs and before velocities are staggered;
  * shortens a step that is a fraction. Collective. */
 bool timing_contacts(struct simulation *simulation, struct error *error);
 
-/* During the run: true if timing_look is to follow that step; it looks whether contacts have become so stiff
- * that the step is nearly unstable, and then shortens it, if it is a fraction, or warns. Collective. */
+/* timing_due: true if timing_look is to follow that step of the run. timing_look checks whether contacts have
+ * become so stiff that the time step is nearly unstable; if so, timing_look shortens a time step that is a
+ * fraction of the stable step, and warns otherwise. Collective. */
 bool timing_due(const struct simulation *simulation, uint64_t step);
 void timing_look(struct simulation *simulation);
 

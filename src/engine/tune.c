@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Trials of the variants that an index offers: each for two rebuilds, of which the second counts, as the
- * first one sorts into a new order. */
+/* Trials of the variants that an index offers: each variant for two rebuilds. Only the second rebuild counts,
+ * as the first one sorts particles into a new order. */
 #include "engine/tune.h"
 #include <math.h>
 

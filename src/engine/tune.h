@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Trials of what an index that chooses has on offer. */
+/* Trials of the variants that an index offers. */
 #ifndef SCREE_ENGINE_TUNE_H
 #define SCREE_ENGINE_TUNE_H
 
 #include "engine/state.h"
 
-/* Around order, build and pairs of a rebuild, with `index.measure`: selects a variant, takes its time, and
- * keeps the one that was fastest on the slowest rank. tune_end is collective. */
+/* Called before and after order, build and pairs of a rebuild, with `index.measure`. The functions select a
+ * variant, measure its time, and keep the variant that was fastest on the slowest rank. tune_end is
+ * collective. */
 void tune_begin(struct simulation *simulation);
 void tune_end(struct simulation *simulation);
 
-/* Seconds a rebuild that order, build and pairs took so far, this rank. */
+/* Mean seconds of this rank for order, build and pairs of a rebuild so far. */
 double tune_measured(const struct simulation *simulation);
 
 #endif

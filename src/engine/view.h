@@ -5,10 +5,10 @@
 
 #include "engine/state.h"
 
-/* The view that output/ looks at. Borrows everything. */
+/* The view for output/. Borrows all members. */
 struct output_view simulation_view(const struct simulation *simulation);
 
-/* The view of a set of particles that an index is to see. */
+/* The view of a set of particles for an index. */
 void simulation_index_view(struct simulation *simulation, struct index_view *view);
 
 /* True if particles may leave through an open side and be deleted. */

@@ -55,7 +55,7 @@ int64_t lines_place(const struct lines *lines) {
 }
 
 int64_t lines_bytes_most(const struct lines *lines) {
-    enum { DEFLATE_MOST = 1032 }; /* to so many times its size can deflated data grow */
+    enum { DEFLATE_MOST = 1032 }; /* largest ratio of unpacked to packed bytes */
     return file_size(lines->path) * (gzdirect(lines->file) ? 1 : DEFLATE_MOST);
 }
 

@@ -55,7 +55,7 @@ bool numbers_word(char **at, double *value) {
     return true;
 }
 
-/* What is wrong with a row; always false. */
+/* Reports the fault of a row; always returns false. */
 static bool row_complain(const char *path, size_t line, const char *why, const char *at,
                          struct error *error) {
     return error_set(error, ERROR_USER, "%s:%zu: %s '%.*s'", path, line, why,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Text files that hold a table of numbers: one row a line, separated by blanks, commas or semicolons. Empty
- * lines and lines that begin with # are skipped, carriage returns are tolerated, and the first line may be a
- * header: it is, if its first word is no number. */
+ * lines and lines that begin with # are skipped, carriage returns are tolerated, and the first line is a
+ * header if its first word is no number. */
 #ifndef SCREE_FILES_NUMBERS_H
 #define SCREE_FILES_NUMBERS_H
 
@@ -17,25 +17,25 @@ struct numbers {
     uint32_t *line; /* of each row in the file, from 1 */
 };
 
-/* Reads a table of exactly `columns` numbers a row from a file. Fails (user, with file and line) if it cannot
- * be read, a row has another number of words, or a word is no finite number. An empty table is no error here.
- * numbers_free releases. One thread. */
+/* Reads a table of exactly `columns` numbers a row from a file. Fails (user, with file and line) if the file
+ * cannot be read, a row has another number of words, or a word is no finite number. An empty table is no
+ * error here. numbers_free releases. One thread. */
 bool numbers_read(struct numbers *numbers, const char *path, int columns, struct error *error);
 
 /* The same from a text in memory, which is changed; `path` is for messages. */
 bool numbers_parse(struct numbers *numbers, char *text, const char *path, int columns, struct error *error);
 void numbers_free(struct numbers *numbers);
 
-/* Reads a whole file; a zero byte follows the contents. NULL with an error (user) if it cannot be read.
+/* Reads a whole file; a zero byte follows the contents. NULL with an error (user) if the file cannot be read.
  * memory_free releases. */
 char *numbers_load(const char *path, size_t *size, struct error *error);
 
-/* Cuts the next line off a text: returns its start, ends it with a zero byte (also at a carriage return), and
- * moves *text behind it; NULL at the end. */
+/* Cuts the next line off a text: ends the line with a zero byte (also at a carriage return), moves *text
+ * behind the line, and returns the start of the line; NULL at the end of the text. */
 char *numbers_line(char **text);
 
-/* Reads one number at *at and moves *at behind it; false if there is none there or other letters follow it.
- * The value may be infinite or not a number. */
+/* Reads one number at *at and moves *at behind the number; false if no number stands there or other letters
+ * follow the number. The value may be infinite or not a number. */
 bool numbers_word(char **at, double *value);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Writing. Every dataset is a table of rows, this rank's rows together, in the order of the ranks; its
- * checksum comes from memory. Then the closed file is compared with these checksums, so what is renamed is
- * known to be whole. */
+/* Writes checkpoints. Every dataset is a table of rows: the rows of a rank lie together, in the order of the
+ * ranks. The checksum of a dataset comes from memory. Then the closed file is compared with the checksums, so
+ * only a whole file is renamed. */
 #include "formats/checkpoint.h"
 #include "formats/checkpoint_head.h"
 #include "formats/checkpoint_names.h"
@@ -37,14 +37,14 @@ static bool put_field(struct checkpoint_writing *w, int f, struct error *error) 
     return good;
 }
 
-/* The rows of this rank among those of all. */
+/* The place of this rank's rows among the rows of all ranks. */
 static struct h5_table place_rows(const struct comm *comm, size_t count) {
     int64_t total = (int64_t)count, first = comm_scan(comm, total);
     comm_sum_int(comm, &total, 1);
     return (struct h5_table){.rows = (uint64_t)total, .first = (uint64_t)first, .count = count};
 }
 
-/* How many rows each particle has, from the rows' start table. */
+/* Writes the number of rows of each particle, from the start table of the rows. */
 static bool put_counts(struct checkpoint_writing *w, const char *name, const size_t *start,
                        struct error *error) {
     size_t n = w->checkpoint->particles->owned;
@@ -109,7 +109,7 @@ static bool put_all(struct checkpoint_writing *w, struct error *error) {
     const struct field_list fields = fields_with(c->particles, FIELD_RESTART);
     for (int k = 0; good && k < fields.count; k++)
         good = put_field(w, fields.field[k], error);
-    /* every rank has rows, or none: the law decides */
+    /* either every rank has rows, or no rank: the law decides */
     if (good && c->history)
         good = put_history(w, error);
     if (good && c->wall_history)
@@ -117,7 +117,7 @@ static bool put_all(struct checkpoint_writing *w, struct error *error) {
     return good;
 }
 
-/* Bytes that the file will have, and some more. */
+/* The bytes of the file to be written, with some spare. */
 static uint64_t estimate_bytes(const struct checkpoint_writing *w) {
     const struct checkpoint *c = w->checkpoint;
     uint64_t rows = (c->history ? c->history->count : 0) + (c->wall_history ? c->wall_history->count : 0);
@@ -135,7 +135,7 @@ static uint64_t estimate_bytes(const struct checkpoint_writing *w) {
            (1 << 16);
 }
 
-/* Writes everything into the temporary file and compares what lies there with what was meant. */
+/* Writes all data to the temporary file and compares the bytes of the file with the checksums. */
 static bool write_file(struct checkpoint_writing *w, const char *temporary, uint64_t bytes,
                        struct error *error) {
     if (!h5_create(&w->h5, temporary, w->comm, CHECKPOINT_BLOCK, error))

@@ -26,7 +26,7 @@ static bool refuse_sum(const struct checkpoint_file *file, const char *dataset, 
                      file->path, dataset);
 }
 
-/* Checksum of rows [first, last) of a dataset; the bytes go to `data`, or nowhere where it is NULL. */
+/* Checksum of rows [first, last) of a dataset; the bytes go to `data`, if `data` is not NULL. */
 static bool sum_rows(const struct checkpoint_file *file, const struct checkpoint_entry *entry, uint64_t first,
                      uint64_t last, char *data, uint64_t *sum, struct error *error) {
     uint64_t rows_a_piece = entry->row_bytes < PIECE ? PIECE / entry->row_bytes : 1;
@@ -53,7 +53,7 @@ static bool is_large(const struct checkpoint_entry *entry) {
            strncmp(entry->name, "/wall_history/", 14) == 0;
 }
 
-/* The sums of all datasets still to be compared, each rank reading a part of each. */
+/* The checksums of all datasets not yet compared; each rank reads a part of each dataset. */
 static bool sum_datasets(const struct checkpoint_file *file, const bool skip[CHECKPOINT_DATASETS_MAX],
                          int64_t sums[CHECKPOINT_DATASETS_MAX], struct error *error) {
     const struct checkpoint_table *table = &file->table;
@@ -131,7 +131,7 @@ void checkpoint_file_close(struct checkpoint_file *file) {
     file->handle = -1;
 }
 
-/* The entry of a dataset that must be there, with rows of this form; the same answer on every rank. */
+/* The entry of a dataset that must exist, with rows of this form; the same result on every rank. */
 static const struct checkpoint_entry *entry_of(const struct checkpoint_file *file, const char *dataset,
                                                size_t row_bytes, uint64_t rows, struct error *error) {
     const struct checkpoint_entry *entry = checkpoint_file_find(file, dataset);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The checkpoints in a folder: which there are, which are deleted. */
+/* Lists and deletes the checkpoints in a folder. */
 #include "formats/checkpoint_folder.h"
 
 #include "core/memory.h"

@@ -8,11 +8,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Suffix of the state that a guard stopped at. */
+/* Suffix of the checkpoint of a run that a guard stopped. */
 #define CHECKPOINT_STOPPED "-stopped"
 
-/* The path of a checkpoint in a directory (FILE_PATH_MAX bytes) by its place, 0 being the newest; false if
- * there are not so many. One rank. */
+/* The path of a checkpoint in a directory (FILE_PATH_MAX bytes) by its number, 0 for the newest; false if the
+ * directory has fewer. One rank. */
 bool checkpoint_find(const char *directory, size_t place, char *path);
 
 /* Deletes the checkpoints in a directory of steps after `step` (-1: all), also stopped and unfinished ones.

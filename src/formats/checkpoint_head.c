@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Writing what is small: numbers by name, the division of the box, box, law, materials, groups, walls, and
- * the runs that led here. */
+/* Writes the small parts: numbers by name, the division of the box, box, law, materials, groups, walls, and
+ * the runs that led to this state. */
 #include "formats/checkpoint_head.h"
 #include "formats/checkpoint_names.h"
 
@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Numbers of one kind: names, and values, those of sums a row of each rank. */
+/* Writes the numbers of one kind: names and values; the values of sums in one row for each rank. */
 static bool put_kind(struct checkpoint_writing *w, const struct restart *restart, enum restart_kind kind,
                      struct error *error) {
     size_t count = restart_count(restart, kind);
@@ -74,7 +74,7 @@ static bool put_tree(struct checkpoint_writing *w, struct error *error) {
     return good;
 }
 
-/* A string, which HDF5 writes on all ranks. */
+/* Writes a string by HDF5, on all ranks. */
 static bool put_text(struct checkpoint_writing *w, const char *name, const char *text, struct error *error) {
     struct h5_table row = {.rows = 1, .count = w->comm->rank == 0, .first = w->comm->rank > 0};
     return h5_write_string(&w->h5, name, text, error) &&
@@ -135,7 +135,8 @@ static bool put_walls(struct checkpoint_writing *w, struct error *error) {
     return good;
 }
 
-/* Steps, names of programs, and the texts one after another, each ended by a zero. */
+/* Writes the lineage: steps, names of programs, and the texts of the scenes one after another, each ended by
+ * a zero. */
 static bool put_lineage(struct checkpoint_writing *w, struct error *error) {
     const struct lineage *lineage = w->checkpoint->lineage;
     size_t count = lineage ? lineage->count : 0, bytes = 0, at = 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Inside of checkpoints: names and shapes of datasets that are written and read, and the numbers that every
- * checkpoint has. */
+/* Private part of checkpoints: names and shapes of datasets that are written and read, and the numbers that
+ * every checkpoint has. */
 #ifndef SCREE_FORMATS_CHECKPOINT_NAMES_H
 #define SCREE_FORMATS_CHECKPOINT_NAMES_H
 
@@ -38,7 +38,7 @@ struct checkpoint_core {
     double time, dt;
 };
 
-/* Lists them under their names. */
+/* Lists these numbers with their names. */
 void checkpoint_core_list(struct checkpoint_core *core, struct restart *restart);
 
 /* The name of the dataset of a particle field. */

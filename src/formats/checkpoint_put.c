@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Writes tables and enters them, with checksums from memory, into the table of the file. Read checkpoint_put.h
- * first. */
+/* Writes tables and enters them, with checksums from memory, into the table of the file. Read
+ * checkpoint_put.h first. */
 #include "formats/checkpoint_put.h"
 
 #include "core/checksum.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Reading, by plain reads (checkpoint_file.h). The file's bytes have been compared with its table before; the
- * shape of each dataset is still checked, since a file may come from a program that differs. */
+/* Reads checkpoints by plain reads (checkpoint_file.h). The bytes of the file agree with the table at this
+ * point. The shape of each dataset is still checked, as the file may come from a different program. */
 #include "formats/checkpoint.h"
 #include "formats/checkpoint_names.h"
 #include "formats/checkpoint_read_head.h"
@@ -12,12 +12,12 @@
 
 #include <string.h>
 
-/* The bytes of a row of `width` values (0: one). */
+/* The bytes of a row of `width` values (width 0: one value). */
 static size_t row_bytes(enum field_type type, uint64_t width) {
     return checkpoint_type_bytes(type) * (width ? width : 1);
 }
 
-/* Reads rows [first, first + count) of a table; all ranks' rows together are the whole of it. */
+/* Reads rows [first, first + count) of a table; the rows of all ranks together are the whole table. */
 static bool get(struct checkpoint_reading *r, const char *name, const struct h5_table *table, void *data,
                 struct error *error) {
     struct checkpoint_rows rows = {.dataset = name,
@@ -28,7 +28,7 @@ static bool get(struct checkpoint_reading *r, const char *name, const struct h5_
     return checkpoint_file_read(&r->file, &rows, data, error);
 }
 
-/* Which particles are this rank's. */
+/* Finds the particles of this rank. */
 static bool get_share(struct checkpoint_reading *r, struct error *error) {
     struct checkpoint_loaded *l = r->loaded;
     uint64_t size = (uint64_t)r->comm->size, rank = (uint64_t)r->comm->rank;
@@ -69,7 +69,7 @@ static bool get_field(struct checkpoint_reading *r, struct particles *p, int f, 
     return good;
 }
 
-/* Density and inverse mass where the sets differ in having groups. */
+/* Computes density and inverse mass, if only one of file and set has groups. */
 static bool complete_masses(struct checkpoint_reading *r, struct particles *p, struct error *error) {
     double *kept = groups_densities(p);
     bool written = checkpoint_file_find(&r->file, "/particles/density") != NULL;
@@ -102,7 +102,7 @@ static bool get_particles(struct checkpoint_reading *r, struct particles *p, str
     return good && complete_masses(r, p, error);
 }
 
-/* The rows that belong to this rank's particles: fills start, and the place of the rows in their tables. */
+/* Finds the rows of this rank's particles: fills start, and the place of the rows in their tables. */
 static bool get_starts(struct checkpoint_reading *r, const char *counts, const char *rows, size_t **start,
                        struct h5_table *place, struct error *error) {
     struct h5_table table = {
@@ -176,7 +176,8 @@ static bool get_wall_history(struct checkpoint_reading *r, const struct particle
     return good;
 }
 
-/* How many particles of all ranks are of each material or group; without numbers, all are of the first. */
+/* Counts the particles of all ranks in each material or group; without numbers, all particles count for the
+ * first. */
 static bool count_kind(struct checkpoint_reading *r, const char *dataset, struct checkpoint_kind *kind,
                        int kinds, struct error *error) {
     enum { NUMBERS = UINT8_MAX + 1 };

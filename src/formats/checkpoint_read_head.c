@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Reading what is small: the counterpart of checkpoint_head.c. */
+/* Reads the small parts: the counterpart of checkpoint_head.c. */
 #include "formats/checkpoint_read_head.h"
 #include "formats/checkpoint_names.h"
 
@@ -16,7 +16,7 @@ bool checkpoint_get_common(struct checkpoint_reading *r, const char *name, enum 
     return checkpoint_file_read_common(&r->file, name, row_bytes, rows, data, error);
 }
 
-/* The rows of a dataset of `row_bytes` bytes a row; 0 where there is none. */
+/* The number of rows of a dataset with `row_bytes` bytes a row; 0 without such a dataset. */
 static uint64_t rows_of(const struct checkpoint_reading *r, const char *name, size_t row_bytes) {
     const struct checkpoint_entry *entry = checkpoint_file_find(&r->file, name);
     return entry ? entry->bytes / row_bytes : 0;
@@ -33,7 +33,7 @@ static char *get_text(struct checkpoint_reading *r, const char *name, struct err
     return NULL;
 }
 
-/* The sums: each rank its own, or rank 0 the total. */
+/* Reads the sums: each rank gets its own part, or rank 0 gets the total. */
 static bool get_sums(struct checkpoint_reading *r, uint64_t ranks, size_t count, double *sum,
                      struct error *error) {
     double *all = memory_allocate_zero(ranks * count, sizeof *all, "sums of ranks");
@@ -71,7 +71,7 @@ static bool get_kind(struct checkpoint_reading *r, enum restart_kind kind, struc
     return good;
 }
 
-/* What every checkpoint has. */
+/* Reads the numbers that every checkpoint has. */
 static bool get_core(struct checkpoint_reading *r, struct error *error) {
     struct checkpoint_loaded *l = r->loaded;
     struct checkpoint_core core = {0};
@@ -101,12 +101,12 @@ static bool get_numbers(struct checkpoint_reading *r, struct error *error) {
            get_kind(r, RESTART_SUM, error);
 }
 
-/* -1 where it is too large. */
+/* A double as an int; -1 if the double is negative or too large. */
 static int small_integer(double x) {
     return x >= 0 && x <= INT_MAX ? (int)x : -1;
 }
 
-/* How the box was divided, if it was by a bisection among as many ranks. */
+/* Reads the division of the box, if the box was divided by a bisection among as many ranks. */
 static bool get_tree(struct checkpoint_reading *r, struct error *error) {
     static const double lowest[3] = {-INFINITY, -INFINITY, -INFINITY},
                         highest[3] = {INFINITY, INFINITY, INFINITY};
@@ -147,7 +147,7 @@ static bool get_surroundings(struct checkpoint_reading *r, struct error *error) 
     return l->law != NULL;
 }
 
-/* A list of names, `count` of them. */
+/* Reads a list of `count` names. */
 static bool get_names(struct checkpoint_reading *r, const char *dataset, uint64_t count,
                       struct checkpoint_kind *kind, struct error *error) {
     char(*name)[OUTPUT_NAME_MAX] = memory_allocate(count, sizeof *name, "names of a checkpoint");
@@ -191,7 +191,7 @@ static bool get_walls(struct checkpoint_reading *r, struct error *error) {
                 checkpoint_get_common(r, "/walls/name", FIELD_UINT8, count, WALL_NAME_MAX, name, error);
     for (uint64_t k = 0; good && k < count; k++) {
         memcpy(&l->wall[k].pose, pose[k], sizeof l->wall[k].pose);
-        if (r->comm->rank > 0) /* sums over ranks are the first one's part */
+        if (r->comm->rank > 0) /* rank 0 holds sums over ranks */
             memset(l->wall[k].pose.force, 0, sizeof l->wall[k].pose.force);
         memcpy(l->wall[k].name, name[k], WALL_NAME_MAX - 1);
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Inside of checkpoints: reading what is small. */
+/* Private part of checkpoints: reads the small parts. */
 #ifndef SCREE_FORMATS_CHECKPOINT_READ_HEAD_H
 #define SCREE_FORMATS_CHECKPOINT_READ_HEAD_H
 
@@ -15,12 +15,12 @@ struct checkpoint_reading {
     uint64_t first, count; /* particles of this rank */
 };
 
-/* Reads a table that every rank gets whole: `rows` of `width` values (0: one). Collective, as the next one.
- */
+/* Reads a table that every rank gets whole: `rows` rows of `width` values (width 0: one value). Collective,
+ * as the next function. */
 bool checkpoint_get_common(struct checkpoint_reading *r, const char *name, enum field_type type,
                            uint64_t rows, uint64_t width, void *data, struct error *error);
 
-/* Reads all that is not a row of a particle. */
+/* Reads all data except for rows of particles. */
 bool checkpoint_get_head(struct checkpoint_reading *r, struct error *error);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What a checkpoint holds: as it is written, and as it was read. */
+/* The contents of a checkpoint: for writing, and after reading. */
 #ifndef SCREE_FORMATS_CHECKPOINT_STATE_H
 #define SCREE_FORMATS_CHECKPOINT_STATE_H
 
@@ -9,13 +9,13 @@
 #include "formats/restart.h"
 #include "particles/fields.h"
 
-/* Numbers of every run. Others come by name (restart.h). */
+/* Numbers of every run. Other numbers have names (restart.h). */
 struct checkpoint_numbers {
     uint64_t step;
     double time, dt;
     uint64_t seed;
-    int64_t next_id; /* of the next particle inserted */
-    int grid[3];     /* ranks per direction where the box is divided into bricks; else 0 */
+    int64_t next_id; /* id of the next particle inserted */
+    int grid[3];     /* ranks per direction if the box is divided into bricks; else 0 */
 };
 
 /* The pose of a wall by name. */
@@ -24,7 +24,7 @@ struct checkpoint_wall {
     struct wall_pose pose;
 };
 
-/* What is written: all borrowed. particles must stand in the order in which the run continues (after a
+/* The data to write; all borrowed. The particles must stand in the order in which the run continues (after a
  * rebuild). */
 struct checkpoint {
     struct checkpoint_numbers numbers;
@@ -36,36 +36,36 @@ struct checkpoint {
     const struct history_rows *history;   /* NULL where there is none */
     const struct wall_rows *wall_history; /* NULL where there is none */
     const struct walls *walls;            /* NULL: none */
-    const char *law;                      /* its name */
+    const char *law;                      /* name of the law */
     int materials, groups;
     const struct law_material *material; /* names and densities */
     const char *const *group;            /* names */
     const char *scene;                   /* text of the effective scene */
-    const struct lineage *lineage;       /* NULL: nothing is known */
+    const struct lineage *lineage;       /* NULL: unknown */
 };
 
-/* A material or a group as it was. */
+/* A material or a group at the time of the checkpoint. */
 struct checkpoint_kind {
     char name[OUTPUT_NAME_MAX];
     double density;    /* of a material */
-    int64_t particles; /* of all ranks that are of it; not counted by checkpoint_read_head */
+    int64_t particles; /* its particles on all ranks; not counted by checkpoint_read_head */
 };
 
-/* What was read; all owned, checkpoint_loaded_free releases (particles are the caller's set). */
+/* The data read; all owned, checkpoint_loaded_free releases (the set of particles belongs to the caller). */
 struct checkpoint_loaded {
     struct checkpoint_numbers numbers;
     struct restart_values restart;
     struct box box;
     struct domain_tree *tree; /* of a bisection among as many ranks, else NULL */
-    bool same_layout;         /* written on as many ranks: particles lie where they lay */
-    int ranks;                /* that wrote it */
+    bool same_layout;         /* written on as many ranks: particles are on the same ranks again */
+    int ranks;                /* number of ranks that wrote the checkpoint */
     uint64_t total;           /* particles on all ranks */
     int history_components;
     struct history_rows history;
     struct wall_rows wall_history;
     int walls;
     struct checkpoint_wall *wall;
-    bool field_read[FIELDS_MAX]; /* by handle: the file has this field of the set */
+    bool field_read[FIELDS_MAX]; /* by handle: the file has this field of the set of particles */
     int materials, groups;
     struct checkpoint_kind *material, *group;
     char *law, *scene;

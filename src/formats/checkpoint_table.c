@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The table of a checkpoint: where each dataset lies, and its checksum. Read checkpoint_table.h first. */
+/* The table of a checkpoint: the place of each dataset, and its checksum. Read checkpoint_table.h first. */
 #include "formats/checkpoint_table.h"
 
 #include "core/checksum.h"
@@ -24,7 +24,7 @@ static int compare_offsets(const void *a, const void *b) {
     return (x->offset > y->offset) - (x->offset < y->offset);
 }
 
-/* Each gap in rows of REST_ROW bytes, keyed by their place. */
+/* Sums each gap between datasets in rows of REST_ROW bytes, keyed by the place of the row. */
 bool checkpoint_table_sum_rest(const struct checkpoint_table *table, int handle, uint64_t *sum) {
     struct checkpoint_entry sorted[CHECKPOINT_DATASETS_MAX + 1];
     memcpy(sorted, table->entry, sizeof table->entry);
@@ -87,8 +87,8 @@ static bool parse_entry(const char **line, struct checkpoint_entry *entry) {
     return true;
 }
 
-/* Parses a block. A table is right if writing it again gives the same bytes: that covers its checksum, the
- * form of the numbers and the zeros behind. */
+/* Parses a block. A table is correct if writing the table again gives the same bytes: this check covers the
+ * checksum, the form of the numbers, and the zeros behind. */
 static bool parse_table(struct checkpoint_table *table, const char block[CHECKPOINT_BLOCK]) {
     *table = (struct checkpoint_table){0};
     char text[CHECKPOINT_BLOCK + 1], again[CHECKPOINT_BLOCK];
@@ -108,7 +108,7 @@ static bool parse_table(struct checkpoint_table *table, const char block[CHECKPO
     return memcmp(block, again, CHECKPOINT_BLOCK) == 0;
 }
 
-/* What is wrong with the size of a file, in terms of datasets. */
+/* Reports a wrong size of a file, in terms of datasets. */
 static bool refuse_size(const struct checkpoint_table *table, const char *path, uint64_t size,
                         struct error *error) {
     if (size > table->bytes)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The table at the start of a checkpoint: text in the first CHECKPOINT_BLOCK bytes, which HDF5 leaves to us.
+/* The table at the start of a checkpoint: text in the first CHECKPOINT_BLOCK bytes, which HDF5 leaves free.
  *
  *   scree checkpoint 2
  *   bytes SIZE
@@ -9,8 +9,8 @@
  *   zeros up to the end of the block
  *
  * So every bit of the file is covered. A dataset's checksum is the sum of the hashes of its rows
- * (core/checksum.h), which the ranks find together, from memory when it is written and from the bytes of the
- * file when it is checked. */
+ * (core/checksum.h), which the ranks compute together, from memory when a file is written, and from the bytes
+ * of the file when it is checked. */
 #ifndef SCREE_FORMATS_CHECKPOINT_TABLE_H
 #define SCREE_FORMATS_CHECKPOINT_TABLE_H
 
@@ -33,7 +33,7 @@ struct checkpoint_table {
     uint64_t rest;
 };
 
-/* Reads and checks the table of a file and its size; the first rank opens it. Collective. */
+/* Reads and checks the table of a file and its size; the first rank opens the file. Collective. */
 bool checkpoint_table_read(struct checkpoint_table *table, const struct comm *comm, const char *path,
                            struct error *error);
 
@@ -41,8 +41,8 @@ bool checkpoint_table_read(struct checkpoint_table *table, const struct comm *co
 bool checkpoint_table_write(struct checkpoint_table *table, const struct comm *comm, const char *path,
                             struct error *error);
 
-/* The checksum of the bytes behind the table that are in no dataset, from an open file. False where it cannot
- * be read (errno). One rank. */
+/* The checksum of the bytes behind the table that are in no dataset, from an open file. False if the file
+ * cannot be read (errno). One rank. */
 bool checkpoint_table_sum_rest(const struct checkpoint_table *table, int handle, uint64_t *sum);
 
 #endif

@@ -13,7 +13,7 @@ struct contact_list {
     struct force_contact *wall;        /* id_j = -(wall + 1) */
 };
 
-/* Evaluates the contacts of this rank. Nothing is sent. contact_list_free releases. */
+/* Evaluates the contacts of this rank, without communication. contact_list_free releases. */
 void contact_list_create(struct contact_list *list, const struct output_view *view);
 void contact_list_free(struct contact_list *list);
 

@@ -39,7 +39,7 @@ struct converting {
     const struct comm *comm;
     enum info_kind kind;
     enum convert_format to;
-    uint64_t frames; /* in the input */
+    uint64_t frames; /* number of frames in the input */
 };
 
 enum convert_format convert_format_find(const char *name) {
@@ -77,7 +77,7 @@ static int compare_ids(const void *a, const void *b) {
     return (*x > *y) - (*x < *y);
 }
 
-/* Rows in the order of their ids, as frames are; each array is reordered by one pass. */
+/* Sorts rows by id, as in frames; one pass reorders each array. */
 static void sort_array(void *array, size_t bytes, const int64_t (*order)[2], size_t n) {
     if (!array)
         return;
@@ -153,7 +153,7 @@ static void rows_of_particles(struct rows *rows, const struct particles *p,
     }
 }
 
-/* The particles of a checkpoint, as it holds them. */
+/* Reads the particles of a checkpoint. */
 static bool read_checkpoint(const struct converting *c, struct rows *rows, struct error *error) {
     struct checkpoint_loaded loaded;
     struct particles *particles = particles_create(0);
@@ -202,7 +202,7 @@ static bool choose_frames(const struct converting *c, uint64_t *first, uint64_t 
     return true;
 }
 
-/* Hands all chosen frames to one of the writers. */
+/* Passes all chosen frames to one of the writers. */
 static bool write_frames(const struct converting *c, struct h5md *h5md, struct dump *dump,
                          struct error *error) {
     uint64_t first, last;
@@ -219,12 +219,12 @@ static bool write_frames(const struct converting *c, struct h5md *h5md, struct d
     return good;
 }
 
-/* True if two columns of `bytes` bytes hold other values, or one of them is not there. */
+/* True if two columns of `bytes` bytes hold different values, or one of the columns is missing. */
 static bool column_differs(const void *a, const void *b, size_t bytes) {
     return a && b ? memcmp(a, b, bytes) != 0 : a != b;
 }
 
-/* True if two frames differ in what a file of particles that stay the same holds only once. */
+/* True if two frames differ in columns that a file with a fixed set of particles holds only once. */
 static bool fixed_differ(const struct rows *a, const struct rows *b) {
     size_t n = a->count;
     return n != b->count || column_differs(a->id, b->id, n * sizeof *a->id) ||
@@ -233,7 +233,7 @@ static bool fixed_differ(const struct rows *a, const struct rows *b) {
            column_differs(a->material, b->material, n * sizeof *a->material);
 }
 
-/* True if the particles, or what is fixed of them, differ between chosen frames. */
+/* True if the particles, or their fixed columns, differ between chosen frames. */
 static bool find_varying(const struct converting *c, bool *varying, struct error *error) {
     uint64_t first, last;
     struct rows before = {0};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Conversions between file formats: LAMMPS data, LAMMPS dump, H5MD and checkpoints in; LAMMPS data, dump,
- * H5MD (with XDMF) and the XDMF of an H5MD file out. Of a checkpoint the particles are taken, to be looked
- * at: their velocities are those that it holds, of the half step before its positions. */
+ * H5MD (with XDMF) and the XDMF of an H5MD file out. From a checkpoint only the particles are converted, for
+ * inspection. The velocities are those of the checkpoint, half a step before the positions. */
 #ifndef SCREE_FORMATS_CONVERT_H
 #define SCREE_FORMATS_CONVERT_H
 
@@ -16,7 +16,7 @@ struct convert_options {
     enum convert_format to; /* BY_NAME: .data/.lammps, .lammpstrj/.dump, .h5, .xdmf */
     bool one_frame;         /* only `frame`; else all (a data file holds one: the last) */
     int64_t frame;          /* from 0, negative from the end */
-    bool overwrite;         /* else a present output is refused */
+    bool overwrite;         /* false: an existing output is refused */
 };
 
 /* The format of a name ("lammps-data", "lammps-dump", "h5md", "xdmf"); BY_NAME if unknown. */

@@ -48,12 +48,12 @@ const char *dump_columns_of(const char *field, enum field_type type, int compone
     return known ? known->head : shown ? field : "";
 }
 
-/* True of a column that LAMMPS has no name for: it stands under its own, behind the others. */
+/* True if LAMMPS has no name for a column. Such a column keeps its own name, and stands behind the others. */
 static bool is_other(const struct frame_column *column) {
     return known_column(column->name) == NULL && column->type == FIELD_DOUBLE && column->components == 1;
 }
 
-/* Cuts a present file behind the last whole frame up to a step. */
+/* Cuts an existing file behind the last whole frame up to a step. */
 static bool cut_file(const char *path, int64_t step, struct error *error) {
     struct lines lines;
     if (!lines_open(&lines, path, error))
@@ -116,7 +116,7 @@ static void write_head(const struct dump *dump, const struct frame *frame) {
     fprintf(dump->file, "\n");
 }
 
-/* `add` goes to integers. */
+/* Formats a value; `add` is added to integers. */
 static size_t format_column(const struct frame_column *column, int add, size_t row, char *to) {
     size_t used = 0;
     for (int d = 0; d < column->components; d++) {
@@ -162,7 +162,7 @@ bool dump_write(struct dump *dump, const struct frame *frame, struct error *erro
     char *text = format_rows(frame, &mine);
     if (dump->file)
         write_head(dump, frame);
-    /* rank by rank, so that rank 0 holds the lines of one other at a time */
+    /* rank by rank, so that rank 0 holds the lines of only one other rank at a time */
     for (int rank = 0; rank < dump->comm->size; rank++) {
         void *all = NULL;
         size_t bytes = comm_gather_varying(dump->comm, text, rank == dump->comm->rank ? mine : 0, &all, NULL);

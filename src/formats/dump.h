@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* LAMMPS text dumps: DIR/dump.lammpstrj, all frames in one file, particles sorted by id. OVITO reads it. */
+/* LAMMPS text dumps: DIR/dump.lammpstrj, all frames in one file, particles sorted by id. OVITO reads such
+ * files. */
 #ifndef SCREE_FORMATS_DUMP_H
 #define SCREE_FORMATS_DUMP_H
 
@@ -8,13 +9,13 @@
 
 struct dump;
 
-/* Opens `path`: a new file, or on a resume (`resume_step` >= 0) the present one, cut after the last whole
- * frame up to that step. Rank 0 does the file; the result is agreed. Collective. */
+/* Opens `path`: a new file, or on a resume (`resume_step` >= 0) the existing file, cut after the last whole
+ * frame up to that step. Rank 0 handles the file; all ranks get the same result. Collective. */
 bool dump_open(struct dump **dump, const struct comm *comm, const char *path, int64_t resume_step,
                struct error *error);
 
-/* The columns of a dump that show a field, by its name in H5MD, as they stand in its head ("vx vy vz"): a number
- * that LAMMPS has no name for has that of the field; "" if there are none. */
+/* The columns of a dump that show a field, by its name in H5MD, as in the head of the dump ("vx vy vz"). A
+ * number without a name in LAMMPS has the name of the field. "" if the dump has no columns for the field. */
 const char *dump_columns_of(const char *field, enum field_type type, int components);
 
 /* Appends a frame and flushes it. Fields that a dump has no columns for are left out. Collective. */

@@ -10,7 +10,7 @@
 
 enum { COLUMNS_MAX = 1024 };
 
-/* What a column of the file goes into. */
+/* The meaning of a column of the file. */
 enum meaning {
     SKIP,
     ID,
@@ -107,7 +107,7 @@ static bool read_box(struct lines *lines, struct head *head, struct error *error
     return true;
 }
 
-/* Vectors are whole or absent: a component that the file lacks is not taken for 0. */
+/* Checks that vectors are complete or absent: a missing component does not count as 0. */
 static bool check_vectors(const struct lines *lines, const struct layout *layout, struct error *error) {
     static const struct {
         unsigned column;
@@ -148,7 +148,8 @@ static bool read_layout(struct lines *lines, struct layout *layout, struct error
     return check_vectors(lines, layout, error);
 }
 
-/* A count that the file cannot hold is a damaged file, not a reason to run out of memory. */
+/* Reads a count. A count too large for the file means a damaged file; without this check the program would
+ * run out of memory. */
 static bool read_count(struct lines *lines, int64_t *count, struct error *error) {
     return read_integer(lines, "a number of particles", count, error) &&
            ((*count >= 0 && *count <= lines_bytes_most(lines) / 2) ||

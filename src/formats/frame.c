@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Making a frame: resolve columns -> copy each field of the owned particles, in the user's terms -> send
- * every particle to the rank that has its stretch of ids -> sort each stretch. The stretches are equal parts
- * of the range of ids, so they are balanced as long as ids are spread evenly, and right in any case. */
+/* Makes a frame in four steps: resolve columns; copy each field of the owned particles, in the user's terms;
+ * send every particle to the rank of its interval of ids; sort each interval. The intervals are equal parts
+ * of the range of ids, so the ranks are balanced as long as ids are spread evenly. The result is correct in
+ * any case. */
 #include "formats/frame.h"
 
 #include "comm/exchange.h"
@@ -16,10 +17,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How a field is shown that is not copied as it is. */
+/* The output form of a field that is not copied unchanged. */
 struct shown {
     const char *field, *name;
-    const char *unit, *help;                                                  /* NULL: the field's */
+    const char *unit, *help;                                                  /* NULL: those of the field */
     void (*value)(const struct output_view *view, size_t i, double value[3]); /* NULL: copied */
 };
 
@@ -71,7 +72,7 @@ static const char *unit_of(const struct field *field, const struct shown *shown)
     return shown->unit ? shown->unit : field->unit ? field->unit : "";
 }
 
-/* A field of one byte is shown as INT32. */
+/* The type in the output: a field of one byte becomes INT32. */
 static enum field_type shown_type(const struct field *field) {
     return field->type == FIELD_UINT8 ? FIELD_INT32 : field->type;
 }
@@ -199,7 +200,7 @@ static int *assign_ranks(const struct frame *frame, const struct comm *comm) {
     }
     comm_max_int(comm, limits, 2);
     int *rank = memory_allocate(frame->rows, sizeof *rank, "ranks of ids");
-    if (limits[1] == INT64_MIN) /* no particles anywhere */
+    if (limits[1] == INT64_MIN) /* no particles on any rank */
         return rank;
     int64_t lowest = -limits[0], width = (limits[1] - lowest) / comm->size + 1;
     for (size_t i = 0; i < frame->rows; i++)

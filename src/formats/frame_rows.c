@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-/* Adds a column that borrows `data`, described as the field is whose column it is. */
+/* Adds a column that borrows `data`, with the description of the field. */
 static void borrow(struct frame *frame, const struct particles *known, const char *name, void *data) {
     bool mass = strcmp(name, "mass") == 0;
     if (!data)

@@ -14,7 +14,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* What the error stack of HDF5 says: its innermost record. */
+/* The message of HDF5: the innermost record of the error stack. */
 struct said {
     char text[512];
 };
@@ -38,7 +38,7 @@ bool h5_fail(const struct h5 *h5, enum error_kind kind, const char *object, cons
     for (char *c = said.text; *c; c++)
         if (*c == '\n')
             *c = ' ';
-    /* errno does not come through MPI: ask whether it was for want of room */
+    /* MPI does not pass errno on: check whether the disk is full */
     struct error room = {0};
     int64_t present = file_size(h5->path);
     bool full = kind == ERROR_SYSTEM &&
@@ -63,8 +63,8 @@ static bool begin(struct h5 *h5, const char *path, const struct comm *comm, stru
     return true;
 }
 
-/* How the file is accessed; < 0 on failure. Format version 1.8: checksums on metadata, and no mark of an open
- * file, which would keep others from reading after a crash. */
+/* The list of access properties; < 0 on failure. Format version 1.8: checksums on metadata, and no mark of an
+ * open file, which would prevent reading after a crash. */
 static hid_t access_list(const struct comm *comm) {
     hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     bool good = access >= 0 && H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST) >= 0;
@@ -83,7 +83,7 @@ bool h5_agree(const struct h5 *h5, struct error *error) {
     return h5->comm ? comm_agree(h5->comm, error) : error->kind == ERROR_NONE;
 }
 
-/* As h5_agree, and a failure that the watch has seen on a rank is an error of all. */
+/* As h5_agree; in addition, a failure that the watch has seen on one rank becomes an error of all ranks. */
 static bool agree_watch(const struct h5 *h5, struct error *error) {
     if (h5->comm)
         h5_watch_take(error);
@@ -101,9 +101,9 @@ static void try_open(const struct h5 *h5, bool write, struct error *error) {
         error_set_errno(error, "%s: cannot be opened on rank %d", h5->path, h5->comm ? h5->comm->rank : 0);
 }
 
-/* Before all ranks open a file together each does so by itself, and all agree: MPI waits for ever where it
- * cannot be opened on one. `name` is what MPI opens it by. Then the watch begins, with patience after the
- * time that this took. */
+/* Each rank opens the file by itself, and all ranks agree, before all open the file together: MPI would wait
+ * for ever if the file cannot be opened on one rank. `name` is the name for MPI. Then the watch begins; the
+ * time limit of the watch depends on the time of the single opening. */
 static bool open_begin(struct h5 *h5, bool write, char name[FILE_PATH_MAX], struct error *error) {
     double began = timer_now();
     if (error->kind == ERROR_NONE && file_shorten(h5->path, name, &h5->folder, error))
@@ -115,14 +115,14 @@ static bool open_begin(struct h5 *h5, bool write, char name[FILE_PATH_MAX], stru
     return true;
 }
 
-/* HDF5 has opened the file, or says that it cannot. */
+/* Called after HDF5 has opened the file or has failed. */
 static bool open_end(const struct h5 *h5, struct error *error) {
     if (h5->comm)
         h5_watch_opened();
     return agree_watch(h5, error);
 }
 
-/* The first rank makes an empty file. */
+/* Makes an empty file on the first rank. */
 static void make_empty(const struct h5 *h5, struct error *error) {
     if (h5->comm && h5->comm->rank > 0)
         return;
@@ -178,7 +178,7 @@ bool h5_open(struct h5 *h5, const char *path, const struct comm *comm, bool writ
 }
 
 bool h5_close(struct h5 *h5, struct error *error) {
-    /* after a failed write ranks no longer stand at one place inside HDF5: its calls would not return */
+    /* after a failed write the ranks are at different calls inside HDF5: further calls would not return */
     if (h5->file >= 0 && !agree_watch(h5, error) && error->kind == ERROR_SYSTEM)
         h5->file = -1;
     if (h5->file >= 0) {
@@ -207,7 +207,7 @@ bool output_left_open(void) {
 bool h5_exists(const struct h5 *h5, const char *object) {
     char part[FILE_PATH_MAX];
     size_t length = strlen(object);
-    /* every step of the way is asked, as HDF5 fails where one above is missing */
+    /* every part of the path is checked, as HDF5 fails if a group above is missing */
     for (size_t end = 1; end <= length; end++) {
         if (object[end] != '/' && object[end] != '\0')
             continue;
@@ -360,7 +360,7 @@ static hid_t open_attribute(const struct h5 *h5, const char *object, const char 
     return -1;
 }
 
-/* Strings are of fixed or varying length. */
+/* Reads strings of fixed or varying length. */
 bool h5_read_texts(const struct h5 *h5, const char *object, const char *name, char (*text)[OUTPUT_NAME_MAX],
                    int n) {
     size_t most = sizeof *text - 1;

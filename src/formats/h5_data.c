@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Datasets: tables, tables a frame, series. The dimensions of a dataset are [frames][rows][width], each place
- * only where there is such a thing. */
+/* Datasets: tables, tables a frame, series. The dimensions of a dataset are [frames][rows][width]; a
+ * dimension that the dataset does not need is left out. */
 #include "formats/h5.h"
 
 #include "core/memory.h"
@@ -22,7 +22,7 @@ hid_t h5_type(enum field_type type) {
     }
 }
 
-/* Writes a block (start, count; count 0 rows: nothing, but all ranks call) of an open dataset. */
+/* Writes a block (start, count; with 0 rows nothing is written, but all ranks call) of an open dataset. */
 static bool write_block(const struct h5 *h5, const char *name, hid_t dataset, enum field_type type,
                         const hsize_t *start, const hsize_t *count, const void *data, struct error *error) {
     hid_t file_space = H5Dget_space(dataset);
@@ -43,7 +43,7 @@ static bool write_block(const struct h5 *h5, const char *name, hid_t dataset, en
     return good;
 }
 
-/* Makes a dataset with a creation list (closed here); all ranks alike. */
+/* Makes a dataset with a creation list, which is closed here; all ranks call alike. */
 static hid_t make_dataset(const struct h5 *h5, const char *dataset, hid_t type, hid_t space, hid_t creation,
                           struct error *error) {
     hid_t links = H5Pcreate(H5P_LINK_CREATE);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Ends the job where ranks lose each other inside HDF5. Read h5_watch.h first. */
+/* Ends the job if the ranks are at different calls inside HDF5. Read h5_watch.h first. */
 #include "formats/h5_watch.h"
 
 #include "comm/files.h"
@@ -12,15 +12,16 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Seconds from the failure to the end, and those that each further rank waits longer, so that one speaks.
- * Opening on all ranks together may take OPENING seconds and OPENING_TIMES what it took each by itself. */
+/* PATIENCE: seconds from the failure to the end. STEP: seconds that each further rank waits longer, so that
+ * only one rank prints the message. Opening on all ranks together may take OPENING seconds and OPENING_TIMES
+ * the time of a single opening. */
 enum { PATIENCE = 10, STEP = 2, STEPS_MAX = 20, OPENING = 20, OPENING_TIMES = 10, HANDLES_MAX = 4096 };
 
 static const char program[] = "scree: ";
 
 static struct {
     int rank;
-    bool opening, asked; /* HDF5 opens the file; this rank has it open, and lets others speak first */
+    bool opening, asked; /* HDF5 is opening the file; this rank has the file open, and reports last */
     char path[FILE_PATH_MAX];
     char message[FILE_PATH_MAX + 512];
     size_t length; /* of the message; 0: no failure yet */
@@ -32,7 +33,7 @@ static _Noreturn void end(void) {
     _exit(1);
 }
 
-/* Seconds by which this rank lets those before it speak first. */
+/* Seconds that this rank waits, so that the ranks before it report first. */
 static unsigned turn(void) {
     return (unsigned)(STEP * (watch.rank < STEPS_MAX ? watch.rank : STEPS_MAX));
 }
@@ -73,7 +74,7 @@ static void arm(const char *what) {
         return;
     watch.opening = false;
     describe(what);
-    if (strcmp(what, "read") == 0) { /* HDF5 1.10 crashes after some of them: it is not gone back to */
+    if (strcmp(what, "read") == 0) { /* HDF5 1.10 crashes after some failed reads: do not return */
         sleep(turn());
         end();
     }

@@ -38,7 +38,7 @@ bool h5md_open(struct h5md **h5md, const struct comm *comm, const char *path, co
     return true;
 }
 
-/* Observables that still wait, if there is a file to put them into. */
+/* Writes the observables that still wait, if the file exists. */
 bool h5md_flush(struct h5md *h5md, struct error *error) {
     if (h5md->kept == 0 || !h5md->made)
         return true;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* DIR/trajectory.h5: H5MD 1.1 by parallel HDF5, with DIR/trajectory.xdmf beside it for ParaView.
  *
- * The file is open only while something is added, so a run that dies leaves a whole file. All elements of a
+ * The file is open only while data are added, so a run that crashes leaves a complete file. All elements of a
  * frame share step and time by hard links. While the number of particles is fixed, id, radius, mass and
- * material are fixed datasets; where particles come and go (`varying`) they depend on time too, absent rows
- * have id -1, and /parameters/frames/rows counts the rows of each frame that are particles. */
+ * material are fixed datasets; if particles come and go (`varying`), these datasets depend on time too,
+ * absent rows have id -1, and /parameters/frames/rows counts the rows of each frame that are particles. */
 #ifndef SCREE_FORMATS_H5MD_H
 #define SCREE_FORMATS_H5MD_H
 
@@ -15,7 +15,7 @@
 
 struct h5md;
 
-/* What goes into the file's head. */
+/* The data for the head of the file. */
 struct h5md_head {
     const struct lineage *lineage; /* for /parameters/runs; borrowed; NULL: none */
     bool dimensionless;
@@ -24,16 +24,16 @@ struct h5md_head {
     uint64_t seed;
 };
 
-/* Prepares a writer for `path` (which ends in .h5). resume_step < 0: the file is made again at the first
- * frame; else frames after that step are cut off and new ones follow, and what is not there is made; a file
- * made for a fixed number of particles is refused (user), as it stands, where they vary now. Collective. */
+/* Prepares a writer for `path` (which ends in .h5). resume_step < 0: the first frame makes a new file. Else
+ * frames after that step are cut off, new frames follow, and missing parts are made; a file made for a fixed
+ * number of particles is refused (user), and stays unchanged, if the number now varies. Collective. */
 bool h5md_open(struct h5md **h5md, const struct comm *comm, const char *path, const struct h5md_head *head,
                int64_t resume_step, struct error *error);
 
-/* Writes the rows of observables that are kept, if the file is there. Collective. */
+/* Writes the waiting rows of observables, if the file exists. Collective. */
 bool h5md_flush(struct h5md *h5md, struct error *error);
 
-/* Writes what is kept, the final XDMF, and frees. Collective. */
+/* Writes the waiting rows and the final XDMF file, and frees. Collective. */
 bool h5md_close(struct h5md **h5md, struct error *error);
 
 /* Writes an XDMF file for a trajectory that this program wrote. comm is that of one rank. */

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Contact lists: /connectivity/contacts holds the pairs of ids, /connectivity/wall_contacts the ids of
- * particles that touch a wall. What belongs to each contact stands row by row beside, in
- * /observables/contact_list and /observables/wall_contact_list. All share one step and time. Absent rows have
- * ids -1. */
+ * particles that touch a wall. The values of each contact stand in the same row in /observables/contact_list
+ * and /observables/wall_contact_list. All these elements share one step and time. Absent rows have ids -1. */
 #include "formats/h5md_contacts.h"
 #include "formats/h5md_file.h"
 #include "formats/h5md_head.h"
@@ -16,7 +15,7 @@ enum { CHUNK_CONTACTS = 8192 };
 
 static const char contacts_group[] = "/connectivity/contacts";
 
-/* What is written of a contact; `place` is where its dataset's element lies. */
+/* A value of a contact that is written; `group` is the path of the element. */
 struct part {
     const char *group;
     const char *unit;
@@ -64,7 +63,7 @@ static const struct part parts[] = {
 };
 enum { PARTS = sizeof parts / sizeof parts[0] };
 
-/* Rows of this rank and of all: contacts, then wall contacts. */
+/* The numbers of rows of this rank and of all ranks: contacts, then wall contacts. */
 struct counts {
     int64_t first[2], total[2];
 };
@@ -142,7 +141,7 @@ static bool write_all(struct h5md *h5md, const struct h5 *h5, const struct conta
     if (frame > 0 &&
         !h5_read_block(h5, "/connectivity/contacts/step", FIELD_INT64, &last, &one, &known, error))
         return false;
-    if (known >= (int64_t)list->step) /* as after a resume */
+    if (known >= (int64_t)list->step) /* for example after a resume */
         return true;
     for (size_t k = 0; k < PARTS; k++) {
         struct h5_table table = table_of(&parts[k], list, counts);
@@ -162,7 +161,7 @@ static bool write_all(struct h5md *h5md, const struct h5 *h5, const struct conta
            h5_write_series(h5, "/connectivity/contacts/time", FIELD_DOUBLE, frame, 1, &list->time, error);
 }
 
-/* Takes the room for a list, or refuses before anything is touched. */
+/* Reserves the room for a list, or refuses before the file is changed. */
 static bool reserve_room(const struct h5md *h5md, const struct counts *counts, struct error *error) {
     uint64_t bytes = H5MD_ROOM_FRAME;
     for (size_t k = 0; k < PARTS; k++) {

@@ -7,7 +7,7 @@
 
 struct h5md;
 
-/* Appends a contact list (the box is for a file that is not there yet). Collective. */
+/* Appends a contact list (the box is needed if the file does not exist yet). Collective. */
 bool h5md_write_contacts(struct h5md *h5md, const struct contact_list *list, const struct box *box,
                          struct error *error);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The H5MD file as it stands: its elements and frames, room on the disk, units, and the XDMF file beside it. */
+/* The present H5MD file: its elements and frames, room on the disk, units, and the XDMF file beside it. */
 #include "formats/h5md_file.h"
 
 #include "core/memory.h"
@@ -41,7 +41,7 @@ bool h5md_make_element(const struct h5md *h5md, const struct h5 *h5, const char 
 }
 
 uint64_t h5md_room(const struct h5md_stored *stored, uint64_t rows) {
-    enum { ROOM_CHUNK = 128 }; /* a place in the index of the dataset */
+    enum { ROOM_CHUNK = 128 }; /* bytes of an entry in the chunk index of the dataset */
     uint64_t chunk = stored->chunk > 0 ? stored->chunk : 1,
              widest = rows > stored->rows ? rows : stored->rows;
     uint64_t before = (stored->rows + chunk - 1) / chunk, after = (widest + chunk - 1) / chunk;
@@ -50,7 +50,7 @@ uint64_t h5md_room(const struct h5md_stored *stored, uint64_t rows) {
 }
 
 bool h5md_reserve(const struct h5md *h5md, uint64_t bytes, struct error *error) {
-    /* observables that wait: values, and the groups and first pieces of their series */
+    /* waiting observables: values, and the groups and first chunks of their series */
     uint64_t columns = (uint64_t)h5md->observables + 2;
     bytes += h5md->kept > 0 ? columns * (8192 + h5md->kept * sizeof(double)) : 0;
     if (h5md->comm->rank == 0)
@@ -82,7 +82,7 @@ void h5md_remember(struct h5md *h5md, const struct xdmf_frame *frame) {
 }
 
 bool h5md_update_xdmf(struct h5md *h5md, bool last, struct error *error) {
-    /* long series: not at each frame, so that the work stays in proportion to the frames */
+    /* in a long series not at each frame, so that the work grows in proportion to the frames */
     bool due = h5md->frames > h5md->xdmf_frames + h5md->frames / 1000;
     if (h5md->xdmf && h5md->frames > 0 && (due || (last && h5md->frames != h5md->xdmf_frames))) {
         const char *slash = strrchr(h5md->path, '/');

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Inside of the H5MD writer: the file as it stands, and what all that write into it share. Above it lie
- * h5md_head.h (the head), h5md_frame.h, h5md_contacts.h, h5md_observables.h (what is added), h5md_resume.h, and
- * h5md.h (life). */
+/* Private part of the H5MD writer: the present file, and the functions that all writing parts share. These
+ * parts are h5md_head.h (the head), h5md_frame.h, h5md_contacts.h, h5md_observables.h (data added),
+ * h5md_resume.h, and h5md.h (open, flush, close). */
 #ifndef SCREE_FORMATS_H5MD_FILE_H
 #define SCREE_FORMATS_H5MD_FILE_H
 
@@ -9,7 +9,7 @@
 #include "formats/lineage.h"
 #include "formats/xdmf.h"
 
-/* An element of /particles/all as it stands in the file. */
+/* An element of /particles/all in the file. */
 struct h5md_element {
     struct xdmf_column shown; /* name and dataset point into the texts below */
     char name[OUTPUT_NAME_MAX];
@@ -24,7 +24,7 @@ struct h5md {
     bool dimensionless, varying, xdmf;
     uint64_t seed;
     const struct lineage *lineage; /* borrowed; NULL: none */
-    bool made;                     /* the file is there */
+    bool made;                     /* the file exists */
 
     int elements;
     struct h5md_element element[XDMF_COLUMNS_MAX];
@@ -32,52 +32,52 @@ struct h5md {
     uint64_t chunk; /* rows of a table that are stored together */
     uint64_t frames, frame_room;
     struct xdmf_frame *frame; /* owned */
-    uint64_t xdmf_frames;     /* in the XDMF file on disk */
+    uint64_t xdmf_frames;     /* frames in the XDMF file on disk */
 
     uint64_t lists, list_rows[2]; /* contact lists in the file; rows of the widest: of particles, of walls */
 
-    int observables;                                             /* columns; 0: none came yet */
+    int observables;                                             /* columns; 0: no row came yet */
     const char *const *observable_name, *const *observable_unit; /* borrowed */
-    uint64_t observed;                                           /* rows in the file */
-    uint64_t kept, kept_room;                                    /* rows waiting */
-    uint64_t *kept_step;                                         /* owned, as the next two */
+    uint64_t observed;                                           /* rows of observables in the file */
+    uint64_t kept, kept_room;                                    /* waiting rows; room for rows */
+    uint64_t *kept_step;                                         /* owned, as kept_time and kept_value */
     double *kept_time, *kept_value;
 };
 
-/* Takes room for so many bytes more on the disk. Collective. */
+/* Reserves room for so many more bytes on the disk. Collective. */
 bool h5md_reserve(const struct h5md *h5md, uint64_t bytes, struct error *error);
 
-/* How a dataset of a table a frame lies in the file. */
+/* The storage of a dataset of one table a frame in the file. */
 struct h5md_stored {
     uint64_t frames, rows; /* tables; rows of the widest */
     uint64_t chunk;        /* rows stored together */
     uint64_t row_bytes;
 };
 
-/* Bytes for h5md_reserve: what such a dataset takes at most for one more table, of `rows` rows. Chunks are
- * stored whole, and where a table is wider than those before all of them get chunks. */
+/* Bytes for h5md_reserve: the most that such a dataset needs for one more table, of `rows` rows. Chunks are
+ * stored whole. If the new table has more rows than all earlier ones, the earlier tables get chunks, too. */
 uint64_t h5md_room(const struct h5md_stored *stored, uint64_t rows);
 
-/* Room for a dataset apart from its values, and for all else that comes with a frame. */
+/* Room for a dataset without its values, and for all other data of a frame. */
 enum { H5MD_ROOM_DATASET = 1 << 13, H5MD_ROOM_FRAME = 1 << 17 };
 
-/* Makes the group of a time-dependent element ("/observables/x") with step and time: new ones, or hard links
- * to those of another group. */
+/* Makes the group of a time-dependent element ("/observables/x") with step and time: new datasets, or hard
+ * links to step and time of another group. */
 bool h5md_make_element(const struct h5md *h5md, const struct h5 *h5, const char *group, const char *linked_to,
                        struct error *error);
 
-/* Writes the unit of a dataset unless there is none. Takes "m/s" and "m s-1" alike. */
+/* Writes the unit of a dataset, if it has one. Accepts both "m/s" and "m s-1". */
 bool h5md_write_unit(const struct h5md *h5md, const struct h5 *h5, const char *dataset, const char *unit,
                      struct error *error);
 
-/* Adds an element in the order of the file. */
+/* Adds an element behind the others, in the order of the file. */
 struct h5md_element *h5md_add_element(struct h5md *h5md, const char *name, enum field_type type,
                                       int components, bool frames);
 
-/* Remembers a frame. */
+/* Adds a frame to the list of frames. */
 void h5md_remember(struct h5md *h5md, const struct xdmf_frame *frame);
 
-/* Writes the XDMF file if it is due, or, at the end, if it is behind. */
+/* Writes the XDMF file if it is due or, at the end, if it lacks frames. */
 bool h5md_update_xdmf(struct h5md *h5md, bool last, struct error *error);
 
 #endif

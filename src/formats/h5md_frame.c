@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Particles of one moment. The first frame makes the elements; later ones must bring the same columns. */
+/* Writes the particles of one moment. The first frame makes the elements; later frames must have the same
+ * columns. */
 #include "formats/h5md_frame.h"
 #include "formats/h5md_file.h"
 #include "formats/h5md_head.h"
@@ -15,7 +16,7 @@ enum { CHUNK_ROWS_MAX = 65536, CHUNK_ROWS_VARYING = 4096 };
 
 static const char frames_group[] = "/parameters/frames", frames_rows[] = "/parameters/frames/rows";
 
-/* Components in the file: a flat scene has two of them. */
+/* The number of components in the file: two in a 2D scene. */
 static int components_of(const struct frame_column *column, const struct box *box) {
     return column->spatial ? box->dimension : column->components;
 }
@@ -32,7 +33,8 @@ static struct h5_table table_of(const struct h5md_element *element, const struct
                              .count = frame->rows};
 }
 
-/* The data of a column with as many components as the file has; a copy (memory_free) if that is fewer. */
+/* The data of a column with as many components as the file has; a copy (memory_free) if the file has fewer
+ * components. */
 static void *narrow(const struct frame_column *column, int components, size_t rows) {
     if (components == column->components)
         return NULL;
@@ -48,7 +50,7 @@ static uint64_t chunk_rows(const struct h5md *h5md, uint64_t rows) {
     return rows < least ? least : rows > CHUNK_ROWS_MAX ? CHUNK_ROWS_MAX : rows;
 }
 
-/* Makes the element of a column, and fills it if it is fixed. */
+/* Makes the element of a column, and writes the values of a fixed element. */
 static bool make_element(struct h5md *h5md, const struct h5 *h5, const struct frame *frame,
                          const struct frame_column *column, struct error *error) {
     static const int64_t absent = -1;
@@ -70,7 +72,7 @@ static bool make_element(struct h5md *h5md, const struct h5 *h5, const struct fr
     return h5md_write_unit(h5md, h5, element->dataset, column->unit, error);
 }
 
-/* `species` is H5MD's own name for what `material` is here. */
+/* Links `species`, which is H5MD's name for `material`. */
 static bool link_species(const struct h5md *h5md, const struct h5 *h5, struct error *error) {
     for (int k = 0; k < h5md->elements; k++)
         if (strcmp(h5md->element[k].name, "material") == 0)
@@ -133,7 +135,7 @@ static bool write_elements(struct h5md *h5md, const struct h5 *h5, const struct 
            h5_write_series(h5, frames_rows, FIELD_INT64, h5md->frames, 1, &rows, error);
 }
 
-/* Takes the room for a frame, or refuses before anything is touched. */
+/* Reserves the room for a frame, or refuses before the file is changed. */
 static bool reserve_room(const struct h5md *h5md, const struct frame *frame, struct error *error) {
     bool first = h5md->elements == 0;
     uint64_t bytes = H5MD_ROOM_FRAME;

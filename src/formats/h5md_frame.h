@@ -7,7 +7,7 @@
 
 struct h5md;
 
-/* Appends a frame (nothing if the file already holds that step). Collective. */
+/* Appends a frame; does nothing if the file already holds that step. Collective. */
 bool h5md_write_frame(struct h5md *h5md, const struct frame *frame, struct error *error);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The head of the H5MD file: who made it, box, parameters, the runs that led here. */
+/* The head of the H5MD file: author and program, box, parameters, the runs that led to this state. */
 #include "formats/h5md_head.h"
 
 #include "core/version.h"
@@ -11,7 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Who runs this, for /h5md/author: the login name, which is all that a program knows. */
+/* The author for /h5md/author: the login name, as the program knows no other name. */
 static const char *author_name(void) {
     const char *name = getenv("USER");
     return name && name[0] ? name : "unknown";
@@ -21,7 +21,7 @@ static bool write_meta(const struct h5md *h5md, const struct h5 *h5, struct erro
     static const int version[2] = {1, 1}, units_version[2] = {1, 0};
     char creator[2 * OUTPUT_NAME_MAX];
     snprintf(creator, sizeof creator, "%s (%s)", version_number(), version_revision());
-    /* rank 0's environment names the author everywhere */
+    /* all ranks use the author in rank 0's environment */
     char author[OUTPUT_NAME_MAX] = "";
     snprintf(author, sizeof author, "%s", author_name());
     comm_broadcast(h5md->comm, author, sizeof author);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Rows of observables, kept in memory until the file is open next. */
+/* Rows of observables, kept in memory until the file is opened again. */
 #include "formats/h5md_observables.h"
 #include "formats/h5md_file.h"
 
@@ -31,7 +31,7 @@ static void observable_group(const struct h5md *h5md, int column, char group[2 *
     snprintf(group, (size_t)2 * OUTPUT_NAME_MAX, "/observables/%s", h5md->observable_name[column]);
 }
 
-/* Makes the groups of all columns; they share step and time. */
+/* Makes the groups of all columns; the groups share step and time. */
 static bool make_observables(struct h5md *h5md, const struct h5 *h5, struct error *error) {
     char first[2 * OUTPUT_NAME_MAX], group[2 * OUTPUT_NAME_MAX], value[2 * OUTPUT_NAME_MAX + 8];
     observable_group(h5md, 0, first);
@@ -46,7 +46,7 @@ static bool make_observables(struct h5md *h5md, const struct h5 *h5, struct erro
     return true;
 }
 
-/* Forgets waiting rows that the file has already, as after a resume. */
+/* Drops waiting rows that the file already has, for example after a resume. */
 static bool drop_known(struct h5md *h5md, const struct h5 *h5, const char *dataset, struct error *error) {
     if (h5md->observed == 0)
         return true;

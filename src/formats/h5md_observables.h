@@ -11,8 +11,8 @@ struct h5md;
 struct h5;
 
 /* Keeps a row of observables (`columns` values, the same columns each time; names and units are borrowed as
- * long as h5md lives), which goes to the file with the next frame, and at the end: /observables/NAME. Every
- * rank alike. */
+ * long as h5md lives), until the next frame or the end writes the row to /observables/NAME. All ranks call
+ * alike. */
 struct h5md_observables {
     int columns;
     const char *const *name;
@@ -23,7 +23,7 @@ struct h5md_observables {
 };
 void h5md_add_observables(struct h5md *h5md, const struct h5md_observables *row);
 
-/* Writes the rows that are kept to the open file; inside of the writer. Collective. */
+/* Writes the waiting rows to the open file; private to the writer. Collective. */
 bool h5md_write_observables(struct h5md *h5md, const struct h5 *h5, struct error *error);
 
 #endif

@@ -20,7 +20,7 @@ struct source {
     uint64_t total, first, count; /* rows in the file; this rank's */
 };
 
-/* An element found: a dataset, of one table a frame or of one for all. */
+/* An element found: a dataset with one table a frame, or one table for all frames. */
 struct element {
     char dataset[FILE_PATH_MAX];
     bool frames;
@@ -79,8 +79,8 @@ static bool refuse_shape(const struct source *s, const struct element *element, 
                      element->dataset, shape[0] ? shape : "those of a single value", wanted);
 }
 
-/* Reads this rank's rows of an element into data (rows x in_memory values; a flat file leaves the last one as
- * it is). `components`: 1, or as many as the box has dimensions where `spatial`. */
+/* Reads this rank's rows of an element into data (rows x in_memory values; a 2D file leaves the last value
+ * unchanged). `components`: 1, or the dimension of the box if `spatial`. */
 static bool read_element(const struct source *s, const struct element *element, enum field_type type,
                          int in_memory, void *data, struct error *error) {
     int lead = element->frames, rank = element->shape.rank;
@@ -111,7 +111,7 @@ static bool read_element(const struct source *s, const struct element *element, 
     return good;
 }
 
-/* The frames of the group, from the first element that has any; 1 if none has. */
+/* The number of frames of the group, from the first element that has frames; 1 if no element has frames. */
 static bool count_frames(const struct source *s, uint64_t *frames, struct error *error) {
     struct h5_names names;
     *frames = 1;
@@ -165,7 +165,7 @@ static bool read_column(const struct source *s, const char *name, enum field_typ
     return read_element(s, &element, type, components, *data, error);
 }
 
-/* Angular velocities may be one number a particle in a flat file: about z. */
+/* Reads angular velocities. In a 2D file these may be one number a particle: the rotation about z. */
 static bool read_spin(const struct source *s, struct rows *rows, struct error *error) {
     struct element element;
     if (!find_element(s, "angular_velocity", &element, error))
@@ -280,7 +280,7 @@ static void move_row(struct rows *rows, size_t from, size_t to) {
         rows->material[to] = rows->material[from];
 }
 
-/* Drops the rows whose id is the fill value, and counts those before this rank's. */
+/* Drops the rows whose id is the fill value, and counts the remaining rows on the ranks before this one. */
 static void drop_absent(const struct source *s, struct rows *rows) {
     struct element id;
     struct error none = {0};

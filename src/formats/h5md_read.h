@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Reads particles from any H5MD file, not only from our own: elements fixed or time-dependent, any number
- * type, a 2D or 3D box, rows that the id's fill value marks as absent, `species` where there is no
+/* Reads particles from any H5MD file, not only from those of this program: elements fixed or time-dependent,
+ * any number type, a 2D or 3D box, rows that the id's fill value marks as absent, `species` if there is no
  * `material`. */
 #ifndef SCREE_FORMATS_H5MD_READ_H
 #define SCREE_FORMATS_H5MD_READ_H
@@ -10,14 +10,14 @@
 #include "formats/rows.h"
 
 struct h5md_read_options {
-    const char *group; /* below /particles; NULL: "all" if there, else the only one */
+    const char *group; /* below /particles; NULL: "all" if it exists, else the only group */
     int64_t frame;     /* counted from 0, negative from the end (-1: the last) */
 };
 
 /* Reads one frame. With a comm each rank gets a slice of the rows (rows.first, rows.total) and all must call;
- * with NULL the caller gets all. Position is required, everything else optional. Columns with wrong shapes,
- * lengths that differ, frames that do not exist: a user's error that names file and object. `rows` is filled
- * (rows_free releases). */
+ * with NULL the caller gets all rows. Position is required, all other columns are optional. Columns with
+ * wrong shapes, different lengths, or frames that do not exist are a user's error that names file and object.
+ * `rows` is filled (rows_free releases). */
 bool h5md_read(const char *path, const struct h5md_read_options *options, const struct comm *comm,
                struct rows *rows, struct error *error);
 

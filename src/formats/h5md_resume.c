@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Going on with a trajectory: what came after the step of the checkpoint is cut off, the rest is kept. */
+/* Continues a trajectory: data after the step of the checkpoint are cut off, the rest is kept. */
 #include "formats/h5md_resume.h"
 #include "formats/h5md_head.h"
 
@@ -119,7 +119,7 @@ static bool recall_frames(struct h5md *h5md, const struct h5 *h5, struct error *
     return good || error_set(error, ERROR_USER, "%s: %s: does not list its frames", h5->path, group);
 }
 
-/* How many contact lists there are, and how wide they are. */
+/* Finds the number of contact lists in the file, and their rows. */
 static bool recall_lists(struct h5md *h5md, const struct h5 *h5, struct error *error) {
     static const char *const datasets[] = {"/connectivity/contacts/value",
                                            "/connectivity/wall_contacts/value"};
@@ -141,7 +141,7 @@ bool h5md_recall(struct h5md *h5md, const struct h5 *h5, struct error *error) {
     return recall_elements(h5md, h5, error) && recall_frames(h5md, h5, error);
 }
 
-/* A file made for particles that stay the same holds their ids once. */
+/* Checks that the file fits `varying`: a file made for a fixed set of particles holds their ids only once. */
 static bool check_varying(const struct h5md *h5md, const struct h5 *h5, struct error *error) {
     static const char ids[] = "/particles/all/id";
     if (!h5md->varying || !h5_exists(h5, ids) || h5_is_group(h5, ids))

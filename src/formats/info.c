@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Prints what is in a file, by its kind. Read info.h first. */
+/* Prints the contents of a file, by its kind. Read info.h first. */
 #include "formats/info.h"
 
 #include "formats/checkpoint.h"
@@ -67,7 +67,7 @@ static void print_box(const struct rows *rows, FILE *file) {
                                       : ", open");
 }
 
-/* Numbers of particles by radius, in bins of equal ratio. */
+/* Prints the numbers of particles by radius, in bins of equal ratio. */
 static void print_radii(const struct rows *rows, FILE *file) {
     if (!rows->radius || rows->count == 0)
         return;
@@ -100,7 +100,7 @@ static void print_rows(const struct rows *rows, FILE *file) {
     print_radii(rows, file);
 }
 
-/* Names of the observables in a trajectory, each with its number of rows. */
+/* Prints the names of the observables in a trajectory, each with its number of rows. */
 static bool print_observables(const char *path, FILE *file, struct error *error) {
     static const char group[] = "/observables";
     struct h5 h5;

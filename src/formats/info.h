@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What is in a file, as text for a reader: H5MD trajectories, checkpoints, LAMMPS data files and dumps. The
+/* Prints the contents of a file for people: H5MD trajectories, checkpoints, LAMMPS data files and dumps. The
  * kind is found from the content. */
 #ifndef SCREE_FORMATS_INFO_H
 #define SCREE_FORMATS_INFO_H

@@ -19,7 +19,7 @@ enum { SECTIONS = sizeof sections / sizeof sections[0] };
 struct numbered {
     int64_t id;
     size_t row;
-    bool moves; /* has a line in section Velocities */
+    bool moves; /* the particle has a line in section Velocities */
 };
 
 struct reading {
@@ -51,7 +51,7 @@ static bool is_blank(const char *line) {
     return first == '\0' || first == '#';
 }
 
-/* A line of the head: counts and bounds. */
+/* Reads a line of the head: counts and bounds. */
 static bool read_head_line(struct reading *r, struct error *error) {
     char *word[8];
     struct lines *lines = &r->lines;
@@ -119,7 +119,7 @@ static bool read_head(struct reading *r, struct error *error) {
     return true;
 }
 
-/* Skips blank lines and reads `count` lines of a section; each into numbers by `take`. */
+/* Skips blank lines and reads `count` lines of a section; `take` gets the numbers of each line. */
 static bool read_section(struct reading *r, int64_t count, int least, int most,
                          bool (*take)(struct reading *, size_t, const double *, int, struct error *),
                          struct error *error) {
@@ -263,7 +263,7 @@ static bool read_sections(struct reading *r, struct error *error) {
     return atoms || lines_refuse(&r->lines, error, "the file has no section Atoms");
 }
 
-/* Moves what the head gave into rows made for its number of atoms. */
+/* Makes rows for the number of atoms in the head, and moves the data of the head into the rows. */
 static void make_rows(struct reading *r) {
     struct rows head = *r->rows;
     rows_create(r->rows, (size_t)r->atoms, ROWS_ALL);
@@ -278,8 +278,8 @@ bool lammps_data_read(const char *path, struct rows *rows, struct error *error) 
     if (!lines_open(&r.lines, path, error))
         return false;
     bool good = read_head(&r, error);
-    /* a line takes 14 bytes at least: a count that the file cannot hold is a damaged file, not a reason to
-     * run out of memory */
+    /* a line takes 14 bytes at least: a count too large for the file means a damaged file, and must not make
+     * the program run out of memory */
     if (good && r.atoms > lines_bytes_most(&r.lines) / 14 + 1)
         good = error_set(error, ERROR_USER, "%s: says %" PRId64 " atoms, for which it is too short", path,
                          r.atoms);
@@ -294,7 +294,7 @@ bool lammps_data_read(const char *path, struct rows *rows, struct error *error) 
     return good;
 }
 
-/* One line of section Atoms. */
+/* Writes one line of section Atoms. */
 static void write_atom(FILE *file, const struct rows *rows, size_t k) {
     double radius = rows->radius[k], volume = (4.0 / 3.0) * M_PI * radius * radius * radius;
     double density = rows->mass && rows->mass[k] > 0 ? rows->mass[k] / volume : 1;
@@ -333,7 +333,7 @@ bool lammps_data_write(const char *path, const struct rows *rows, struct error *
     memcpy(lower, rows->lower, sizeof lower);
     memcpy(upper, rows->upper, sizeof upper);
     for (size_t k = 0; rows->dimension == 2 && k < rows->count; k++) {
-        upper[2] = fmax(upper[2], rows->radius[k]); /* a flat scene is as thick as its particles */
+        upper[2] = fmax(upper[2], rows->radius[k]); /* a 2D scene is as thick as its particles */
         lower[2] = fmin(lower[2], -rows->radius[k]);
     }
     for (int d = 0; d < 3; d++)

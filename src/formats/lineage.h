@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The runs that led to a state, the first one first: from which step on, by which program, with which scene.
- * Files carry it, so that what was computed with what stays known after a resume. */
+/* The runs that led to a state, in order: first step, program and scene of each. Files contain the lineage,
+ * so that program and scene of each part stay known after a resume. */
 #ifndef SCREE_FORMATS_LINEAGE_H
 #define SCREE_FORMATS_LINEAGE_H
 
@@ -9,7 +9,7 @@
 #include <stdint.h>
 
 struct lineage_run {
-    uint64_t step; /* the state it began from: what comes after it is this run's */
+    uint64_t step; /* the step of the state from which the run began; later steps are of this run */
     char version[OUTPUT_NAME_MAX], revision[OUTPUT_NAME_MAX];
     char *scene; /* owned: text of the effective scene */
 };
@@ -24,7 +24,7 @@ struct lineage {
 void lineage_add(struct lineage *lineage, uint64_t step, const char *version, const char *revision,
                  const char *scene);
 
-/* Adds a run of this program, but not where the last one is of the same version, revision and scene. */
+/* Adds a run of this program, unless the last run has the same version, revision and scene. */
 void lineage_go_on(struct lineage *lineage, uint64_t step, const char *scene);
 
 void lineage_free(struct lineage *lineage);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What all writers look at: a view of the run at one full step, and what stays the same during a run. Both
- * are filled by engine/ and borrowed for a call. formats/ alone knows HDF5; files are written by all ranks
- * together, text files by rank 0. */
+/* The input of all writers: a view of the run at one full step, and the data that stay the same during a run.
+ * engine/ fills both, and the writers borrow both for a call. Only formats/ uses HDF5. All ranks together
+ * write HDF5 files, rank 0 writes text files. */
 #ifndef SCREE_FORMATS_OUTPUT_H
 #define SCREE_FORMATS_OUTPUT_H
 
@@ -12,26 +12,26 @@
 #include "formats/lineage.h"
 #include "formats/output_options.h"
 
-/* Fixed during a run. */
+/* Data that stay the same during a run. */
 struct output_run {
     const char *directory;
     const char *scene;             /* text of the effective scene */
     const struct lineage *lineage; /* this run and those before */
     bool dimensionless;            /* no unit strings */
-    bool varying; /* particles are inserted or deleted: everything is written time-dependent */
+    bool varying;                  /* particles are inserted or deleted: all elements are time-dependent */
     uint64_t seed;
     int materials;
     const struct law_material *material; /* `materials` rows: names */
 };
 
-/* What communication of this rank amounts to, for observables. Sums begin again with a resume. */
+/* The communication of this rank, for observables. A resume starts the sums again. */
 struct output_load {
     uint64_t ghosts;          /* copies held now */
     uint64_t messages, bytes; /* sent to other ranks since this program began */
-    double work, waiting;     /* seconds of work, and in communication, since its first step */
+    double work, waiting;     /* seconds of work, and in communication, since the program's first step */
 };
 
-/* The run at the end of a step: positions and forces of this moment, velocities half a step behind. */
+/* The run at the end of a step: positions and forces of this moment, velocities of half a step before. */
 struct output_view {
     const struct comm *comm;
     const struct particles *particles; /* ghosts are ignored */
@@ -46,9 +46,9 @@ struct output_view {
     struct output_load load;
 };
 
-/* True if a file of HDF5 is still open, because a write or its closing failed, as on a full disk: HDF5 would
- * try again in MPI_Finalize, and crash or wait for ever (HDF5 1.10), so the program must end otherwise
- * (comm_abort). */
+/* True if an HDF5 file is still open because a write or the closing failed, for example on a full disk. HDF5
+ * would try again in MPI_Finalize, and crash or wait for ever (HDF5 1.10), so the program must end by
+ * comm_abort. */
 bool output_left_open(void);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* When an interval is due, and the defaults of the output. Read output_options.h first. */
+/* Decides when an interval is due; the defaults of the output. Read output_options.h first. */
 #include "formats/output_options.h"
 
 #include <math.h>

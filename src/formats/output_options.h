@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What a scene may ask of the output. Plain structs by value: scene/ fills them, engine/ hands them to the
- * writers. An interval is given in steps or in simulated time; both zero means never. */
+/* The options of the output in a scene. Plain structs by value: scene/ fills the structs, engine/ passes them
+ * to the writers. An interval is given in steps or in simulated time; if both are zero, the output is never
+ * written. */
 #ifndef SCREE_FORMATS_OUTPUT_OPTIONS_H
 #define SCREE_FORMATS_OUTPUT_OPTIONS_H
 
@@ -10,20 +11,20 @@
 
 enum { OUTPUT_NAME_MAX = 64, OUTPUT_FIELDS_MAX = 32, OUTPUT_REGIONS_MAX = 32, OUTPUT_REQUESTS_MAX = 64 };
 
-/* How often: every so many steps, or the first step at or after each multiple of a time. */
+/* An interval of output: every so many steps, or the first step at or after each multiple of a time. */
 struct output_interval {
     uint64_t steps; /* 0: by time */
     double time;    /* time unit; 0: by steps */
 };
 
-/* True if the step that ends at `time`, after a step of length dt (> 0), is due. The start (step 0) always
- * is, unless the interval is never. */
+/* True if the step that ends at `time`, after a step of length dt (> 0), is due. The start (step 0) is always
+ * due, unless both members of the interval are 0. */
 bool output_interval_due(const struct output_interval *interval, uint64_t step, double time, double dt);
 
 /* True if either form is given. */
 bool output_interval_set(const struct output_interval *interval);
 
-/* A list of particle fields by name (frame.h knows the names); none means all that the scene has. */
+/* A list of particle fields by name (names in frame.h); an empty list means all fields of the scene. */
 struct output_fields {
     int count;
     char name[OUTPUT_FIELDS_MAX][OUTPUT_NAME_MAX];
@@ -47,14 +48,14 @@ struct dump_options {
 struct checkpoint_options {
     uint64_t every_steps; /* 0: not by steps */
     double every_minutes; /* wall clock; 0: not by time */
-    int keep;             /* how many to keep, >= 1; default 2 */
-    bool at_end;          /* one after the last step; default true */
+    int keep;             /* number of checkpoints to keep, >= 1; default 2 */
+    bool at_end;          /* a checkpoint after the last step; default true */
 };
 
 enum output_region_shape { OUTPUT_REGION_BOX, OUTPUT_REGION_SPHERE, OUTPUT_REGION_CYLINDER };
 
-/* A part of space, in the user's coordinates: a particle is inside if its centre is (lower bounds included,
- * upper excluded). */
+/* A part of space, in the user's coordinates: a particle is inside if its centre is inside (lower bounds
+ * included, upper bounds excluded). */
 struct output_region {
     char name[OUTPUT_NAME_MAX];
     enum output_region_shape shape;
@@ -65,7 +66,7 @@ struct output_region {
     double length;             /* CYLINDER, in total; 0: infinite */
 };
 
-/* One observable asked for. What `target`, `id` and `components` mean depends on the observable
+/* One requested observable. The meaning of `target`, `id` and `components` depends on the observable
  * (observables.h). */
 struct observable_request {
     char name[OUTPUT_NAME_MAX];   /* row of the registry, or one of its group names such as "energy" */
@@ -86,7 +87,7 @@ struct observables_options {
 
 enum progress_mode { PROGRESS_AUTO, PROGRESS_BAR, PROGRESS_LINES, PROGRESS_OFF };
 
-/* The terminal. AUTO: a bar on a terminal, elsewhere a line every few seconds. */
+/* Progress on the terminal. AUTO: a bar on a terminal, otherwise a line every few seconds. */
 struct progress_options {
     enum progress_mode mode;
 };
@@ -99,7 +100,7 @@ struct output_options {
     struct progress_options progress;
 };
 
-/* Nothing periodic, xdmf and the checkpoint at the end on, keep 2, progress AUTO. */
+/* The defaults: no periodic output, xdmf and the checkpoint at the end on, keep 2, progress AUTO. */
 struct output_options output_options_default(void);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Lists numbers by name, packs them, and takes them back. Read restart.h first. */
+/* Lists numbers by name, packs the list, and restores the numbers. Read restart.h first. */
 #include "formats/restart.h"
 
 #include "core/memory.h"

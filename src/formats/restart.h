@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Numbers of a run that a resume needs, by name. Whoever owns some lists them once: under which name, of
- * which kind, where they lie. A checkpoint writes what is listed, and a resume puts what it finds under these
- * names back. */
+/* Numbers of a run that a resume needs, by name. The owner of a number lists it once: name, kind, and
+ * address. A checkpoint writes the listed numbers, and a resume restores the numbers by their names. */
 #ifndef SCREE_FORMATS_RESTART_H
 #define SCREE_FORMATS_RESTART_H
 
@@ -13,7 +12,7 @@
 enum restart_kind {
     RESTART_INTEGER, /* int64_t or uint64_t, the same on every rank */
     RESTART_REAL,    /* double, the same on every rank */
-    RESTART_SUM,     /* double, this rank's part of a sum: on as many ranks each gets its own back, else the
+    RESTART_SUM,     /* double, this rank's part of a sum: on as many ranks each gets its part back, else the
                         first gets the total */
     RESTART_KINDS
 };
@@ -21,23 +20,24 @@ enum restart_kind {
 struct restart_number {
     char name[OUTPUT_NAME_MAX];
     enum restart_kind kind;
-    bool optional; /* it stays as it is where a checkpoint has none of this name; else that is an error */
+    bool optional; /* if a checkpoint lacks the name the number keeps its value; else an error */
     void *value;   /* borrowed; 8 bytes */
 };
 
-/* A list of numbers; all zero: empty. restart_free releases the rows, not what they point to. */
+/* A list of numbers; all zero: empty. restart_free releases the rows, not the numbers that the rows point
+ * to. */
 struct restart {
     size_t count;
     struct restart_number *row; /* owned */
 };
 
-/* Adds a number. The name is made as by printf, cut to OUTPUT_NAME_MAX - 1 characters; no other of the list
- * may have it. */
+/* Adds a number. The name is made as by printf, cut to OUTPUT_NAME_MAX - 1 characters; no other number of the
+ * list may have the same name. */
 void restart_add(struct restart *restart, enum restart_kind kind, bool optional, void *value,
                  const char *format, ...) __attribute__((format(printf, 5, 6)));
 void restart_free(struct restart *restart);
 
-/* How many numbers there are of a kind. */
+/* The count of numbers of a kind. */
 size_t restart_count(const struct restart *restart, enum restart_kind kind);
 
 /* Names (OUTPUT_NAME_MAX bytes each, filled up with zeros) and values (8 bytes each) of a kind, in the order
@@ -45,7 +45,8 @@ size_t restart_count(const struct restart *restart, enum restart_kind kind);
 void restart_pack(const struct restart *restart, enum restart_kind kind, char (*name)[OUTPUT_NAME_MAX],
                   void *value);
 
-/* Numbers that were read: `count[kind]` names, and their bits. All owned, restart_values_free. */
+/* Numbers read from a file: `count[kind]` names, and the bits of the values. All owned,
+ * restart_values_free. */
 struct restart_values {
     size_t count[RESTART_KINDS];
     char (*name[RESTART_KINDS])[OUTPUT_NAME_MAX];
@@ -53,8 +54,8 @@ struct restart_values {
 };
 void restart_values_free(struct restart_values *values);
 
-/* Puts values that were read where the list says. Fails (user, naming `path`) where one that is not optional
- * is missing. */
+/* Copies values read from a file to the addresses in the list. Fails (user, naming `path`) if a number that
+ * is not optional is missing. */
 bool restart_take(const struct restart *restart, const struct restart_values *values, const char *path,
                   struct error *error);
 

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Particles as a file gives them: plain arrays, in the user's coordinates. What a file does not have is NULL.
- */
+/* Particles of a file: plain arrays, in the user's coordinates. Columns that the file lacks are NULL. */
 #ifndef SCREE_FORMATS_ROWS_H
 #define SCREE_FORMATS_ROWS_H
 
@@ -22,7 +21,7 @@ enum rows_column {
 
 struct rows {
     size_t count;          /* rows held here */
-    uint64_t first, total; /* place of row 0 among all rows of the file; all rows */
+    uint64_t first, total; /* number of row 0 among all rows of the file; count of all rows */
     double (*position)[3]; /* length unit */
     double (*velocity)[3];
     double (*angular_velocity)[3]; /* rad/time */
@@ -31,12 +30,12 @@ struct rows {
     int64_t *id;
     int32_t *material; /* number from 0 (LAMMPS: type - 1) */
     int32_t (*image)[3];
-    int dimension; /* 2 (z and what belongs to it is 0) or 3 */
+    int dimension; /* 2 (z and z components are 0) or 3 */
     bool box_given, periodic_given;
     double lower[3], upper[3]; /* of the box */
     bool periodic[3];
     uint64_t step;
-    double time; /* 0 where the file does not say */
+    double time; /* 0 if the file does not give the time */
 };
 
 /* Allocates the named columns (bits of enum rows_column) for `count` rows, zeroed, all rows held here; the
@@ -46,7 +45,7 @@ void rows_create(struct rows *rows, size_t count, unsigned columns);
 /* Frees the arrays and zeroes the struct. */
 void rows_free(struct rows *rows);
 
-/* The columns that are there. */
+/* The columns that are present, as bits of enum rows_column. */
 unsigned rows_columns(const struct rows *rows);
 
 #endif

@@ -7,7 +7,7 @@
 #include <inttypes.h>
 #include <string.h>
 
-/* The data of a column in frame k: a slab of the dataset. */
+/* Writes the reference to the data of a column in frame k: a slab of the dataset. */
 static void write_item(FILE *file, const struct xdmf_content *content, const struct xdmf_column *column,
                        uint64_t k) {
     const char *number = column->integer ? "Int" : "Float";

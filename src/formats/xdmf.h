@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The XDMF file that lets ParaView open an H5MD trajectory: a collection in time of point sets, each pointing
- * into the HDF5 file. It is written again each time, whole or not at all. */
+ * into the HDF5 file. The XDMF file is written again each time, whole or not at all. */
 #ifndef SCREE_FORMATS_XDMF_H
 #define SCREE_FORMATS_XDMF_H
 

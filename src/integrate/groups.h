@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The groups of particles, whose motion may be prescribed (integrator.h). Registered where a scene has groups
+/* The groups of particles, whose motion may be prescribed (integrator.h). Registered if a scene has groups
  * other than "free". */
 #ifndef SCREE_INTEGRATE_GROUPS_H
 #define SCREE_INTEGRATE_GROUPS_H
@@ -9,7 +9,7 @@
 /* Registers `group`, and `density`: the inverse mass is 0 while motion is prescribed, the density stays. */
 void groups_register(struct particles *particles);
 
-/* The group of each particle, an index into the scene's groups, 0 = free; NULL where all are free. Borrowed
+/* The group of each particle, an index into the scene's groups, 0 = free; NULL if all are free. Borrowed
  * until the set grows. */
 uint8_t *groups_of(const struct particles *particles);
 

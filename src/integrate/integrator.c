@@ -25,10 +25,10 @@ const struct integrator *integrator_find(const char *name) {
     return NULL;
 }
 
-/* Two doubles that move together: what every x86-64 has registers for. */
+/* Two doubles that move together: every x86-64 CPU has registers of this size. */
 typedef double integrator_two __attribute__((vector_size(16), aligned(8), may_alias));
 
-/* What a pass over particles needs, side by side. */
+/* Data of a pass over particles, side by side. */
 struct integrator_pass {
     double dt[3];   /* 0 for z in 2D */
     double fall[3]; /* change of velocity by gravity */
@@ -124,7 +124,7 @@ void integrator_prescribe(struct particles *particles, const struct integrator_c
 double integrator_advance(struct particles *particles, const struct integrator_context *context, size_t first,
                           size_t last) {
     const struct integrator_pass pass = integrator_pass_of(particles, context, context->dt, true);
-    double fastest = 0.0, poison = 0.0; /* the second: 0, or NaN once a square is not finite */
+    double fastest = 0.0, poison = 0.0; /* poison: 0, or NaN once a square is not finite */
     for (size_t i = first; i < last; i++) {
         struct particle_state *state = &pass.state[i];
         double *force = pass.force + i * pass.stride, square = 0.0;

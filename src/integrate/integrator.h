@@ -19,7 +19,7 @@ struct integrator {
     bool synchronised;
 };
 
-/* The table of integrators; the one of a name or NULL. */
+/* The table of integrators: their number; the k-th integrator; the integrator of a name, or NULL. */
 int integrator_count(void);
 const struct integrator *integrator_get(int k);
 const struct integrator *integrator_find(const char *name);
@@ -32,7 +32,7 @@ struct integrator_motion {
     double velocity[3], omega[3];
 };
 
-/* What a pass needs besides particles. */
+/* Data of a pass besides the particles. */
 struct integrator_context {
     double dt;
     double gravity[3];
@@ -41,8 +41,8 @@ struct integrator_context {
     struct integrator_motion motion[INTEGRATOR_GROUPS_MAX];
 };
 
-/* Gives the owned particles whose motion is prescribed their velocity and spin, as the passes below do:
- * before anything looks at these that no pass has moved yet. Opens its own thread team. */
+/* Gives the owned particles whose motion is prescribed their velocity and spin, as the passes below do.
+ * Called before other code reads particles that no pass has moved yet. Opens its own thread team. */
 void integrator_prescribe(struct particles *particles, const struct integrator_context *context);
 
 /* Kicks and drifts the owned particles [first, last): v += dt (f/m + g), omega += dt torque/I, x += dt v;
@@ -57,7 +57,7 @@ void integrator_stagger(struct particles *particles, const struct integrator_con
                         size_t last);
 
 /* Full-step velocity and angular velocity of particle i, from the half-step state and the present force.
- * omega may be NULL, and must be without spin. */
+ * omega may be NULL; without spin omega must be NULL. */
 void integrator_full_step(const struct particles *particles, const struct integrator_context *context,
                           size_t i, double velocity[3], double omega[3]);
 

@@ -43,7 +43,7 @@ static void stiffen(const struct stability *s, const struct timestep_springs *sp
     contact->roll = h * (h * springs->k_r + 2.0 * springs->c_r);
 }
 
-/* Pair k of the list, if it touches and one of both is free. */
+/* The contact of pair k of the list; false if the pair does not touch or neither particle is free. */
 static bool pair_contact(const struct stability *s, const struct force_context *context, size_t k,
                          struct stability_contact *contact) {
     const struct particles *p = context->particles;
@@ -90,7 +90,7 @@ static void add_tensor(double *sum, double along, double across, const double n[
         add(&sum[c], (along - across) * n[row[c]] * n[column[c]] + (c < 3 ? across : 0.0), shared);
 }
 
-/* What a contact gives to particle i; `sign` turns the normal outwards. */
+/* Adds the part of a contact to particle i; `sign` turns the normal outwards. */
 static void add_to(const struct stability *s, const struct particles *p, size_t i,
                    const struct stability_contact *contact, double sign, bool shared) {
     const double turn = 1.0 / TIMESTEP_INERTIA;
@@ -115,7 +115,7 @@ static void add_block(const struct stability *s, const struct force_context *con
         if (!pair_contact(s, context, k, &contact))
             continue;
         bool one = k >= block->one_sided && k < block->slotted;
-        /* a particle that has slots may be added to by all threads, so whoever adds to any is careful */
+        /* all threads may add to a particle that has slots, so every addition is atomic then */
         bool shared = context->list->slot_count > 0;
         add_to(s, context->particles, contact.i, &contact, 1.0, shared);
         if (!one)
@@ -198,7 +198,7 @@ double stability_worst(const struct stability *s, const struct force_context *co
     for (int t = 0; t < list->threads; t++)
         for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
             most = fmax(most, block_worst(s, context, &list->blocks[b]));
-    for (size_t k = 0; k < context->particles->owned; k++) /* of walls, which have none of their own */
+    for (size_t k = 0; k < context->particles->owned; k++) /* contacts with walls: a wall has no L */
         most = fmax(most, s->local[k]);
     return most;
 }

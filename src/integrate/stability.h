@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Stability of the contacts that there are: is a time step stable for the springs and dampers between the
+/* Stability of the present contacts: is a time step stable for the springs and dampers between the
  * particles as they now touch, whatever their number, directions and overlaps?
  *
  *   With h the step, spring k and damper c of a contact act like one of stiffness a = h^2 k + 2 h c, and the
@@ -8,8 +8,8 @@
  * the assembly is at most the largest L_i + L_j of two that touch (docs/physics.md). So two passes over the
  * pairs find a bound, and both run in parallel:
  *
- *     stability_pairs, stability_walls    what the contacts give to each particle: STABILITY_SUMS numbers
- *     (ranks: sums of copies go home)
+ *     stability_pairs, stability_walls    sums over the contacts of each particle: STABILITY_SUMS numbers
+ *     (ranks: sums of copies are added to their originals)
  *     stability_solve                     L of the owned particles
  *     (ranks: copies get the L of their originals)
  *     stability_worst                     the largest L_i + L_j
@@ -29,7 +29,7 @@ struct stability {
     double step;   /* h, time */
     size_t count;  /* particles, copies included */
     int sums;      /* numbers a particle: STABILITY_SUMS, or STABILITY_PUSH without spin */
-    double *sum;   /* these, without unit */
+    double *sum;   /* the sums, without unit */
     double *local; /* L of each particle, without unit */
 };
 
@@ -37,8 +37,8 @@ struct stability {
 void stability_create(struct stability *stability, const struct force_context *context, double step);
 void stability_free(struct stability *stability);
 
-/* Adds the contacts of all pairs of the list. With newton on, sums of copies are then what their originals
- * lack. Opens its own team. */
+/* Adds the contacts of all pairs of the list. With newton on, the sums of copies are then the parts that
+ * their originals lack. Opens its own team. */
 void stability_pairs(struct stability *stability, const struct force_context *context);
 
 /* Adds the contacts of particles with walls: `count` rows of walls_contacts; `material` is that of each wall.

@@ -9,14 +9,14 @@ enum { TIMESTEP_CONTACTS_3D = 12, TIMESTEP_CONTACTS_2D = 6, TIMESTEP_SIDES_MAX =
 
 static const double timestep_overlap_relative = 1e-3;
 
-/* A kind at one end of its sizes, and the stiffest that its contacts may make it. */
+/* A kind at its smallest or largest radius, with the largest stiffness that its contacts may give. */
 struct timestep_side {
     const struct timestep_kind *kind;
     double radius, inverse_mass;     /* of a wall: infinite, 0 */
-    double stiffness, damping;       /* local ones: 1/time^2, 1/time */
-    double stable;                   /* of the partner that alone would set the least step */
-    double frequency, damping_ratio; /* of one contact with it */
-    int partner;                     /* its material */
+    double stiffness, damping;       /* local values: 1/time^2, 1/time */
+    double stable;                   /* least step that a partner alone would set */
+    double frequency, damping_ratio; /* of one contact with this partner */
+    int partner;                     /* material of this partner */
 };
 
 /* Two sides that may meet. */
@@ -93,7 +93,7 @@ static double timestep_local(int dimension, double n, double k_n, double k_t, do
     return fmax(fmin(n, 3.0) * single, fmax(push, across * turn * (k_t + k_r)));
 }
 
-/* The local stiffness and damper of `a` among the like of b, compared with what was found so far. */
+/* The local stiffness and damper of `a` among the like of b, compared with the largest so far. */
 static void timestep_surround(const struct timestep_input *input, struct timestep_side *a,
                               const struct timestep_side *b, const struct timestep_meeting *meeting) {
     const struct timestep_springs *s = &meeting->springs;
@@ -135,7 +135,7 @@ static int timestep_sides(const struct timestep_input *input, struct timestep_si
     return n;
 }
 
-/* The limit that two sides set that may meet, each among its stiffest partners. */
+/* Lowers the limits for two sides that may meet, each among its stiffest partners. */
 static void timestep_consider(struct timestep_limits *limits, const struct timestep_side *a,
                               const struct timestep_side *b) {
     double stable = timestep_bound(a->stiffness + b->stiffness, a->damping + b->damping, 1.0);

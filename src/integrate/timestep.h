@@ -22,7 +22,7 @@
  * which have no mass to move and no radius that counts. */
 struct timestep_kind {
     int material;
-    bool wall;                     /* then the rest is not looked at */
+    bool wall;                     /* true: the other members are not read */
     double radius_min, radius_max; /* of free particles of this material, length */
     double mass_min;               /* of the smallest; others scale with radius^3: where densities differ, the
                                       least density x its volume */
@@ -44,10 +44,10 @@ struct timestep_input {
 struct timestep_limits {
     double stable; /* largest stable step, damping included, also when overdamped; time; infinite without
                       kinds */
-    double contact_time;        /* duration of the shortest elastic contact */
-    double rayleigh;            /* smallest Rayleigh time over the materials; 0 where the law takes no moduli */
-    double frequency;           /* sqrt(k_n/m*) of the one contact that sets the limit, rad/time */
-    double damping_ratio;       /* zeta of its normal mode, for one contact */
+    double contact_time;  /* duration of the shortest elastic contact */
+    double rayleigh;      /* smallest Rayleigh time over the materials; 0 where the law takes no moduli */
+    double frequency;     /* sqrt(k_n/m*) of the one contact that sets the limit, rad/time */
+    double damping_ratio; /* zeta of its normal mode, for one contact */
     int material_a, material_b; /* its materials */
 };
 
@@ -59,7 +59,7 @@ double timestep_default_fraction(void);
 double timestep_bound(double stiffness, double damping, double inverse_mass);
 
 /* The springs and dampers of a contact of materials a and b with effective mass and radius at an overlap, as
- * they act on small changes: normal, tangential and rolling ones; those that the pair has not are 0. */
+ * they act on small changes: normal, tangential and rolling ones; a spring that the pair lacks is 0. */
 struct timestep_springs {
     double k_n, k_t, k_r; /* force/length */
     double c_n, c_t, c_r; /* force time/length */

@@ -26,7 +26,8 @@ static void print_fields(FILE *out) {
     frame_register_all(known);
     for (int f = 0; f < fields_count(known); f++) {
         struct frame_field field = frame_field_get(fields_get(known, f));
-        const char *dump = dump_columns_of(field.name, field.type, field.components), *quote = dump[0] ? "`" : "";
+        const char *dump = dump_columns_of(field.name, field.type, field.components),
+                   *quote = dump[0] ? "`" : "";
         char shape[32] = "N";
         if (field.spatial || field.components > 1)
             snprintf(shape, sizeof shape, field.spatial ? "N × D" : "N × %d", field.components);
@@ -80,7 +81,7 @@ static void print_observables(FILE *out) {
     }
 }
 
-/* Names that stand for several; their members follow each other. */
+/* Names that stand for several observables; their members follow each other. */
 static void print_families(FILE *out) {
     const char *last = "";
     for (int k = 0; k < observables_kinds_count(); k++) {
@@ -128,7 +129,7 @@ static const struct {
               {"report", print_report}};
 enum { TABLES = sizeof tables / sizeof tables[0] };
 
-/* Which table a line opens; -1: none. */
+/* The table that a line opens; -1: none. */
 static int table_of(const char *line) {
     for (int k = 0; k < TABLES; k++) {
         size_t length = strlen(tables[k].name);

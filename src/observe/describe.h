@@ -8,8 +8,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Copies a page, with the tables made again: what stands between a line "<!-- NAME: ... -->" and the line
- * "<!-- end of NAME -->", where NAME is "fields", "observables", "families" or "report". A name without its
+/* Copies a page and writes its tables again. A table is the text between a line "<!-- NAME: ... -->" and the
+ * line "<!-- end of NAME -->"; NAME is "fields", "observables", "families" or "report". A name without its
  * end, and one of the four that the page does not have, are a user's error. One thread. */
 bool describe_page(FILE *page, FILE *out, struct error *error);
 

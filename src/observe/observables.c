@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Requests become items (one kind, one target), items have parts (numbers that ranks sum or compare) and
- * columns (what is shown). Computing and writing rows: observables_row.c. */
+ * columns (values in the file). Computing and writing rows: observables_row.c. */
 #include "observe/observables.h"
 
 #include "core/memory.h"
@@ -41,7 +41,7 @@ const struct observable_info *observables_get(int k) {
     return &observables_kind(k)->info;
 }
 
-/* Adds a comma and a name to a list of what is allowed. */
+/* Adds a comma and a name to a list of allowed names. */
 static void list_name(char *list, size_t size, const char *name) {
     size_t used = strlen(list);
     snprintf(list + used, size - used, "%s%s", used ? ", " : "", name);
@@ -105,7 +105,7 @@ static void add_item(struct observables *o, struct observable_item item, const c
     o->item[o->items++] = item;
 }
 
-/* What resolving a request needs. */
+/* Data for resolving a request. */
 struct resolving {
     struct observables *o;
     const struct output_view *view;
@@ -236,7 +236,7 @@ static bool add_request(struct resolving *r, const struct observable_request *re
     return found || refuse_name(request->name, error);
 }
 
-/* Names are groups of the trajectory, too, so they are not longer than others there. */
+/* Column names are also names of groups in the trajectory, so the same limit of length holds. */
 static bool check_columns(const struct observables *o, struct error *error) {
     for (int c = 0; c < o->columns; c++)
         if (strlen(o->column[c].name) >= OUTPUT_NAME_MAX)

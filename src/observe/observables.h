@@ -8,7 +8,7 @@
 #include "formats/h5md.h"
 #include "formats/output.h"
 
-/* What the `target` of a request names. */
+/* The objects that the `target` of a request may name. */
 enum observable_target {
     OBSERVABLE_OF_ALL,      /* nothing: the whole run */
     OBSERVABLE_OF_WALL,     /* a wall; "": every wall */
@@ -35,14 +35,15 @@ const struct observable_info *observables_get(int k);
 struct observables;
 
 /* Resolves the requests (unknown names, walls, regions, a particle without its id, two columns of one name, a
- * name of OUTPUT_NAME_MAX characters or more: a user's error that says what is allowed) and lays out the
+ * name of OUTPUT_NAME_MAX characters or more: a user's error that names the allowed values) and lays out the
  * columns. Every rank alike. `view` is borrowed for the call only. No file is touched. */
 bool observables_create(struct observables **observables, const struct observables_options *options,
                         const struct output_view *view, const struct output_run *run, struct error *error);
 void observables_destroy(struct observables **observables);
 
 /* Opens DIR/observables.csv and writes the header; on a resume (`resume_time` >= 0) rows after that time are
- * cut off, and the header must be the same. Rank 0 does the file; the result is agreed. Collective. */
+ * cut off, and the header must be the same. Rank 0 handles the file; all ranks get the same result.
+ * Collective. */
 bool observables_open(struct observables *observables, const struct comm *comm, const char *directory,
                       double resume_time, struct error *error);
 

@@ -90,7 +90,7 @@ static void add_centre(const struct output_view *view, const struct observable_i
 static void finish_centre(const struct output_view *view, const struct observable_item *item, double *part) {
     (void)view, (void)item;
     for (int d = 0; d < 3; d++)
-        part[d] = part[3] > 0 ? part[d] / part[3] : NAN; /* of no particles */
+        part[d] = part[3] > 0 ? part[d] / part[3] : NAN; /* NAN without particles */
 }
 
 static void add_one(const struct output_view *view, const struct observable_item *item, size_t i,
@@ -130,7 +130,8 @@ static void wall_work(const struct observable_context *context, struct observabl
     part[0] = context->view->walls ? walls_work(context->view->walls) : 0;
 }
 
-/* What is constant in a run without error: all forms of energy, and what left, less what walls brought. */
+/* The energy that is constant in a run without error: all forms of energy, plus the energy that left, less
+ * the energy that walls brought. */
 static void total_of_rank(const struct observable_context *context, struct observable_item *item,
                           double *part) {
     double one[4] = {0};

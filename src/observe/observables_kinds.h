@@ -21,11 +21,11 @@ struct observable_item {
     size_t number;     /* particle `id` on this rank; SIZE_MAX: not here */
 };
 
-/* What the functions of a row see. */
+/* Arguments of the functions of a row. */
 struct observable_context {
     const struct output_view *view;
     const double (*wall_force)[6];       /* this rank's part, by wall */
-    const struct contact_list *contacts; /* this rank's; empty unless an item needs them */
+    const struct contact_list *contacts; /* this rank's; empty unless an item needs contacts */
 };
 
 /* How the parts of ranks combine. */
@@ -41,16 +41,16 @@ struct observable_kind {
     bool needs_sums;     /* force_sums beyond contacts and overlap */
     bool needs_work;     /* force_sums.taken of every step */
     bool needs_contacts; /* the contact list, of a region (then no sums) */
-    /* This rank's parts, already zero. One of the two is there: of the whole rank, or added up over free
-     * particles. */
+    /* Computes this rank's parts, which begin as zero. A row has one of the two functions: for the whole
+     * rank, or for one free particle, added up over all of them. */
     void (*of_rank)(const struct observable_context *context, struct observable_item *item, double *part);
     void (*of_particle)(const struct output_view *view, const struct observable_item *item, size_t i,
                         double *part);
     /* Turns the combined parts into components in place; NULL: they are the components. */
     void (*finish)(const struct output_view *view, const struct observable_item *item, double *part);
-    /* Whether a region will do; NULL: any. */
+    /* True if a region is allowed; NULL: every region is. */
     bool (*check)(const struct output_view *view, const struct output_region *region, struct error *error);
-    /* Whether a family includes it in this scene; NULL: always. */
+    /* True if a family includes the row in this scene; NULL: always. */
     bool (*relevant)(const struct output_view *view);
 };
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A row: each rank's parts -> one sum and one maximum over ranks -> components -> columns. Sums over
- * particles go chunk by chunk, the chunks in order, so that the number of threads does not change a bit.
- * Where the run is reproducible they are summed without rounding (core/exact.h), so that ranks and index do
- * not either. */
+ * particles go chunk by chunk, the chunks in order, so that the result is the same bits for any number of
+ * threads. In a reproducible run the sums are without rounding (core/exact.h), so that the result is the same
+ * bits for any number of ranks and any index, too. */
 #include "observe/observables_kinds.h"
 
 #include "core/exact.h"
@@ -68,8 +68,8 @@ static void item_exactly(const struct observable_context *context, struct observ
         exact_add(&sum[k], own[k]);
 }
 
-/* The parts of this rank, of all items one after another. Those that are summed over ranks go to `exact`
- * instead, if there is such a thing. */
+/* The parts of this rank, of all items one after another. With `exact`, parts that are summed over ranks
+ * go to `exact` instead. */
 static double *find_parts(struct observables *o, const struct output_view *view, struct exact *exact) {
     struct contact_list contacts = {0};
     if (o->needs_contacts)

@@ -36,8 +36,8 @@ static void wall_velocity(const struct observable_context *context, struct obser
         memcpy(part, pose.velocity, sizeof pose.velocity);
 }
 
-/* The number of the item's particle on this rank, or false. Looked for only after the particles were
- * renumbered. */
+/* Finds the number of the item's particle on this rank; false if the particle is not here. Searches only
+ * after the particles were renumbered. */
 static bool find_particle(const struct observable_context *context, struct observable_item *item) {
     const struct particles *p = context->view->particles;
     bool known = item->revision == p->revision + 1 &&

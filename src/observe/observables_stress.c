@@ -3,13 +3,14 @@
  *
  *     sigma = (sum over free particles of m v (x) v  +  sum over contacts of w l (x) f) / V
  *
- * where l is the vector from one centre to the other, or from the centre to the wall, and f the force along
- * it (on the second particle, on the wall), so that pressure is positive. Off the diagonal it is the mean of
- * ij and ji. Of the box every w is 1. Of a region a contact of two particles counts half for each of them
- * that lies in it, and one with a wall whole for its particle; a region that is the whole box gives the
- * same. The static part is that of Christoffersen, Mehrabadi and Nemat-Nasser, J. Appl. Mech. 48 (1981) 339;
- * shared out by halves, particles at the rim of a small region count with parts that lie outside, so the
- * error goes with diameter over width. The kinetic part is of v itself, the mean flow included. */
+ * Here l is the vector from one centre to the other, or from the centre to the wall, and f the force along l
+ * (on the second particle, on the wall), so that pressure is positive. Off the diagonal sigma is the mean of
+ * ij and ji. For the box every w is 1. For a region, a contact of two particles counts one half for each of
+ * the two that lies in the region, and a contact with a wall counts 1 if its particle lies in the region; a
+ * region that is the whole box gives the stress of the box. The static part is that of Christoffersen,
+ * Mehrabadi and Nemat-Nasser, J. Appl. Mech. 48 (1981) 339; shared out by halves, particles at the rim of a
+ * small region count with parts that lie outside, so the error goes with diameter over width. The kinetic
+ * part uses v itself, the mean flow included. */
 #include "observe/observables_kinds.h"
 
 #include <math.h>
@@ -80,7 +81,7 @@ static double box_volume(const struct output_region *region, const struct box *b
     return volume;
 }
 
-/* Of a sphere that lies in the box; in two dimensions the area of its cut with the plane. */
+/* The volume of a sphere that lies in the box; in two dimensions the area of its cut with the plane. */
 static double sphere_volume(const struct output_region *region, const struct box *box) {
     double square = region->radius * region->radius, off = region->centre[2] - plane_of(box);
     if (box->dimension == 2)
@@ -97,7 +98,8 @@ static bool is_along(const double axis[3], int d) {
     return other <= 1e-12 * fabs(axis[d]);
 }
 
-/* Of a cylinder along a direction of the box (cut at its sides), or of one that lies in it. */
+/* The volume of a cylinder along a direction of the box (cut at its sides), or of a cylinder that lies in the
+ * box. */
 static double cylinder_volume(const struct output_region *region, const struct box *box) {
     const double *axis = region->axis;
     double norm = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);

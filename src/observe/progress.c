@@ -62,8 +62,8 @@ static double fraction_done(const struct progress *progress) {
     return (double)(progress->step - progress->first) / (double)(progress->last - progress->first);
 }
 
-/* What a line says, the most important part first: percentage and time left, the run of a series, the step,
- * the simulated time, particle-steps per second. */
+/* The parts of a line, the most important part first: percentage and time left, the run of a series, the
+ * step, the simulated time, particle-steps per second. */
 static void describe(const struct progress *progress, double now, double time, char part[PARTS][PART_MAX]) {
     double seconds = now - progress->began, done = fraction_done(progress), left = -1;
     const struct progress_series *series = progress->series;
@@ -82,7 +82,8 @@ static void describe(const struct progress *progress, double now, double time, c
     snprintf(part[4], PART_MAX, ", %.3g particle-steps/s", seconds > 0 ? progress->work / seconds : 0);
 }
 
-/* Joins the parts as far as they fit into `room` columns; the first always stands. Returns the length. */
+/* Joins the parts as far as they fit into `room` columns; the first part is always there. Returns the
+ * length. */
 static int join(char part[PARTS][PART_MAX], int room, char *text, size_t size) {
     int length = snprintf(text, size, "%.*s", room, part[0]);
     for (int k = 1; k < PARTS && length + (int)strlen(part[k]) <= room; k++)
@@ -109,7 +110,7 @@ static void draw_bar(struct progress *progress, double now, double time) {
     progress->shown = now;
 }
 
-/* Plain lines are no part of a terminal: they say all. */
+/* Plain lines have no limit of width, so each line has all parts. */
 static void print_line(struct progress *progress, double now, double time) {
     char part[PARTS][PART_MAX], text[PARTS * PART_MAX];
     int tenths = (int)(10 * fraction_done(progress));

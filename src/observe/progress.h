@@ -11,9 +11,9 @@ enum { PROGRESS_COLUMNS_MAX = 160 };
 
 /* The place of a run among others. */
 struct progress_series {
-    const char *name; /* of this run; borrowed while it lasts */
-    int number, runs; /* this one, from 1, of so many */
-    double after;     /* what the others after it take, in units of what it takes */
+    const char *name; /* of this run; borrowed while the run lasts */
+    int number, runs; /* number of this run, from 1; number of all runs */
+    double after;     /* duration of all later runs, in units of the duration of this run */
 };
 
 /* Plain data, filled by progress_start. */
@@ -25,7 +25,7 @@ struct progress {
     uint64_t first, last;                 /* steps of this run */
     double began, shown;                  /* seconds (timer_now) */
     double work;                          /* particle-steps so far */
-    uint64_t step;                        /* last one told */
+    uint64_t step;                        /* last step reported */
     int tenths;                           /* lines: tenths already printed */
 };
 
@@ -35,7 +35,7 @@ struct progress {
 void progress_start(struct progress *progress, const struct progress_options *options,
                     const struct progress_series *series, FILE *file, uint64_t first, uint64_t last);
 
-/* Tells that `step` is done, with `particles` particles (all ranks); draws at most a few times a second.
+/* Reports that `step` is done, with `particles` particles (all ranks); draws at most a few times a second.
  * `time` is the simulated time. */
 void progress_update(struct progress *progress, uint64_t step, uint64_t particles, double time);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Makes a report, gathers what ranks have one by one, and derives speeds. */
+/* Makes a report, gathers the values of single ranks, and derives speeds. */
 #include "observe/report.h"
 
 #include "core/memory.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The run report: one plain struct that engine/ fills. report_rows.h says what its entries are, report_print.h
+/* The run report: one plain struct that engine/ fills. report_rows.h describes its entries, report_print.h
  * prints them on the terminal, report_json.h writes DIR/report.json. */
 #ifndef SCREE_OBSERVE_REPORT_H
 #define SCREE_OBSERVE_REPORT_H
@@ -49,7 +49,7 @@ struct report {
     char simd[REPORT_NAME_MAX]; /* instruction set of the force loop */
     int levels;
     struct report_level level[REPORT_LEVELS_MAX];
-    char choice[REPORT_NAME_MAX]; /* of an index that chooses: what it amounts to; "": it does not choose */
+    char choice[REPORT_NAME_MAX]; /* the index that the choice amounts to; "": the index does not choose */
     char choice_why[8 * REPORT_NAME_MAX];
     uint64_t choices;                         /* made so far, rank 0 */
     double choice_predicted, choice_measured; /* seconds a rebuild, order to pairs, slowest rank */
@@ -86,8 +86,8 @@ struct report {
 void report_create(struct report *report, int ranks);
 void report_destroy(struct report *report);
 
-/* Fills what ranks have one by one (ghosts, messages, bytes, stage, seconds, memory_peak, imbalance,
- * sync_share) from each rank's own values. Collective. */
+/* Fills the values of single ranks (ghosts, messages, bytes, stage, seconds, memory_peak, imbalance,
+ * sync_share), each rank giving its own. Collective. */
 struct report_mine {
     const struct timers *timers;
     uint64_t ghosts, messages, bytes;

@@ -46,7 +46,7 @@ static void show_each(const struct report *report, const struct report_row *row,
         group_digits(sum, text);
 }
 
-/* A value as its row says it is shown; in `text` or elsewhere. */
+/* The text of a value in the format of its row. The result is `text` or another string. */
 static const char *show(const struct report *report, const struct report_row *row, const void *base,
                         char text[TEXT_ROOM]) {
     char word[TEXT_ROOM];
@@ -75,7 +75,7 @@ static const char *show(const struct report *report, const struct report_row *ro
     }
 }
 
-/* Where a line takes its values from: the rows, the struct that they describe, its number in a list. */
+/* Source of the values of a line: the rows, the struct that the rows describe, its number in a list. */
 struct source {
     const struct report_row *rows;
     const void *base;
@@ -143,8 +143,8 @@ static bool chosen(const struct report *report) {
     return report->levels > 0 && report->choice[0] != '\0';
 }
 
-/* Lines in their order: a text; or, for each entry of a list, a text, with `heading` before the first; or what a
- * function prints. */
+/* Lines in their order: a text; or, for each entry of a list, a text, with `heading` before the first; or the
+ * output of a function. */
 struct line {
     const char *text, *list, *heading;
     void (*print)(const struct report *report, FILE *file);

@@ -87,7 +87,7 @@ static bool chosen(const struct report *report) {
     return report->choice[0] != '\0';
 }
 
-/* Where a member lies; where a list of structs lies, and the member that counts its entries. */
+/* The place of a member; the place of a list of structs, and of the member that counts its entries. */
 #define AT(type, member) .offset = offsetof(type, member)
 #define LIST(member, counter)                                                                                \
     AT(struct report, member), .size = sizeof(((struct report *)0)->member[0]),                              \

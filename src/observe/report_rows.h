@@ -23,7 +23,7 @@ enum report_type {
 
 struct report_row {
     const char *name; /* key in report.json; NULL behind the last row */
-    const char *unit; /* in SI; "1" for a pure number, "" for what is no number */
+    const char *unit; /* in SI; "1" for a pure number, "" for an entry without a number */
     const char *help; /* for docs/output.md */
     enum report_type type;
     size_t offset; /* of the value in `struct report`, or in the struct of a list */
@@ -38,13 +38,13 @@ struct report_row {
     bool terminal;                /* on the terminal alone, not in report.json */
     bool (*shown)(const struct report *report); /* in report.json only if true; NULL: always */
     const struct report_row *rows;              /* GROUP, LIST, STAGES */
-    size_t size, count_offset; /* LIST: bytes of a struct; where the int lies that counts them */
+    size_t size, count_offset; /* LIST: bytes of a struct; offset of the int that counts the structs */
 };
 
 /* All entries, in the order of report.json; a row without a name ends them. */
 extern const struct report_row report_rows[];
 
-/* What a stage is, for docs/output.md. */
+/* The description of a stage, for docs/output.md. */
 const char *report_stage_help(enum timer_stage stage);
 
 /* The row of a name ("steps", "index_choice.why"), of which `length` bytes count; NULL if there is none. */

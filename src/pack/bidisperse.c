@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Two relaxed random systems, of small and of large spheres, in one cube; small ones that overlap a large one
- * are removed. So the neighbours of a large sphere stand as chance has them, and not pressed against it. */
+/* Two relaxed random systems, of small and of large spheres, in one cube; small spheres that overlap a large
+ * one are removed. So the neighbours of a large sphere are placed by chance, and do not press on the large
+ * sphere. */
 #include "pack/parts.h"
 
 #include "core/memory.h"
@@ -10,17 +11,17 @@
 #include <math.h>
 #include <string.h>
 
-/* Small spheres to begin with beyond what is expected to leave the wanted number: a part, and some. */
+/* Additional small spheres at the start, beyond the number from which the wanted count is expected to remain:
+ * a relative part and an absolute number. */
 static const double surplus = 0.002, surplus_least = 50;
-/* Solid fraction of the small ones in the recipe, and beyond which they do not go: random close packing is
- * near. */
+/* Solid fraction of the small spheres in the recipe, and its largest value: random close packing is near. */
 static const double recipe_fraction = 0.36, most_fraction = 0.6;
 
 static double sphere(double radius) {
     return 4 * M_PI / 3 * radius * radius * radius;
 }
 
-/* How many small spheres there are before any is removed; 0: error filled. */
+/* The number of small spheres before any is removed; 0: error filled. */
 static size_t count_start(const struct pack_work *work, struct error *error) {
     const struct pack_options *o = work->options;
     double volume = pow(o->box, 3), count = rint(recipe_fraction * volume / sphere(1));
@@ -48,7 +49,7 @@ static size_t count_start(const struct pack_work *work, struct error *error) {
     return 0;
 }
 
-/* The large spheres, in a set of their own. */
+/* Places the large spheres in a set of their own. */
 static bool place_large(struct pack_work *work, struct error *error) {
     const struct pack_options *o = work->options;
     work->particles = particles_create((size_t)o->large);

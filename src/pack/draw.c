@@ -49,7 +49,7 @@ static double draw_one(const struct drawing *drawing, uint64_t number) {
     return sizes_draw(&drawing->sampler, &random);
 }
 
-/* Reads openings and what passes; diameters become radii, percent become parts. */
+/* Reads openings and passing percentages; diameters become radii, percent become parts. */
 static bool read_sieves(const struct pack_options *options, struct sizes_options *sizes,
                         struct error *error) {
     struct lines lines;

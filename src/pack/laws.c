@@ -184,7 +184,7 @@ const char *pack_law_name(enum pack_law law) {
     return laws[law].name;
 }
 
-/* Is `name` (of `length` letters) a word of the list, whose words may go on with "=VALUE"? */
+/* True if `name` (of `length` letters) is a word of the list, whose words may go on with "=VALUE". */
 static bool listed(const char *list, const char *name, size_t length) {
     for (const char *at = list; *at; at += *at == ' ') {
         if (strcspn(at, " =") == length && strncmp(at, name, length) == 0)

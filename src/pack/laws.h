@@ -13,7 +13,7 @@ struct law_key {
     enum law_key_type type;
     size_t offset; /* in struct pack_options */
     double least, most;
-    const char *const *names; /* NAME: what the enum's values are called; two of them */
+    const char *const *names; /* NAME: the names of the two values of the enum */
     const char *help;
 };
 
@@ -30,7 +30,7 @@ const struct law_key *laws_key(int k);
 /* The keys of all laws with their defaults. */
 const char *laws_common(void);
 
-/* Has the law a key of this name (of `length` letters)? */
+/* True if the law has a key of this name (of `length` letters). */
 bool laws_has(const struct law *law, const char *name, size_t length);
 
 #endif

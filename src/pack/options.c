@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Reads KEY=VALUE by the tables of laws.c, and derives what is not given. Read options.h first. */
+/* Reads KEY=VALUE by the tables of laws.c, and derives the values that are not given. Read options.h
+ * first. */
 #include "pack/options.h"
 
 #include "pack/laws.h"
@@ -64,7 +65,7 @@ static bool set_key(struct pack_options *options, const struct law *law, const c
                      (int)length, text, law->name, law->name);
 }
 
-/* The words of a list of defaults. They are our own: no failure. */
+/* Reads the words of a list of defaults. The lists are part of the program, so no word fails. */
 static void set_defaults(struct pack_options *options, const struct law *law, const char *list,
                          struct error *error) {
     char word[SETTING_MAX];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What a packing is to be: a law of sizes and its keys. The tables of options.c give parsing, defaults,
+/* The options of a packing: a law of sizes and its keys. The tables of options.c give parsing, defaults,
  * bounds and help. */
 #ifndef SCREE_PACK_OPTIONS_H
 #define SCREE_PACK_OPTIONS_H
@@ -35,15 +35,16 @@ struct pack_options {
     double seed, threads; /* whole numbers; threads 0: all of OpenMP */
 };
 
-/* Fills the options from the law's name and texts KEY=VALUE (borrowed): the law's defaults, then these, then
- * what follows from them (numbers and box of the published systems). Fails (user) with what is allowed. */
+/* Fills the options from the law's name and texts KEY=VALUE (borrowed): first the law's defaults, then the
+ * texts, then derived values (numbers and box of the published systems). Fails (user) and names the allowed
+ * values. */
 bool pack_options_read(struct pack_options *options, const char *law, const char *const *setting,
                        int settings, struct error *error);
 
 /* The name of a law. */
 const char *pack_law_name(enum pack_law law);
 
-/* Lists the laws, or tells of one at length; false if there is none of that name. */
+/* Lists the laws, or describes one law in full; false if no law has that name. */
 bool pack_help(FILE *out, const char *law);
 
 #endif

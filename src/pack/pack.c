@@ -30,7 +30,7 @@ static bool make_box(struct pack_work *work, double solid, double largest, struc
     return true;
 }
 
-/* Any law but BIDISPERSE. */
+/* Makes the spheres of any law but BIDISPERSE. */
 static bool make_spheres(struct pack_work *work, struct error *error) {
     size_t count = (size_t)work->options->count;
     double *radius = memory_allocate(count, sizeof *radius, "radii"), solid = 0, largest = 0;
@@ -77,7 +77,7 @@ static void fill_rows(const struct pack_work *work, struct rows *rows) {
         fill_row(work, rows, k);
 }
 
-/* What the final packing is, with the pairs searched again. */
+/* Measures the final packing, with a new search for pairs. */
 static bool measure(struct pack_work *work, struct error *error) {
     struct particles *particles = work->particles;
     struct pack_report *report = work->report;

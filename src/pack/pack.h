@@ -8,7 +8,7 @@
 #include "pack/options.h"
 #include "pack/relax.h"
 
-/* Told of after each sweep: what is being relaxed ("spheres", "large", "small"). */
+/* Called after each sweep with the name of the relaxed set ("spheres", "large", "small"). */
 struct pack_hook {
     void (*show)(void *context, const char *what, const struct relax_state *state);
     void *context;
@@ -27,9 +27,9 @@ struct pack_report {
     int64_t difference; /* small spheres more than wanted (0 with the recipe) */
 };
 
-/* Makes a packing: rows with id from 1, position, radius, mass, material, and velocity if one is asked for,
- * which the caller frees with rows_free. Positions lie in [0, box). Fails (user) if the spheres do not fit.
- * Opens its own thread team. */
+/* Makes a packing: rows with id from 1, position, radius, mass, material, and velocity if one is asked for.
+ * The caller frees the rows with rows_free. Positions lie in [0, box). Fails (user) if the spheres do not
+ * fit. Opens its own thread team. */
 bool pack_make(const struct pack_options *options, const struct pack_hook *hook, struct rows *rows,
                struct pack_report *report, struct error *error);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What every packing is made of: spheres at random places, relaxed until none overlap. Read pack.h first. */
+/* The common part of all packings: spheres at random places, relaxed until none overlap. Read pack.h
+ * first. */
 #include "pack/parts.h"
 
 #include "core/random.h"

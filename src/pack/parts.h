@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What the files of pack_make share. */
+/* The common declarations of the files of pack_make. */
 #ifndef SCREE_PACK_PARTS_H
 #define SCREE_PACK_PARTS_H
 
@@ -18,7 +18,7 @@ struct pack_work {
 /* Adds a sphere with this id at a random place of the cube. */
 void pack_add(struct pack_work *work, int64_t id, double radius);
 
-/* Relaxes all that is there; `what` is told to the hook. */
+/* Relaxes all spheres of the work; the hook receives `what`. */
 bool pack_relax(struct pack_work *work, const char *what, struct error *error);
 
 /* The recipe of Stratford, Shire and Hanley. Large spheres are of material 1. */

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Of a push: so many are the smallest radius times the stiffness of two smallest spheres. */
+/* Unit of a push: `units` of them are the smallest radius times the stiffness of two smallest spheres. */
 static const double units = 0x1p26;
 
 struct pushes *push_create(size_t count, double smallest, double gap, int threads) {
@@ -37,7 +37,7 @@ struct pair_push {
     double overlap; /* relative to the smaller radius; negative: apart */
 };
 
-/* False if the pair does not push. Nothing here depends on which of the two is i but the sign: x_j - x_i is
+/* False if the pair does not push. Only the sign depends on which of the two particles is i: x_j - x_i is
  * taken before the image's shift is added. */
 static inline bool pair_pushes(const struct pushes *pushes, const struct particle_state *i,
                                const struct particle_state *j, const double *shift, struct pair_push *pair) {
@@ -117,8 +117,8 @@ double push_all(struct pushes *pushes, const struct pack_search *search) {
     return largest;
 }
 
-/* Moves one particle and returns the square of its way. Walls count: they may move what nobody pushes, after
- * it has grown. */
+/* Moves one particle and returns the square of its displacement. Walls act, too: a wall may move a particle
+ * that no other one pushes, after the particle has grown. */
 static double move_one(const struct pushes *pushes, const struct box *box, struct particle_state *state,
                        const struct push_sum *sum, double factor) {
     double square = 0, room = state->radius * (1 + pushes->gap);

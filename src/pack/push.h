@@ -29,8 +29,8 @@ void push_destroy(struct pushes **pushes);
  * none. Opens its own thread team. */
 double push_all(struct pushes *pushes, const struct pack_search *search);
 
-/* Moves all particles by `factor` times what they are pushed, and clears the pushes; `largest` gets the
- * longest way of each class. Opens its own thread team. */
+/* Moves all particles by `factor` times their pushes, and clears the pushes; `largest` gets the largest
+ * displacement of each class. Opens its own thread team. */
 void push_move(struct pushes *pushes, const struct pack_search *search, double factor,
                double largest[CLASS_MAX]);
 

@@ -5,7 +5,7 @@
 #include "pack/push.h"
 #include "pack/search.h"
 
-/* How far a sweep goes of what brings the stiffest direction to rest. */
+/* Displacement of a sweep, in units of the one that brings the stiffest direction to rest. */
 static const double step_factor = 2;
 
 struct relaxing {
@@ -15,8 +15,8 @@ struct relaxing {
     struct relax_state state;
 };
 
-/* Before the end counts the pairs are searched again: wrapping moves particles by a rounding error, and walls
- * have the last word. */
+/* True at the end. A new search for pairs precedes the end, as wrapping moves particles by a rounding error,
+ * and walls move them last. */
 static bool is_done(struct relaxing *r) {
     double largest[CLASS_MAX];
     if (r->state.overlap > r->options->bound)

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Of the smaller class's smallest radius. */
+/* Skin, as part of the smallest radius of the smaller class. */
 static const double skin = 0.4;
 /* Radii of one class differ by this factor at most, if the index has so many classes: few levels of the grid
  * are fast. */

@@ -30,7 +30,7 @@ void history_destroy(struct history **history) {
     *history = NULL;
 }
 
-/* Grows a part, keeping what it holds. */
+/* Grows a part, keeping its contents. */
 static void part_reserve(struct history_part *part, int components, size_t contacts) {
     if (contacts + HISTORY_PAD <= part->capacity)
         return;
@@ -124,7 +124,7 @@ static bool record_walk_next(struct record_walk *walk, struct record *record) {
     return false;
 }
 
-/* A zero of a row has no sign, whichever way round the pair was. */
+/* A zero of a row has no sign, for both orders of the pair. */
 static void row_fill(struct history_row *row, const struct record *record, int64_t id_i, int64_t id_j,
                      int components, const double separation[3]) {
     double sign = id_i < id_j ? 1 : -1;
@@ -199,7 +199,7 @@ void history_detach(const struct history *history, const struct pairlist *list,
     for (int t = 0; t < history->threads; t++)
         records_scatter(record_walk_begin(history, list, owned, place, t), particles, both_ends, rows->start,
                         rows->row);
-    /* Each start has moved on to the next one's */
+    /* Each start is now the start of the next particle */
     memmove(rows->start + 1, rows->start, owned * sizeof *rows->start);
     rows->start[0] = 0;
 }
@@ -234,7 +234,7 @@ void history_rows_remove(struct history_rows *rows, const uint8_t *remove, size_
     rows->count = at;
 }
 
-/* What an attach works on. */
+/* Data of an attach. */
 struct attach {
     const struct history_rows *rows;
     const struct pairlist *list;
@@ -242,8 +242,8 @@ struct attach {
     double near; /* separations that differ by less belong to the same image; squared length */
 };
 
-/* The row of particle `carrier` whose partner has id `partner`, or NULL; of several images the one at this
- * separation. */
+/* The row of particle `carrier` whose partner has id `partner`, or NULL. If there are several images, the row
+ * of this separation. */
 static const struct history_row *row_find(const struct attach *a, uint32_t carrier, int64_t partner,
                                           uint32_t i, uint32_t j) {
     for (size_t k = a->rows->start[carrier]; k < a->rows->start[carrier + 1]; k++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What contacts remember (the tangential spring, the rolling spring), compact: one record a *contact*, none
+/* The memory of contacts (the tangential spring, the rolling spring), compact: one record a *contact*, none
  * for pairs that do not touch.
  *
  * Between rebuilds a record belongs to a pair of the list. Each thread keeps its records in the order of its
@@ -58,14 +58,14 @@ void history_destroy(struct history **history);
  * itself, before the loop. */
 void history_reserve(struct history *history, int thread, size_t contacts);
 
-/* Exchanges the two buffers: what was written becomes `now`. One thread. */
+/* Exchanges the two buffers: the written one becomes `now`. One thread. */
 void history_flip(struct history *history);
 
 /* Turns the records of the list into rows of the owned particles (before migration and reorder; the list and
  * the particles still belong together). A record lies with its row particle; if `both_ends`, also with its
  * partner where that is owned, as it must be when one end may leave this rank. With `place` (owned entries)
  * only the records of pairs with a copy or with a particle whose place is PARTICLE_LEFT: history_keep is for
- * the others. Allocates into `rows`; history_rows_free releases. */
+ * the other records. Allocates into `rows`; history_rows_free releases. */
 void history_detach(const struct history *history, const struct pairlist *list,
                     const struct particles *particles, bool both_ends, const uint32_t *place,
                     struct history_rows *rows);
@@ -77,7 +77,7 @@ void history_rows_remove(struct history_rows *rows, const uint8_t *remove, size_
 void history_rows_free(struct history_rows *rows);
 
 /* Hands the rows to the pairs of the new list (after the rebuild); rows of pairs that are no longer in the
- * list are dropped. Where two particles can meet through several images, a row belongs to the pair whose
+ * list are dropped. If two particles can meet through several images, a row belongs to the pair whose
  * separation is that of the row; images are at least `apart` from each other (the shortest periodic edge).
  * INFINITY promises that there are no such pairs (every periodic edge is longer than two cut-offs), which
  * spares comparing. Opens its own thread team. */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Particles keep their places but for a few, so both lists run through memory in nearly the same way, and so
- * do the records. No thread writes what another reads or writes: every thread first turns its own records
- * into pairs of new numbers, and then sorts those whose lower number lies in its share of the particles,
- * whosever they are. */
+/* Nearly all particles keep their places, so both lists run through memory in nearly the same way, and so do
+ * the records. No thread writes data that another thread reads or writes: every thread first turns its own
+ * records into pairs of new numbers, and then sorts the records, of any thread, whose lower number lies in
+ * its share of the particles. */
 #include "pairs/history_keep.h"
 #include "core/memory.h"
 #include "core/scan.h"
@@ -17,7 +17,7 @@ struct link {
     uint32_t high;
 };
 
-/* What history_keep works on. */
+/* Data of history_keep. */
 struct keeping {
     const struct history *history;
     const struct pairlist *list;
@@ -30,7 +30,7 @@ struct keeping {
     } * bounds; /* of the lower numbers of each CHUNK links */
 };
 
-/* Is pair k a second copy, of a record that another thread holds? */
+/* True if pair k is a second copy: another thread holds the record. */
 static bool mirrored(const struct pair_block *mirror, size_t k) {
     return k >= mirror->first_pair && k < mirror->end_pair;
 }
@@ -151,8 +151,8 @@ void history_kept_free(struct history_kept *kept) {
     *kept = (struct history_kept){0};
 }
 
-/* The record of a pair as it is seen from i, or PARTICLE_LEFT. The lower number is never that of a copy. No
- * branch depends on whether there is a record: nobody could foresee it. */
+/* The record of a pair as seen from i, or PARTICLE_LEFT. The lower number is never that of a copy. No branch
+ * depends on whether there is a record, as the CPU could not predict it. */
 static inline uint32_t record_of(const struct history_kept *kept, uint32_t i, uint32_t j) {
     uint32_t low = i < j ? i : j, high = i < j ? j : i, record = 0, hits = 0, end = kept->start[low + 1];
     for (uint32_t e = kept->start[low]; e < end; e++) {
@@ -164,7 +164,7 @@ static inline uint32_t record_of(const struct history_kept *kept, uint32_t i, ui
     return record | (hits - 1);
 }
 
-/* What history_restore works on. */
+/* Data of history_restore. */
 struct restoring {
     const struct history_kept *kept;
     const struct history_rows *rows;
@@ -173,7 +173,7 @@ struct restoring {
     const struct particles *particles;
 };
 
-/* The owned particle that k is, or is a copy of; others are their own. */
+/* The owned particle of which k is a copy; any other k is returned itself. */
 static uint32_t original_of(const struct history_twins *twins, uint32_t k) {
     return k >= twins->first && k - twins->first < twins->count ? twins->original[k - twins->first] : k;
 }
@@ -201,7 +201,8 @@ static inline bool may_have_row(const struct restoring *r, uint32_t i, uint32_t 
     return high >= r->kept->owned || start[i] != start[i + 1] || start[j] != start[j + 1];
 }
 
-/* The pairs [first, last) that may have a history, counted from the first; returns how many. */
+/* Chooses the pairs of [first, last) that may have a history, counted from the first; returns their
+ * number. */
 static inline size_t pairs_choose(const struct restoring *r, size_t first, size_t last, bool rows,
                                   uint32_t *restrict chosen) {
     size_t count = 0;
@@ -220,7 +221,7 @@ static const double *pair_value(const struct history *history, const struct rest
     uint32_t record = record_of(r->kept, i, j);
     if (record == PARTICLE_LEFT && r->rows->start == NULL)
         return NULL;
-    if (record == PARTICLE_LEFT) { /* one of them is a copy of a particle of this rank? */
+    if (record == PARTICLE_LEFT) { /* one of the two may be a copy of a particle of this rank */
         uint32_t own_i = original_of(r->twins, i), own_j = original_of(r->twins, j);
         if (own_i != i || own_j != j)
             record = record_of(r->kept, own_i, own_j);
@@ -240,7 +241,7 @@ static const double *pair_value(const struct history *history, const struct rest
     return history->part[history->now][t].value + (record - r->kept->first[t]) * (size_t)history->components;
 }
 
-/* The pairs of one thread find their records; they go to the buffer that is not read. */
+/* Finds the records of the pairs of one thread and writes them to the buffer that is not read. */
 static void restore_thread(struct history *history, const struct restoring *r, int t) {
     const struct pairlist *list = r->list;
     size_t components = (size_t)history->components, first = pairlist_thread_first(list, t), count = 0;

@@ -24,12 +24,12 @@ struct history_kept {
     size_t first[PAIR_THREADS_MAX + 1]; /* number of each thread's first record */
 };
 
-/* How particles are numbered before and after. */
+/* The numbers of particles before and after a rebuild. */
 struct history_numbers {
     const uint32_t *order; /* of the reorder: new particle k was number order[k] after the migration */
     size_t owned;          /* now */
     const uint32_t *place; /* number after the migration of each particle of the list; PARTICLE_LEFT: none.
-                              NULL: nobody came or went */
+                              NULL: no particle came or left */
     size_t before;         /* owned particles of the list, entries of place */
 };
 
@@ -38,8 +38,9 @@ struct history_numbers {
 void history_keep(const struct history *history, const struct pairlist *list,
                   const struct history_numbers *numbers, struct history_kept *kept);
 
-/* Copies of particles of this very rank, which a pair may meet that knew the particle itself before: those
- * behind `first` owned particles and other copies, and whose copies they are. */
+/* Copies of particles of this rank itself. A pair of the new list may have such a copy in place of the
+ * original that it had before. The copies are the particles first ... first + count - 1, behind owned
+ * particles and other copies; `original` has the number of the original of each. */
 struct history_twins {
     size_t first, count;
     const uint32_t *original;

@@ -105,7 +105,7 @@ static bool near_enough(const struct pairlist *list, const struct index_view *vi
     return reach > 0 && square <= reach * reach;
 }
 
-/* The pairs of [first, end) that are near enough, from `at` on; returns the end of what was written. */
+/* The pairs of [first, end) that are near enough, from `at` on; returns the end of the pairs written. */
 static size_t part_select(struct pairlist *list, const struct pairlist *from, const struct index_view *view,
                           double (*margin)[CLASS_MAX], size_t first, size_t end, size_t at) {
     for (size_t k = first; k < end; k++)

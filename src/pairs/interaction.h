@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Interactions: who meets whom, and how far. An interaction is what a sum over pairs goes over: contacts, the
- * support of a kernel, a cohesive force with a range.
+/* Interactions: the pairs that interact, and their range. An interaction is a set of pairs to sum over:
+ * contacts, the support of a kernel, a cohesive force with a range.
  *
- * All interactions of a scene share one index, one rebuild and one skin. The index finds the pairs that any of
- * them wants (interactions_range); each has a pair list of its own where it reaches clearly less far than
- * all together (interaction_list), and else shares theirs. A class pair that no interaction wants is not
- * searched.
+ * All interactions of a scene share one index, one rebuild and one skin. The index finds the pairs that any
+ * of them wants (interactions_range). An interaction has a pair list of its own if its range is clearly less
+ * than that of all together (interaction_list); else it shares the list of all. A class pair that no
+ * interaction wants is not searched.
  *
  * How to add an interaction:
  *   1. Write `range`: how far beyond touch two particles of these kinds and radii interact; -INFINITY where
@@ -35,7 +35,7 @@ struct interaction {
 struct interactions {
     int count;
     struct interaction row[INTERACTIONS_MAX];
-    struct pairlist *all;                                  /* what the index finds; owned */
+    struct pairlist *all;                                  /* the pairs that the index finds; owned */
     struct pairlist *own[INTERACTIONS_MAX];                /* NULL: the interaction shares `all`; owned */
     double margin[INTERACTIONS_MAX][CLASS_MAX][CLASS_MAX]; /* of each, skin included */
 };
@@ -43,7 +43,8 @@ struct interactions {
 /* Adds a row; returns its number. */
 int interactions_add(struct interactions *interactions, const struct interaction *row);
 
-/* The range of all together, for classes_choose and classes_set_margins; borrows `interactions`. */
+/* The range of all interactions together, for classes_choose and classes_set_margins; borrows
+ * `interactions`. */
 struct classes_range interactions_range(const struct interactions *interactions);
 
 /* Makes the pair lists, empty. Free releases them. */
@@ -53,8 +54,9 @@ void interactions_free(struct interactions *interactions);
 /* The list of an interaction; the pointer stays the same from the first interactions_divide on. */
 struct pairlist *interaction_list(const struct interactions *interactions, int k);
 
-/* Decides who has a list of its own, once classes and margins are known: who finds less than
- * INTERACTION_SHARE of the space searched for all. Once a run, before the first search. */
+/* Decides which interactions have a list of their own, once classes and margins are known: an interaction
+ * that needs less than INTERACTION_SHARE of the space searched for all. Once a run, before the first
+ * search. */
 #define INTERACTION_SHARE 0.8
 void interactions_divide(struct interactions *interactions, const struct size_classes *classes,
                          const struct pairlist_options *options);

@@ -4,7 +4,7 @@
  * Threads own contiguous ranges of particles (of each size class, as classes lie one after another in
  * memory). The rows of a thread are cut into blocks, small enough for the cache. Pair k is (i[k], j[k]): i
  * the row, j the partner with the image code in its upper 5 bits. The pairs of a block lie together, in three
- * segments that differ in who gets the force:
+ * segments that differ in the particles that get the force:
  *
  *   both   [first_pair, one_sided)  i and j both get it; both belong to this thread
  *   one    [one_sided, slotted)     only i gets it: j belongs to another thread, which has the mirrored pair
@@ -56,7 +56,7 @@ struct pairlist {
     uint32_t *i, *j;      /* padded by INDEX_SINK_PAD entries; threads' regions may leave gaps between them */
     size_t capacity;      /* entries allocated */
     size_t pair_count;    /* pairs in all blocks, mirrored copies included */
-    size_t primary_count; /* without: what the index found */
+    size_t primary_count; /* without mirrored copies: the pairs that the index found */
     struct pair_block *blocks;
     int block_count;
     int threads;
@@ -90,11 +90,11 @@ void pairlist_build(struct pairlist *list, const struct index *index, const stru
                     const struct box *box);
 
 /* Adds the image under which each ghost stands (`image[k]`: image code of ghost k, of particle owned + k) to
- * the image codes of its pairs: from then on they are those from the original, whose position the ghost must
- * be given. One thread; once after pairlist_build. */
+ * the image codes of its pairs. From then on the codes start from the original, and the caller must give each
+ * ghost the position of its original. One thread; once after pairlist_build. */
 void pairlist_add_images(struct pairlist *list, size_t owned, const uint8_t *image);
 
-/* First pair number of a thread: what its history counts from. */
+/* First pair number of a thread; the thread's history counts from this number. */
 static inline size_t pairlist_thread_first(const struct pairlist *list, int thread) {
     int b = list->thread_block[thread];
     return b < list->thread_block[thread + 1] ? list->blocks[b].first_pair : 0;
@@ -104,7 +104,7 @@ static inline size_t pairlist_thread_first(const struct pairlist *list, int thre
 size_t pairlist_memory(const struct pairlist *list);
 
 /* True if the particles of every pair exist, are of classes that meet, and lie within their margin, and its
- * row is one of its block's where that has rows; which segment the pair is in is not looked at. Else `why`
+ * row is one of its block's where that has rows; the segment of the pair is not checked. Else `why`
  * gets one line. Tests call it. */
 bool pairlist_valid(const struct pairlist *list, const struct index_view *view, char *why, size_t why_size);
 

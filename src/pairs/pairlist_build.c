@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* How a pair list is built; the layout is told in pairlist.h. The order of events in one pass:
+/* The build of a pair list; pairlist.h describes the layout. The order of events in one pass:
  *
- *   1. every thread visits its row blocks and sorts what it finds: into the segments of the block, into
+ *   1. every thread visits its row blocks and sorts the pairs found: into the segments of the block, into
  *      `mirror` (second copies for other threads), into `ghost`;
  *   2. (one thread) each ghost is given to the first thread, in thread order, that meets it;
  *   3. every thread appends its mirror block, picking its pairs from all threads' `mirror` in thread order,
  *      and its ghost block.
  *
- * A pass whose region overflowed has counted what it needs; the layout is made from the counts and the pass is
- * repeated. The pass is repeated too if the set of busy classes turns out otherwise than assumed. */
+ * A pass whose region overflowed has counted the room that it needs; the layout is made from the counts
+ * and the pass is repeated. The pass is repeated too if the set of busy classes turns out otherwise than
+ * assumed. */
 #include "pairs/pairlist_build.h"
 #include "core/memory.h"
 #include "index/grids/members.h"
@@ -88,14 +89,14 @@ static void blocks_make(struct pairlist *list, const struct index_view *view) {
     list->block_count = (int)at;
 }
 
-/* What a pass works on. */
+/* Data of a pass. */
 struct pass {
     struct pairlist *list;
     const struct index *index;
     const struct index_view *view;
 };
 
-/* Everything the index finds in a block, in the worker's sink. */
+/* Writes all pairs that the index finds in a block to the worker's sink. */
 static void block_visit(const struct pass *pass, struct pairlist_worker *worker,
                         const struct pair_block *block) {
     struct index_sink *sink = &worker->sink;
@@ -132,8 +133,8 @@ static uint32_t mirror_partner(uint32_t i, uint32_t j) {
     return i | image_opposite(pair_image(j)) << PARTICLE_INDEX_BITS;
 }
 
-/* Rows of one class that lie together and belong to one thread: partners among them need no look at whose
- * they are. Empty for a busy class. */
+/* Rows of one class that lie together and belong to one thread: for partners among these rows no look-up of
+ * the thread is needed. Empty for a busy class. */
 struct own_rows {
     uint32_t first, count;
 };
@@ -151,7 +152,7 @@ static struct own_rows own_rows_of(const struct pairlist *list, int t, const str
     return (struct own_rows){first->first_row, last->last_row - first->first_row};
 }
 
-/* A pair whose partner is not one of the own rows. */
+/* Sorts a pair whose partner is not one of the own rows. */
 static void pair_sort(const struct pass *pass, struct pairlist_worker *worker, int t, uint32_t i,
                       uint32_t j) {
     const struct pairlist_build *build = pass->list->build;
@@ -190,7 +191,7 @@ static void block_find(const struct pass *pass, struct pairlist_worker *worker, 
     worker->partners[block->size_class] += 2 * sink->count - others;
 }
 
-/* With one thread and no ghosts there is nothing to sort: what the index finds goes into the list at once. */
+/* With one thread and no ghosts there is nothing to sort: the index writes pairs into the list at once. */
 static void block_fill(const struct pass *pass, struct pairlist_worker *worker,
                        const struct pair_block *block) {
     struct index_sink sink = {0};
@@ -227,7 +228,7 @@ static void pass_rows(const struct pass *pass, int t) {
     }
 }
 
-/* Gives each ghost to the first thread that meets it. One thread. */
+/* Gives each ghost to the first thread that meets the ghost. One thread. */
 static void ghosts_assign(const struct pass *pass) {
     struct pairlist_build *build = pass->list->build;
     const struct index_view *view = pass->view;
@@ -310,7 +311,7 @@ static void pass_run(const struct pass *pass) {
     }
 }
 
-/* True if every region was large enough; else lays the list out again from what the pass counted. */
+/* True if every region was large enough; else lays the list out again from the counts of the pass. */
 static bool regions_suffice(struct pairlist *list) {
     struct pairlist_build *build = list->build;
     bool suffice = true;
@@ -333,7 +334,7 @@ static bool regions_suffice(struct pairlist *list) {
     return false;
 }
 
-/* Decides which classes are busy from the partners counted; true if that is what the pass assumed. */
+/* Decides which classes are busy from the partners counted; true if the pass assumed the same classes. */
 static bool busy_settled(struct pairlist *list, const struct index_view *view) {
     struct pairlist_build *build = list->build;
     uint64_t population[CLASS_MAX] = {0}, partners[CLASS_MAX] = {0};

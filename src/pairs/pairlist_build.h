@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Scratch of a pair list build, for pairlist.c and pairlist_build.c alone. It lives as long as the list, so
- * that a rebuild allocates nothing new. */
+/* Scratch of a pair list build, for pairlist.c and pairlist_build.c alone. The scratch lives as long as the
+ * list, so that a rebuild allocates nothing new. */
 #ifndef SCREE_PAIRS_PAIRLIST_BUILD_H
 #define SCREE_PAIRS_PAIRLIST_BUILD_H
 
@@ -14,7 +14,7 @@ struct pair_buffer {
 
 /* One thread's part of a build. */
 struct pairlist_worker {
-    struct index_sink sink; /* what the index finds in one block */
+    struct index_sink sink; /* pairs that the index finds in one block */
     struct pair_buffer one; /* the block's one-sided pairs, and its pairs with busy partners */
     struct pair_buffer slot;
     struct pair_buffer mirror; /* pairs (j, i) for other threads */
@@ -36,7 +36,7 @@ struct pairlist_build {
 
 void pair_buffer_free(struct pair_buffer *buffer);
 
-/* Room for the slot numbers of so many particles, and for so many slots; keeps those that are made. */
+/* Makes room for `particles` slot numbers and for `slots` slots; keeps the present ones. */
 void pairlist_reserve_slots(struct pairlist *list, size_t particles, size_t slots);
 
 #endif

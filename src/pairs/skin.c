@@ -93,7 +93,7 @@ static bool counts(const struct size_classes *classes, int a, int b) {
     return b == classes->count || classes_meet(classes, a, b);
 }
 
-/* Do the bounds, each grown by `more` x its last growth, exceed a skin? */
+/* True if the bounds, each grown by `more` x its last growth, exceed a skin. */
 static bool exceeded(const struct skin *skin, const struct size_classes *classes, double more) {
     double first[CLASS_MAX + 1], second[CLASS_MAX + 1];
     for (int c = 0; c <= classes->count; c++) {

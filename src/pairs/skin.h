@@ -3,9 +3,9 @@
  * pair add up to no more than its skin. Moving walls count as one more class. Class pairs that are not wanted
  * (index.h) have no list, and so no skin.
  *
- * Exact displacements cost a pass over all particles, so a bound is kept instead: what a class may have moved
- * at most, the sum of its largest speed times dt. Only when the bound reaches the skin are the displacements
- * measured, and the bound falls back to them. */
+ * Exact displacements cost a pass over all particles, so a bound is kept instead: the largest possible
+ * displacement of a class, the sum of its largest speed times dt. Only when the bound reaches the skin are
+ * the displacements measured; the bound then falls back to the measured values. */
 #ifndef SCREE_PAIRS_SKIN_H
 #define SCREE_PAIRS_SKIN_H
 
@@ -37,17 +37,18 @@ void skin_moved(struct skin *skin, const double *speed, int classes, double dt, 
  */
 void skin_measure(struct skin *skin, const struct particles *particles, int classes);
 
-/* Ends what skin_moved began, once the bounds are those of all ranks: notes by how much they have grown. */
+/* Ends the update of skin_moved, once the bounds are those of all ranks: stores the growth of each bound. */
 void skin_settle(struct skin *skin, int classes);
 
 /* True if some class pair may have used up its skin. */
 bool skin_due(const struct skin *skin, const struct size_classes *classes);
 
-/* True if some class pair has used up its skin beyond doubt, so that nothing is to be measured: right after a
- * rebuild, when the bound of a class is what its fastest particle has moved, and that alone is enough. */
+/* True if some class pair has used up its skin beyond doubt, so that no measurement is needed: right after a
+ * rebuild the bound of a class is the displacement of its fastest particle, and this displacement alone is
+ * enough. */
 bool skin_surely_due(const struct skin *skin, const struct size_classes *classes);
 
-/* True if the skin is to be expected used up after one more step like the last. */
+/* True if one more step like the last is expected to use up the skin. */
 bool skin_nearly_due(const struct skin *skin, const struct size_classes *classes);
 
 #endif

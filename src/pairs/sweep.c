@@ -30,7 +30,7 @@ void sweep_destroy(struct sweep **sweep) {
     *sweep = NULL;
 }
 
-/* Marks what other threads read in a block of kind MIRROR or GHOST. */
+/* Marks the particles that other threads read in a block of kind MIRROR or GHOST. */
 static void early_mark_block(struct sweep *sweep, const struct pairlist *list, const struct pair_block *block,
                              size_t owned) {
     bool mirror = block->kind == PAIR_BLOCK_MIRROR;
@@ -69,8 +69,8 @@ static void *grown(void *array, size_t *capacity, size_t count, size_t size) {
     return memory_resize(array, *capacity, size, "plan of the sweep");
 }
 
-/* Notes for each grain which block of thread t looks at it first: from the last block back, so that the first
- * one's number is what remains. */
+/* Stores for each grain the first block of thread t that reads the grain. The loop runs from the last block
+ * back, so that the number of the first block remains. */
 static void uses_find(struct sweep_thread *thread, const struct pairlist *list, int t, size_t owned) {
     size_t grains = owned / SWEEP_GRAIN + 1;
     thread->use = grown(thread->use, &thread->use_capacity, grains, sizeof *thread->use);
@@ -145,7 +145,7 @@ void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned,
     }
 }
 
-/* For sweep_valid: when each particle moves, and whose it is. */
+/* For sweep_valid: the time at which each particle moves, and its thread. */
 struct sweep_moves {
     uint32_t *when; /* 0: early; b + 1: before block b of its thread; UINT32_MAX: never */
     int *thread;

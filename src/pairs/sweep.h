@@ -2,9 +2,9 @@
 /* The plan of a fused sweep: when each particle moves, so that one visit to the memory serves the drift and
  * the forces.
  *
- * A thread runs its blocks of the pair list in order. Before block b it moves those of its particles that b
- * is the first to look at, and that have not moved yet: the late ones. A particle that others look at too
- * cannot wait so long; it moves early, before all blocks, and a barrier follows. Early are
+ * A thread runs its blocks of the pair list in order. Before block b the thread moves those of its particles
+ * that b is the first block to read and that have not moved yet: the late particles. A particle that other
+ * threads read, too, moves early: before all blocks, and a barrier follows. Early are
  *   - particles in pairs that cross threads (both copies of such a pair read both particles),
  *   - particles of busy classes, which every thread reads,
  *   - particles that have copies elsewhere: their values are sent before the sweep.
@@ -35,13 +35,13 @@ struct sweep_thread {
     size_t *start; /* block b of the thread (0: its first) moves late[start[b]] ... late[start[b + 1] - 1] */
     /* scratch, kept between rebuilds */
     struct sweep_range *unsorted;
-    uint32_t *use; /* of each grain: the block that looks at it first */
+    uint32_t *use; /* of each grain: the first block that reads the grain */
     size_t early_capacity, late_capacity, start_capacity, use_capacity;
 };
 
 struct sweep {
     int threads;
-    bool stale; /* set by whoever builds the pair list again; sweep_build clears it */
+    bool stale; /* set by the code that builds the pair list again; sweep_build clears it */
     struct sweep_thread *thread;
     uint8_t *early; /* owned entries: 1 where a particle moves early */
     size_t early_capacity;

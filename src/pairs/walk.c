@@ -110,7 +110,7 @@ void walk_block(struct walk *walk, const struct walk_work *work, int thread, int
     walk->kernel->block(&task);
 }
 
-/* Adds what the threads gave to the busy particles, in thread order. */
+/* Adds the threads' slots to the busy particles, in thread order. */
 static void walk_add_slots(const struct walk *walk, const struct walk_work *work) {
     size_t stride = work->stride;
     for (size_t s = 0; s < work->list->slot_count; s++) {

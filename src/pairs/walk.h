@@ -8,18 +8,19 @@
  * then for each WALK_BATCH near pairs, and for the rest at the end of the block:
  *
  *   gather     differences of the hot records and the fields asked for are written to the batch
- *   recall     what the pair remembers is found in the history
+ *   recall     the record of the pair is found in the history
  *   compute    the client's physics over the batch
  *   scatter    shares are added to i, and to j or its slot, by segment of the list; or written to the ledger
- *   remember   what the pair shall remember goes to the other buffer of the history
+ *   remember   the new record of the pair goes to the other buffer of the history
  *   note       the client's sums over the batch
  *
  * How to add a client, in six steps:
  *
- *   1. Choose what comes of a pair: an enum walk_scatter.
- *   2. Write a struct that begins with a struct walk_batch and holds what your physics needs a batch.
+ *   1. Choose the result of a pair: an enum walk_scatter.
+ *   2. Write a struct that begins with a struct walk_batch and holds the data of your physics for a batch.
  *   3. Write `compute`: it reads record, radius, gathered, history, and writes out (and lever, history), for
- * the entries [0, padded). It runs for WALK_BATCH pairs at a time, so it may be called through a pointer.
+ * the entries [0, padded). `compute` runs for WALK_BATCH pairs at a time, so a call through a pointer is
+ * cheap.
  *   4. Fill a struct walk_client with these, and create a walk with it.
  *   5. After each rebuild walk_prepare; in a step walk_run, or walk_block for all blocks and walk_finish.
  *   6. Fields beyond the gathered ones are read in `compute` by the numbers i[k] and j[k].
@@ -53,7 +54,7 @@ struct walk_batch {
     double record[WALK_BATCH][8];                       /* x_j - x_i, r_i + r_j, v_j - v_i, 1/m_i + 1/m_j */
     double gathered[WALK_GATHER_MAX][WALK_BATCH][8];    /* four doubles of i, four of j */
     double radius[2][WALK_BATCH];                       /* r_i, r_j */
-    double history[HISTORY_COMPONENTS_MAX][WALK_BATCH]; /* in: what is remembered (0: a new pair); out */
+    double history[HISTORY_COMPONENTS_MAX][WALK_BATCH]; /* in: old record (0: a new pair); out: new record */
     double out[2 * WALK_VALUES_MAX][WALK_BATCH];        /* see enum walk_scatter */
     double lever[2][WALK_BATCH];                        /* of i, of j */
     double share[WALK_BATCH][12];          /* force 0 moment 0 rolling 0 as records, made by the walk */
@@ -63,9 +64,9 @@ struct walk_batch {
     int both, one; /* [0, both): i and j get a share; [both, one): i alone; [one, count): j by its slot */
 };
 
-/* What comes of a pair, and where `out` has it. */
+/* The results of a pair, and their places in `out`. */
 enum walk_scatter {
-    WALK_NOTHING, /* the client has taken all that it wants in `compute` */
+    WALK_NOTHING, /* no result: the client has taken its sums in `compute` */
     WALK_VALUES,  /* `values` doubles for i: out[c], and for j: out[values + c] */
     WALK_FORCE,   /* records of 4 or more doubles: out[0..2] is a force on j, its negative acts on i */
     WALK_TORQUE,  /* records of 8: and out[3..5] a torque per lever, lever[0] of it on i, lever[1] on j */
@@ -80,7 +81,7 @@ struct walk_field {
 
 struct walk_task;
 
-/* Who walks. */
+/* A client of the walk. */
 struct walk_client {
     const char *name;
     size_t memory; /* bytes of a thread's batch, which begins with a struct walk_batch */
@@ -93,7 +94,7 @@ struct walk_client {
     void (*note)(const struct walk_task *task, struct walk_batch *batch);
 };
 
-/* What an evaluation works on; all borrowed. A pair is near if its distance is below the cut-off: `range`,
+/* Data of an evaluation; all borrowed. A pair is near if its distance is below the cut-off: `range`,
  * and with `radii` r_i + r_j + range. */
 struct walk_work {
     const void *context; /* the client's */
@@ -156,8 +157,8 @@ void walk_block(struct walk *walk, const struct walk_work *work, int thread, int
  * history. One thread, after all have finished their blocks. */
 void walk_finish(struct walk *walk, const struct walk_work *work);
 
-/* Forgets an evaluation instead of ending it: histories are those before it; the caller clears the target.
- * One thread. */
+/* Discards an evaluation instead of ending it: the histories are those before the evaluation; the caller
+ * clears the target. One thread. */
 void walk_abandon(struct walk *walk, const struct walk_work *work);
 
 /* All blocks by all threads, and walk_finish. Opens its own team. */

@@ -8,7 +8,7 @@
 /* Half a record of a particle: x y z radius, and vx vy vz 1/mass. */
 #define WALK_HALF(state, half) (*(const walk_four *)((const double *)(state) + 4 * (half)))
 
-/* What the loops over pairs read, side by side: a compiler must assume that their stores change what lies
+/* Data that the loops over pairs read, side by side: a compiler must assume that stores change the data
  * behind pointers. */
 struct walk_view {
     const struct particle_state *state;
@@ -46,7 +46,7 @@ static inline walk_four walk_between(const struct particle_state *i, const struc
 /* How a cut-off is formed; a constant where the filter is inlined. */
 enum walk_cutoff { WALK_TOUCH, WALK_RADII, WALK_RANGE };
 
-/* Which of four pairs are near, one bit each. */
+/* The near ones of four pairs, one bit each. */
 static inline unsigned walk_near(const struct walk_view *view, enum walk_cutoff cutoff,
                                  const uint32_t i[WALK_QUAD], const uint32_t j[WALK_QUAD]) {
     walk_four between[WALK_QUAD], row[WALK_QUAD];
@@ -85,7 +85,7 @@ static inline __attribute__((always_inline)) void walk_filter(const struct walk_
     thread->candidates = (size_t)(out - thread->candidate);
 }
 
-/* The filter apart for contacts, which is the one that must be fast. */
+/* A separate filter for contacts, as the filter for contacts must be fast. */
 static inline void walk_filter_any(const struct walk_task *task, const struct walk_view *view, size_t first,
                                    size_t last) {
     const struct walk_work *work = task->work;
@@ -241,7 +241,7 @@ static inline void walk_pad(struct walk_batch *b, int gathers, int components) {
     }
 }
 
-/* How many of the batch's pairs, which run in the order of pairs, lie before pair `end` of the list. */
+/* The number of the batch's pairs, which run in the order of pairs, before pair `end` of the list. */
 static inline int walk_before(const struct walk_task *task, size_t end) {
     const struct walk_batch *b = task->thread->batch;
     int low = 0, high = b->count;
@@ -277,7 +277,7 @@ static inline void walk_share(struct walk_batch *restrict b, enum walk_scatter s
         walk_transpose(b, b->out + 6, 8);
 }
 
-/* Adds what pair k gives to i (side 0) or j (side 1) to a record. */
+/* Adds the share of pair k for i (side 0) or j (side 1) to a record. */
 static inline __attribute__((always_inline)) void walk_add(double *record,
                                                            const struct walk_batch *restrict b, int k,
                                                            int side, enum walk_scatter scatter, int values) {
@@ -302,7 +302,7 @@ static inline size_t walk_stride(const struct walk_task *task, enum walk_scatter
     return scatter >= WALK_TORQUE ? 8 : task->work->stride;
 }
 
-/* Writes down what pair k gives to i (side 0) or j (side 1), as entry `at`. */
+/* Writes down the share of pair k for i (side 0) or j (side 1), as entry `at`. */
 static inline __attribute__((always_inline)) void walk_enter(const struct walk_task *task,
                                                              const struct walk_ledger ledger, size_t at,
                                                              int k, int side, enum walk_scatter scatter) {
@@ -318,7 +318,8 @@ static inline __attribute__((always_inline)) void walk_enter(const struct walk_t
     memcpy(ledger.share + at * stride, share, stride * sizeof *share);
 }
 
-/* The shares of the batch written down, to be summed in order. One-sided: others have the other side. */
+/* Writes down the shares of the batch, to be summed in order. A one-sided pair has only one share here:
+ * another thread or rank has the other side. */
 static __attribute__((noinline)) void walk_record(const struct walk_task *task, enum walk_scatter scatter) {
     struct walk_ledger *ledger = task->thread->ledger;
     const struct walk_batch *b = task->thread->batch;
@@ -332,7 +333,7 @@ static __attribute__((noinline)) void walk_record(const struct walk_task *task, 
     ledger->count = at;
 }
 
-/* The shares of the batch added to the particles, by segment of the list. */
+/* Adds the shares of the batch to the particles, by segment of the list. */
 static inline __attribute__((always_inline)) void walk_scatter(const struct walk_task *task,
                                                                enum walk_scatter scatter) {
     struct walk_thread *thread = task->thread;
@@ -382,7 +383,7 @@ static inline __attribute__((always_inline)) void walk_flush(const struct walk_t
     memmove(thread->candidate, thread->candidate + count, thread->candidates * sizeof thread->candidate[0]);
 }
 
-/* The block with constants for what a pair gives and remembers. */
+/* Takes the block through the stages, with constants for the results and the history of a pair. */
 static inline __attribute__((always_inline)) void walk_through(const struct walk_task *task,
                                                                enum walk_scatter scatter, int components) {
     const struct walk_view view = walk_view_of(task);
@@ -398,7 +399,7 @@ static inline __attribute__((always_inline)) void walk_through(const struct walk
         walk_flush(task, &view, (int)thread->candidates, scatter, components);
 }
 
-/* The usual ones in a form of their own. */
+/* The usual combinations have a compiled form of their own. */
 static void walk_rows(const struct walk_task *task) {
     int components = task->work->history ? task->work->history->components : 0;
     enum walk_scatter scatter = task->client->scatter;

@@ -9,7 +9,7 @@ struct walk_kernel {
     void (*block)(const struct walk_task *task); /* takes a block through all stages */
 };
 
-/* That of a level (walk_level), which the CPU must have. */
+/* The compiled form of a level (walk_level), which the CPU must have. */
 const struct walk_kernel *walk_kernel_get(int level);
 
 extern const struct walk_kernel walk_kernel_baseline;

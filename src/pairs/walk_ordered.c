@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Entries of one particle up to which insertion sorts faster. */
+/* SORT_SHORT: up to so many entries of one particle insertion sort is faster. */
 enum { RECORD_MAX = 8, SORT_SHORT = 24 };
 
 /* An entry in the order in which it is to be added. */

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* What happens to a particle whose centre leaves through an open side. */
+/* Treatment of a particle whose centre leaves through an open side. */
 enum box_leave { BOX_KEEP, BOX_DELETE, BOX_ERROR };
 
 struct box {

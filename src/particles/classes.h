@@ -2,10 +2,10 @@
 /* Size classes: particles of like radius, whatever their material. A search, a ghost layer and a skin are
  * bounded per class pair, never by the largest radius of all.
  *
- * Classes are numbered from small to large: class c holds the radii in (cut[c-1], cut[c]]. They are the same
- * on every rank. Where particles are of several kinds each has classes of its own, kind after kind (kinds.h).
- * The margin of a class pair is what a pair adds to r_i + r_j: range (of the interactions) + skin. Walls count
- * as one more class, number `count`. */
+ * Classes are numbered from small to large: class c holds the radii in (cut[c-1], cut[c]]. Classes are the
+ * same on every rank. If there are several kinds of particles, each kind has classes of its own, kind after
+ * kind (kinds.h). The margin of a class pair is added to r_i + r_j: range (of the interactions) + skin. Walls
+ * count as one more class, number `count`. */
 #ifndef SCREE_PARTICLES_CLASSES_H
 #define SCREE_PARTICLES_CLASSES_H
 
@@ -29,16 +29,16 @@ struct classes_options {
     double skin;           /* length unit */
     double fraction;       /* AUTO: share of the space that the particles fill; 0: not known */
     int dimension;         /* AUTO: 2 or 3; 0: not known, 3 */
-    double particles;      /* AUTO: that the radii stand for; 0: as many as radii */
+    double particles;      /* AUTO: number that the radii stand for; 0: as many as radii */
     double skin_relative;  /* else: skin of a pair = this x the smaller of the two classes' smallest radii */
-    int kind;              /* AUTO: of whose particles the radii are (kinds.h) */
+    int kind;              /* AUTO: kind of the particles that have the radii (kinds.h) */
 };
 
-/* How far apart particles must know each other. */
+/* The ranges of the interactions. */
 struct classes_range {
-    /* How far beyond touch two particles of these kinds and radii interact, length; negative: only when they
-     * overlap by so much; -INFINITY: never. Symmetric, monotonic in each radius. A wall has an infinite
-     * radius. NULL: 0. Any thread. */
+    /* The distance beyond touch within which two particles of these kinds and radii interact, length;
+     * negative: only if the overlap is at least so much; -INFINITY: never. Symmetric, monotonic in each
+     * radius. A wall has an infinite radius. NULL: 0. Any thread. */
     double (*of)(const void *context, int kind_a, double radius_a, int kind_b, double radius_b);
     const void *context;
 };
@@ -49,7 +49,7 @@ struct size_classes {
     double radius_min[CLASS_MAX]; /* smallest and largest radius present, over all ranks, length unit */
     double radius_max[CLASS_MAX];
     uint64_t population[CLASS_MAX]; /* particles in the class, over all ranks */
-    uint8_t kind[CLASS_MAX];        /* of whose particles it is a class (kinds.h); not decreasing */
+    uint8_t kind[CLASS_MAX];        /* kind of the particles of the class (kinds.h); not decreasing */
     double skin[CLASS_MAX + 1][CLASS_MAX + 1];   /* symmetric; row and column `count` are walls */
     double margin[CLASS_MAX + 1][CLASS_MAX + 1]; /* range + skin */
 };

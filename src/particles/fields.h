@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Fields: what a particle has. A field is registered by whoever needs it, in the set of particles that has
- * it; there is no list of all fields. Allocation, growth, reorder, packing for MPI, H5MD, restart, the docs
- * and `scree check` walk the table of the set.
+/* Fields: the data of a particle. The file that needs a field registers the field in the set of particles
+ * that has it; there is no list of all fields. Allocation, growth, reorder, packing for MPI, H5MD, restart,
+ * the docs and `scree check` walk the table of the set.
  *
  * How to add a field, in four steps:
  *   1. Describe the field in one row, `static const struct field temperature = {.name = "temperature",
  *      .type = FIELD_DOUBLE, .components = 1, .use = ..., .unit = "K", .help = "..."}`, in the file of its
  *      owner. The row says where the values travel; nothing else in the program lists the field.
- *   2. Where the scene decides that the field is needed: `fields_register(particles, &temperature)`.
+ *   2. Call `fields_register(particles, &temperature)` where the scene decides that the field is needed.
  *   3. Take the values from fields_base (or a function of the owner that calls it) before a loop, never
- *      inside. Pointers die when the set grows: at rebuilds, and where particles or fields are added.
+ *      inside. Pointers become invalid when the set grows: at rebuilds, and when particles or fields are
+ *      added.
  *   4. Values of copies: a FORWARD field comes with every exchange of the step, a REVERSE field is summed
  *      back with the forces; a pass of its own sends any list of fields (comm/ghosts.h).
  * `src/contact/spin.c` is an example.
@@ -23,7 +24,7 @@
 
 enum field_type { FIELD_DOUBLE, FIELD_INT64, FIELD_INT32, FIELD_UINT8 };
 
-/* Where a field goes. Bits of `use`. */
+/* The uses of a field: bits of `use`. */
 enum field_use {
     FIELD_GHOST = 1,     /* set in a copy when it is made; else a copy's value is not defined */
     FIELD_FORWARD = 2,   /* sent to copies every step */
@@ -44,10 +45,10 @@ struct field {
     int components;   /* 1 ... FIELD_COMPONENTS_MAX */
     int room;         /* components that memory holds (the others are 0); 0: no more than `components` */
     unsigned use;     /* bits of enum field_use */
-    unsigned kinds;   /* bits 1 << kind of the kinds that have it (kinds.h); 0: all. Others hold `fill` */
+    unsigned kinds;   /* bits 1 << kind (kinds.h) of the kinds with the field; 0: all. Others hold `fill` */
     double fill;      /* the value of particles that are added */
     const char *unit; /* H5MD unit string in SI, "" or NULL where it has none */
-    const char *needed_for; /* what in a scene brings it; NULL: every scene has it */
+    const char *needed_for; /* the part of a scene that needs the field; NULL: every scene has the field */
     const char *help;       /* one line */
 };
 
@@ -66,12 +67,12 @@ enum field_first {
 };
 
 /* Adds a field to a set, `fill` in all its particles, and returns its handle; a row that is there already
- * only gives its handle. Two rows of one name are a programmer's mistake. Pointers into the arrays die. One
- * thread; on all ranks alike. */
+ * only gives its handle. Two rows of one name are a programmer's mistake. Pointers into the arrays become
+ * invalid. One thread; on all ranks alike. */
 int fields_register(struct particles *particles, const struct field *field);
 
-/* The same for a field of doubles that lies in one record with the force, behind it, and is cleared with it
- * (the torque). */
+/* fields_register for a field of doubles that lies in one record with the force, behind the force, and is
+ * cleared together with the force (the torque). */
 int fields_register_with_force(struct particles *particles, const struct field *field);
 
 /* Number of fields of a set, and the row of handle `f`. */
@@ -109,15 +110,16 @@ bool fields_listed(const struct field_list *list, int f);
 size_t fields_packed_bytes(const struct particles *particles, const struct field_list *fields);
 
 /* Copies the listed fields of the `n` particles list[0..n) to `buffer`, particle after particle, without
- * padding. Returns the end of what was written. One thread; may run at the same time on other parts. */
+ * padding. Returns the end of the written data. One thread; may run at the same time on other parts. */
 char *fields_pack(const struct particles *particles, const struct field_list *fields, const uint32_t *list,
                   size_t n, char *buffer);
 
-/* The opposite: fills `n` particles from number `first` on. Returns the end of what was read. */
+/* The opposite of fields_pack: fills `n` particles from number `first` on. Returns the end of the data
+ * read. */
 const char *fields_unpack(struct particles *particles, const struct field_list *fields, size_t first,
                           size_t n, const char *buffer);
 
-/* Adds packed fields of doubles in `buffer` to the `n` particles list[0..n). Returns the end of what was
+/* Adds packed fields of doubles in `buffer` to the `n` particles list[0..n). Returns the end of the data
  * read. */
 const char *fields_unpack_add(struct particles *particles, const struct field_list *fields,
                               const uint32_t *list, size_t n, const char *buffer);

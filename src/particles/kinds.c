@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The kinds of particles, and which classes and which range of particles are of a kind. */
+/* The kinds of particles; the classes and the range of particles of each kind. */
 #include "particles/kinds.h"
 #include "core/memory.h"
 #include "particles/fields.h"

@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Kinds: what sort of thing a particle is. Grains are one; fluid and boundary particles will be others.
+/* Kinds: the physical sort of a particle. Grains are one kind; fluid and boundary particles will be others.
  *
  * Particles lie kind by kind, and class by class inside a kind: a size class is (kind, interval of radii),
  * numbered kind after kind and from small to large in each, and a rebuild orders particles by class
  * (kinds_sort). So the particles of a kind are one range (kinds_span), and a pass of a physics visits its
  * kind alone. A set with one kind has no field of kinds and pays nothing.
  *
- * An index wants classes from small to large (index.h): where radii of kinds overlap, a view has to show each
+ * An index wants classes from small to large (index.h): if radii of kinds overlap, a view has to show each
  * kind alone, or with classes of its own.
  *
  * How to add a kind, in three steps:
  *   1. Add it to enum kind and its name to kinds.c.
- *   2. Where the scene decides that there are such particles: kinds_register, then their kind is set where
- *      they are made. Fields that only this kind needs name it in field.kinds (fields.h).
+ *   2. Call kinds_register where the scene decides that there are such particles, and set the kind
+ *      of the particles at their creation. Fields that only this kind needs name it in field.kinds (fields.h).
  *   3. Choose the classes of each kind by classes_choose, and join them in the order of the kinds
  *      (kinds_join_classes). */
 #ifndef SCREE_PARTICLES_KINDS_H
@@ -25,10 +25,10 @@ enum kind { KIND_GRAIN, KIND_FLUID, KIND_BOUNDARY, KINDS };
 /* "grain", "fluid", "boundary". */
 const char *kinds_name(enum kind kind);
 
-/* Registers the field `kind`, grains where nobody sets it. For sets with more than one kind. */
+/* Registers the field `kind`, grain by default. For sets with more than one kind. */
 void kinds_register(struct particles *particles);
 
-/* The kind of each particle; NULL where all are grains. Borrowed until the set grows. */
+/* The kind of each particle; NULL if all are grains. Borrowed until the set grows. */
 uint8_t *kinds_of(const struct particles *particles);
 
 /* Adds the classes that were chosen for one kind behind those of the kinds before it, then sets skins and

@@ -130,8 +130,8 @@ void particles_vacate(struct particles *particles, const uint32_t *place, size_t
     particles->owned = stay;
 }
 
-/* Row k, of `bytes`, from row order[k] of those that lie `stride` apart; by the threads of the team that
- * calls. Inlined for each length, as a call for each row would cost more than the copy. */
+/* Copies row order[k] (of rows that lie `stride` apart) to row k of `bytes`, by the threads of the calling
+ * team. Inlined for each length, as a call for each row would cost more than the copy. */
 static inline __attribute__((always_inline)) void gather_rows(char *restrict to, const char *restrict from,
                                                               size_t stride, const uint32_t *order, size_t n,
                                                               size_t bytes) {
@@ -143,7 +143,7 @@ static inline __attribute__((always_inline)) void gather_rows(char *restrict to,
         else
             memcpy(to + k * bytes, from + (size_t)order[k] * stride, bytes);
     }
-    stream_end(); /* for others from the end of the region on */
+    stream_end(); /* other threads see the data from the end of the region on */
 }
 
 static void gather(char *restrict to, const char *restrict from, const uint32_t *order, size_t n,
@@ -209,8 +209,8 @@ static void gather_pieces(const struct storage_array *array, char *spare, size_t
     }
 }
 
-/* Arrays as wide as the spare one gather into it and change places with it; others are copied back from it.
- * While forces are zero their array is the spare one. */
+/* Gathers an array that is as wide as the spare one into the spare one, and exchanges the two; copies any
+ * other array back from the spare one. While forces are zero, their array is the spare one. */
 void particles_reorder(struct particles *particles, const uint32_t *order) {
     assert(particles->ghosts == 0);
     struct storage *storage = particles->storage;
@@ -255,7 +255,7 @@ void particles_classify(struct particles *particles, const struct size_classes *
                            : classes_of(classes, particles->state[k].radius));
 }
 
-/* Wraps one coordinate; returns how many edges it had to go back. */
+/* Wraps one coordinate; returns the number of edges that were subtracted. */
 static double wrap_coordinate(double *x, double edge) {
     double turns = floor(*x / edge);
     *x -= turns * edge;

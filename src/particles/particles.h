@@ -3,7 +3,7 @@
  * owned+ghosts-1).
  *
  * The hot state is one record of a cache line a particle, because the force loop gathers it; everything else
- * lies in arrays of its own, and exists only if somebody registered it (fields.h). The table of fields drives
+ * lies in arrays of its own, and exists only if it is registered (fields.h). The table of fields drives
  * allocation, growth, reorder, packing for MPI, HDF5 and the docs.
  *
  * Velocity is that of the last half step, v(n-1/2): it led to the present positions. Full-step values are
@@ -35,7 +35,7 @@ struct particles {
                          move them */
     /* The fields that each set has, for the passes that use these all the time; others: fields.h */
     struct particle_state *state;
-    double *force;       /* force_stride doubles a particle: fx fy fz 0, then what is registered with it */
+    double *force;       /* force_stride doubles a particle: fx fy fz 0, then the fields registered with it */
     int force_stride;    /* 4, or more */
     int64_t *id;         /* unique over all ranks, >= 1 */
     uint8_t *size_class; /* see classes.h */
@@ -49,7 +49,8 @@ struct storage;
 struct particles *particles_create(size_t capacity);
 void particles_destroy(struct particles **particles);
 
-/* Makes room for `capacity` records at least, keeping the contents. Pointers into the arrays die. */
+/* Makes room for `capacity` records at least, keeping the contents. Pointers into the arrays become
+ * invalid. */
 void particles_reserve(struct particles *particles, size_t capacity);
 
 /* Appends one owned particle, its fields at their fill (0 for most), and returns its number; only while
@@ -57,17 +58,17 @@ void particles_reserve(struct particles *particles, size_t capacity);
 size_t particles_append(struct particles *particles);
 
 /* Removes the owned particles whose entry in `remove[owned]` is non-zero, keeping the order of the rest; only
- * while ghosts == 0. Returns how many were removed. */
+ * while ghosts == 0. Returns the number of removed particles. */
 size_t particles_remove(struct particles *particles, const uint8_t *remove);
 
-/* Where each of the owned particles goes if those with a non-zero entry in `leaves[owned]` leave and the last
- * ones take their places, in order, so that the rest do not move. place[owned] is the caller's; it is
- * PARTICLE_LEFT for those who leave. Returns how many stay. */
+/* Finds the new places of the owned particles if those with a non-zero entry in `leaves[owned]` leave and the
+ * last particles take their places, in order, so that the other particles do not move. place[owned] is the
+ * caller's; a particle that leaves has the place PARTICLE_LEFT. Returns the number of particles that stay. */
 size_t particles_places(const uint8_t *leaves, size_t owned, uint32_t *place);
 #define PARTICLE_LEFT UINT32_MAX
 
-/* Moves the owned particles to place[owned] of particles_places, which found that `stay` of them stay; the
- * others are gone. For few that leave many. Only while ghosts == 0. */
+/* Moves the owned particles to place[owned] of particles_places, which returned `stay`; the particles that
+ * leave are lost. For few particles that leave many. Only while ghosts == 0. */
 void particles_vacate(struct particles *particles, const uint32_t *place, size_t stay);
 
 /* Reorders the owned particles: the new particle k is the old order[k]. `order` has `owned` entries, a

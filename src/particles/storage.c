@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The arrays behind the fields: the first ones, and what keeps struct particles and the table alike. */
+/* The arrays behind the fields: the first arrays, and the functions that keep struct particles and the table
+ * consistent. */
 #include "particles/storage.h"
 
 static const struct field position = {.name = "position",

@@ -14,7 +14,7 @@ struct storage_array {
     size_t stride; /* bytes a particle */
 };
 
-/* Where a field lies. */
+/* The place of a field. */
 struct storage_place {
     const struct field *field;
     int array;

@@ -57,7 +57,8 @@ static void add(struct scene_changes *all, const char *key, const struct tree_no
     all->change[all->count++] = change;
 }
 
-/* What an element of a list is known by, in `label`: its name, or between what it holds; else its place. */
+/* Writes the label of an element of a list: its name, or the materials between which it holds; else its
+ * place. */
 static void label_of(const struct tree_node *element, size_t place, char label[KEY_MAX]) {
     const struct tree_node *name = element->kind == TREE_MAP ? tree_get(element, "name") : NULL;
     if (element->kind == TREE_MAP && name == NULL)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What differs between two effective scenes. */
+/* The differences between two effective scenes. */
 #ifndef SCREE_SCENE_COMPARE_H
 #define SCREE_SCENE_COMPARE_H
 
@@ -18,9 +18,9 @@ struct scene_changes {
     struct scene_change *change;
 };
 
-/* Compares two texts of scene_echo, in the order of the second, then what it lacks. Elements of lists are
- * matched by their names, or by the materials between which they hold, else by their places. False with a
- * user's error where a text cannot be parsed; `file` names it in the message. One thread. */
+/* Compares two texts of scene_echo, in the order of the second, then the keys that the second lacks. Elements
+ * of lists are matched by their names, or by the materials between which they hold, else by their places.
+ * False with a user's error where a text cannot be parsed; `file` names it in the message. One thread. */
 bool scene_compare(const char *file, const char *then, const char *now, struct scene_changes *changes,
                    struct error *error);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* From what was read to what the modules take: the box, sides, pairs of materials, unit vectors, defaults
- * that depend on other keys. */
+/* Derives the data of the modules from the values read: the box, sides, pairs of materials, unit vectors,
+ * defaults that depend on other keys. */
 #include "scene/finish.h"
 
 #include "core/memory.h"
@@ -35,7 +35,7 @@ static bool unit_vector(const struct scene *scene, double v[3], struct error *er
     return normalise(v) || scene_fail(scene, error, key, "[%g, %g, %g] has no direction", v[0], v[1], v[2]);
 }
 
-/* The box of the first source's file; what the scene says of periodic directions stays. */
+/* The box of the first source's file; the periodic directions of the scene stay. */
 static bool box_from_file(struct scene *scene, struct error *error) {
     const struct source_options *source = &scene->source[0];
     bool file = scene->sources > 0 && source->kind == SOURCE_FILE && source->format != SOURCE_TABLE;
@@ -218,14 +218,14 @@ static bool finish_pairs(struct scene *scene, struct error *error) {
                     scene, error, "material_pairs",
                     "the pair %s, %s is missing (an entry without `between` serves all that are not named)",
                     scene->material[b].name, scene->material[a].name);
-            /* what never meets takes any values */
+            /* a pair that never meets takes any values */
             scene->law_pair[a][b] = scene->law_pair[b][a] =
                 law_pair_of(&scene->pair[fallback < 0 ? 0 : fallback]);
         }
     return true;
 }
 
-/* A material that was not named: the only one. */
+/* Sets a material that was not named: the only one. */
 static bool only_material(const struct scene *scene, int *material, struct error *error, const char *list,
                           int number) {
     if (*material < 0 && scene->materials == 1)

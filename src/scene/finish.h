@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What happens to a scene before and after it is read: names, derived values. */
+/* The steps before and after the reading of a scene: names, derived values. */
 #ifndef SCREE_SCENE_FINISH_H
 #define SCREE_SCENE_FINISH_H
 
@@ -7,7 +7,7 @@
 
 struct tree_node;
 
-/* Before reading: what is there without being named (the group "free"). */
+/* Before reading: creates the entries that no key names (the group "free"). */
 void finish_prepare(struct scene *scene);
 
 /* Before the tree `root` is read, as a name that stands twice makes all that refers to it unclear: the names

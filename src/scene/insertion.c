@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* How many particles are due, where they are proposed, and which of them find a place. Read insertion.h
- * first. */
+/* Computes the number of due particles and proposed places, and accepts the particles that find a place. Read
+ * insertion.h first. */
 #include "scene/insertion.h"
 
 #include <math.h>

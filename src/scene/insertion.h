@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Particles inserted during a run, and deleted. What is to be inserted depends on seed, region and the number
- * of the particle alone: no rank or thread enters. Whether a place is free is for the caller to find out,
- * with all ranks:
+/* Particles inserted during a run, and deleted. An inserted particle depends on seed, region and its number
+ * alone, not on ranks or threads. The caller finds out, with all ranks, whether a place is free:
  *
  *     n = insertion_due(insertion, time) - state.placed      particles due
- *     insertion_begin(...)                                   their sizes and velocities
+ *     insertion_begin(...)                                   sizes and velocities of these
  *     for round = 0 ... attempts - 1, while some are unplaced:
  *         insertion_propose(...)                             the same places on every rank
  *         blocked[k] = 1                                     where one touches a particle or a wall: the
@@ -12,7 +11,8 @@
  *         insertion_settle(...)                              accepts those that touch no accepted one either
  *     insertion_end(...)                                     the owner of each that entered appends it
  *
- * What found no place waits for the next call: a full region slows down and catches up, and is reported. */
+ * A particle that found no place waits for the next call: a full region slows down and catches up later,
+ * which the report shows. */
 #ifndef SCREE_SCENE_INSERTION_H
 #define SCREE_SCENE_INSERTION_H
 
@@ -28,7 +28,7 @@ struct insertion_options {
     double rate;        /* particles a time unit */
     double mass_rate;   /* or mass a time unit; one of the two is > 0 */
     double start, stop; /* time */
-    int64_t count;      /* at most so many in all; 0: no bound */
+    int64_t count;      /* largest number of particles in all; 0: no bound */
     int64_t attempts;   /* rounds of places tried at one step */
     double velocity[3], velocity_sigma;
     double omega[3];
@@ -40,10 +40,10 @@ struct deletion_options {
     char name[SOURCE_NAME_MAX];
     struct region region; /* a particle whose centre lies in it is deleted ... */
     double start, stop;   /* ... at a step with start <= t < stop */
-    int64_t every;        /* looked at every so many steps */
+    int64_t every;        /* steps between two checks */
 };
 
-/* What a checkpoint stores of an insertion region. */
+/* The state of an insertion region that a checkpoint stores. */
 struct insertion_state {
     uint64_t placed; /* particles inserted so far */
     uint64_t tried;  /* rounds so far: the counter of the random places */
@@ -64,7 +64,7 @@ struct insertion {
 
 /* One candidate; positions box-relative. */
 struct insertion_candidate {
-    uint64_t number; /* the how-manieth particle of this region: fixes radius and velocity */
+    uint64_t number; /* number of the particle in this region: fixes radius and velocity */
     double x[3], v[3], omega[3];
     double radius, density;
     int material, group;
@@ -94,14 +94,14 @@ void insertion_propose(const struct insertion *insertion, struct insertion_state
                        struct insertion_candidate *candidate, uint8_t *blocked, size_t n);
 
 /* Accepts, in order, the unsettled candidates that are not blocked and touch no accepted one (periodic images
- * counted). Returns how many are still unsettled. */
+ * counted). Returns the number of unsettled ones. */
 size_t insertion_settle(const struct insertion *insertion, struct insertion_candidate *candidate,
                         const uint8_t *blocked, size_t n);
 
 /* Counts the accepted candidates into the state, as far as they follow one another without a gap: particles
  * enter in the order of their numbers, so that a size law keeps its shares where large ones find no room.
- * Those behind a gap are marked as not accepted, and come again at the next call. Returns how many entered:
- * candidate[0] ... */
+ * Candidates behind a gap are marked as not accepted, and come again at the next call. Returns the number
+ * that entered: candidate[0] ... */
 size_t insertion_end(const struct insertion *insertion, struct insertion_state *state,
                      struct insertion_candidate *candidate, size_t n);
 

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Places that a walk may look at, in about ten seconds, and that a lattice may have. */
+/* The largest number of places that a walk looks at, in about ten seconds, and that a lattice has. */
 static const double WALK_MAX = 1e9, PLACES_MAX = 1e15;
 
 struct lattice {
@@ -27,7 +27,7 @@ static const struct lattice lattices[] = {
     [SOURCE_HEXAGONAL] = {{1, 1.7320508075688772, 0}, 2, {{0, 0, 0}, {0.5, 0.5, 0}}},
 };
 
-/* What a walk over the places needs. */
+/* Data of a walk over the places. */
 struct walk {
     const struct scene *scene;
     const struct source_options *source;
@@ -85,7 +85,7 @@ static int64_t count_places(const struct walk *walk, int64_t places, int64_t wan
     return found;
 }
 
-/* About how many places lie in the region: all cells, less what the region leaves of its bounding box. */
+/* Approximate number of places in the region: all places, less the part of the bounding box outside it. */
 static double expected_spheres(const struct walk *walk, double places) {
     double lower[3], upper[3], bounds = 1;
     region_bounds(&walk->region, lower, upper);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Random sequential addition: radii are drawn first, then placed from large to small, each at the first of
  * its random places that is free. The places of a sphere come from a sequence of its own, so that the packing
- * depends on seed and scene alone. Without moving what is placed the density is bounded: equal spheres end at
- * 0.382 of the volume, equal discs at 0.547 of the area (Feder 1980), and the last percents take very long;
- * wide size laws reach more. */
+ * depends on seed and scene alone. Without moves of placed spheres the density is bounded: equal spheres end
+ * at 0.382 of the volume, equal discs at 0.547 of the area (Feder 1980), and the last percents take very
+ * long; wide size laws reach more. */
 #include "scene/packing.h"
 
 #include "core/memory.h"
@@ -30,14 +30,14 @@ static double solid(int dimension, double r) {
     return dimension == 2 ? M_PI * r * r : 4 * M_PI / 3 * r * r * r;
 }
 
-/* What is to be placed: `count` radii, or as many as fill the volume fraction. */
+/* The spheres to be placed: `count` radii, or as many as fill the volume fraction. */
 struct order {
     struct draw *draw;
     size_t count;
     double volume; /* of the region */
 };
 
-/* Where spheres are placed, and what is in their way. */
+/* The region for the spheres, and the obstacles in it. */
 struct placing {
     const struct scene *scene;
     int source;
@@ -47,7 +47,7 @@ struct placing {
     struct placegrid *grid;
 };
 
-/* Tells whoever wants to know how far it is, but not for each sphere. */
+/* Reports the progress to the caller, but not for each sphere. */
 static void tell(const struct scene_share *share, const char *what, size_t done, double all) {
     if (share->progress && done % PROGRESS_BLOCK == 0 && done > 0)
         share->progress(share->context, what, fmin(1, (double)done / all));
@@ -80,7 +80,7 @@ static bool draw_radii(const struct placing *p, double volume, struct order *ord
         double r = sizes_draw(&sampler, &random);
         double more = solid(scene->box.dimension, r);
         if (!options->count && have + more - wanted > wanted - have)
-            break; /* without it the fraction is nearer */
+            break; /* the fraction is nearer without this sphere */
         have += more;
         if (order->count == SOURCE_SPHERES_MAX)
             return scene_fail(scene, error, source_key(source, "volume_fraction", key, sizeof(key)),

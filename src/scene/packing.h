@@ -7,8 +7,9 @@
 #include "scene/scene_share.h"
 #include "scene/source_batch.h"
 
-/* Places spheres at random, largest first, without touching each other, those in `grid` (which receives them)
- * or what share->taken names. Each sphere's place depends on seed, source and its number alone. */
+/* Places spheres at random, largest first, without touching each other, spheres in `grid` (which receives
+ * the new ones) or taken places (share->taken). Each sphere's place depends on seed, source and its number
+ * alone. */
 bool packing_make(const struct scene *scene, int source, const struct scene_share *share,
                   struct placegrid *grid, struct source_batch *batch, struct error *error);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Regions: what is inside, their bounds and volumes, random points. Read region.h first. */
+/* Regions: test of a point, bounds and volumes, random points. Read region.h first. */
 #include "scene/region.h"
 
 #include <math.h>

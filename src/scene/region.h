@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A part of space: where particles are made, inserted, deleted, selected. Lengths are the user's coordinates.
- */
+/* A part of space, in which particles are made, inserted, deleted or selected. Lengths are the user's
+ * coordinates. */
 #ifndef SCREE_SCENE_REGION_H
 #define SCREE_SCENE_REGION_H
 
@@ -18,8 +18,8 @@ struct region {
     double length;             /* CYLINDER: whole length along the axis */
 };
 
-/* What a region is asked in: two dimensions, and the directions in which it wraps around (a box that spans a
- * periodic direction has no wall there). */
+/* The space of a region: two dimensions or three, and the directions in which the space wraps around (a box
+ * that spans a periodic direction has no wall there). */
 struct region_space {
     int dimension;
     double plane; /* z of the particles in two dimensions */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What modules ask of a scene, and messages about it. */
+/* The queries of modules to a scene, and messages about it. */
 #include "scene/scene.h"
 
 #include "contact/material.h"
@@ -61,7 +61,7 @@ void scene_integrator(const struct scene *scene, struct integrator_context *cont
     }
 }
 
-/* Both sides of a pair are computed where they are, so that no sums travel back. */
+/* Each rank then computes its own side of a pair, so that no sums are sent back. */
 void scene_make_reproducible(struct scene *scene) {
     scene->reproducible = scene->ghosts.in_place = true;
     scene->ghosts.newton = scene->ghosts.reduced = false;

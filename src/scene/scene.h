@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The scene: all that a user sets, read from a YAML file against one schema (schema.h), as the option structs
- * of the modules by value, plus what belongs to the scene alone. Nobody else knows the file.
+ * of the modules by value, plus the data of the scene alone. No other module knows the file.
  *
  *     scene_text.h: the text of the file
  *         ->  scene_read.h, which calls the rest:
@@ -8,10 +8,10 @@
  *         ->  schema_read.h: every key checked and stored
  *         ->  finish.h: derived values
  *         ->  scene_check.h: combinations
- *     scene_particles.h: what its sources give
+ *     scene_particles.h: the particles of its sources
  *
  * A number that the user did not give and that has no default is NAN while reading; finish.c leaves none
- * behind in what the modules receive (`step.dt`, for one, is then 0). Lengths of regions, sources, walls and
+ * behind in the data of the modules (`step.dt`, for one, is then 0). Lengths of regions, sources, walls and
  * observables are in the user's coordinates; everything handed to particles is box-relative. */
 #ifndef SCREE_SCENE_SCENE_H
 #define SCREE_SCENE_SCENE_H
@@ -51,7 +51,7 @@ struct scene_step {
     int64_t count;         /* steps; -1: by duration */
     bool force;            /* run although dt is above the stable step */
     bool fused;            /* particles move just before their first contact, instead of all at once */
-    int64_t rebuild_every; /* rebuild at least every so many steps; 0: when the skin is used up */
+    int64_t rebuild_every; /* most steps between two rebuilds; 0: when the skin is used up */
     int contacts;     /* simultaneous contacts counted for the stable step; 0: the default of timestep.h */
     double speed_max; /* largest impact speed expected for the stable step; 0: from the particles */
 };
@@ -59,7 +59,7 @@ struct scene_step {
 /* Vector instructions used at most; the numbers are those of enum index_instructions. */
 enum scene_simd { SCENE_SIMD_AUTO, SCENE_SIMD_BASELINE, SCENE_SIMD_V3, SCENE_SIMD_V4 };
 
-/* Their names: those of the force loop's kernels. */
+/* The names of enum scene_simd: those of the force loop's kernels. */
 const char *scene_simd_name(enum scene_simd simd);
 
 enum scene_group_motion { SCENE_FREE, SCENE_FROZEN, SCENE_MOVING };
@@ -82,7 +82,7 @@ struct scene_group {
 /* Which copies a rank gets, as the scene says it. */
 enum scene_ghosts { SCENE_GHOSTS_FULL, SCENE_GHOSTS_REDUCED, SCENE_GHOSTS_AUTO };
 
-/* What a guard does. */
+/* The action of a guard. */
 enum scene_guard { SCENE_GUARD_STOP, SCENE_GUARD_WARN, SCENE_GUARD_OFF, SCENE_GUARD_AUTO };
 
 struct scene_guards {
@@ -108,8 +108,8 @@ struct scene_index {
 
 struct scene {
     char file[SCENE_PATH_MAX];   /* as named in messages */
-    char note[SCENE_NOTE_MAX];   /* what the reader has to tell; "" if nothing */
-    char folder[SCENE_PATH_MAX]; /* what relative paths start from, ends with '/' or is empty */
+    char note[SCENE_NOTE_MAX];   /* message of the reader to the user; "" if none */
+    char folder[SCENE_PATH_MAX]; /* start of relative paths, ends with '/' or is empty */
     struct tree_node *tree;      /* the parsed text, for places in messages; owned */
     char title[256];
     enum scene_units units;
@@ -130,7 +130,7 @@ struct scene {
     struct law_material material[LAW_MATERIALS_MAX];
     int pairs;
     struct scene_pair pair[SCENE_PAIRS_MAX];
-    struct law_pair law_pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX]; /* complete: what law_prepare takes */
+    struct law_pair law_pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX]; /* complete: input of law_prepare */
 
     int walls;
     struct wall_options wall[WALLS_MAX];
@@ -179,7 +179,7 @@ void scene_register(const struct scene *scene, const struct law *law, struct par
 /* Motion of the groups and gravity as the integrator wants them; dt stays 0. */
 void scene_integrator(const struct scene *scene, struct integrator_context *context);
 
-/* Sets `reproducible` in a scene that was read, and what follows from it. */
+/* Sets `reproducible` in a scene that was read, and the settings that follow from it. */
 void scene_make_reproducible(struct scene *scene);
 
 /* Number of a material or wall by name, or -1. */

@@ -6,17 +6,17 @@
 #include <math.h>
 #include <string.h>
 
-/* Where two keys exclude each other. */
+/* The advice if two keys exclude each other. */
 static const char one_of_two[] = "give one of the two, or take the other out with --set KEY=~";
 
-/* In two dimensions: what moves has no z component. */
+/* In two dimensions a velocity must have no z component. */
 static bool check_moves(const struct scene *scene, const double v[3], const char *key, struct error *error) {
     return v[2] == 0 ||
            scene_fail(scene, error, key,
                       "has a z component (%g) in a two-dimensional scene; allowed: [x, y, 0]", v[2]);
 }
 
-/* And what turns does so about z. */
+/* In two dimensions a rotation must be about z. */
 static bool check_turns(const struct scene *scene, const double v[3], const char *key, struct error *error) {
     return (v[0] == 0 && v[1] == 0) ||
            scene_fail(scene, error, key,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What cannot be in a scene. */
+/* The check of a scene. */
 #ifndef SCREE_SCENE_SCENE_CHECK_H
 #define SCREE_SCENE_SCENE_CHECK_H
 

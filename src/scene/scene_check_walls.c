@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-/* What rounding leaves of a component of a unit vector that is meant to be 0. */
+/* Largest rounding error of a component of a unit vector that is meant to be 0. */
 static const double rounding = 1e-12;
 
 static bool check_periodic_plane(const struct scene *scene, int w, int d, struct error *error) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What cannot be among the walls of a scene. */
+/* The check of the walls of a scene. */
 #ifndef SCREE_SCENE_SCENE_CHECK_WALLS_H
 #define SCREE_SCENE_SCENE_CHECK_WALLS_H
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* From sources to particles. Every rank walks through all rows of all sources in the same order; what depends
- * on a particle's number (id, random velocity) is therefore the same everywhere, and each rank keeps its own.
- * Two searches over the whole stream, for ids and for places that occur twice, are divided by hash: rank r
- * remembers what falls to it. */
+/* From sources to particles. Every rank walks through all rows of all sources in the same order; data that
+ * depend on a particle's number (id, random velocity) are therefore the same everywhere, and each rank keeps
+ * its own particles. Two searches over the whole stream, for ids and for places that occur twice, are divided
+ * by hash: rank r remembers the keys of its part. */
 #include "scene/scene_particles.h"
 
 #include "contact/material.h"
@@ -28,7 +28,7 @@ struct walk {
     const struct scene_share *share;
     struct particles *particles;
     struct scene_census census;
-    struct unique ids, places; /* what may occur only once */
+    struct unique ids, places; /* values that may occur only once */
     struct placegrid *grid;    /* NULL where no later source needs it */
     uint64_t stream;           /* spheres so far */
     struct error *error;
@@ -113,7 +113,8 @@ static bool take_sphere(struct walk *walk, int source, const struct source_batch
     return true;
 }
 
-/* Room for what this rank is to expect of `count` particles, lest arrays grow step by step. */
+/* Reserves memory for this rank's expected part of `count` particles, so that arrays do not grow step by
+ * step. */
 static void expect(struct walk *walk, size_t count) {
     size_t ranks = (size_t)walk->share->size, share = count / ranks;
     share += ranks > 1 ? share / 16 + 1 : 0;
@@ -195,7 +196,7 @@ static bool take_source(struct walk *walk, int source) {
     return good;
 }
 
-/* The grid of places, where a source places at random. */
+/* Makes the grid of places, if a source places spheres at random. */
 static void make_grid(struct walk *walk) {
     double unit = INFINITY;
     for (int s = 0; s < walk->scene->sources; s++) {

@@ -8,7 +8,7 @@
 #include <string.h>
 #include <zlib.h>
 
-/* What zlib says of a file. */
+/* The message of zlib about a file. */
 static const char *reading_error(gzFile file) {
     int status = Z_OK;
     const char *why = gzerror(file, &status);

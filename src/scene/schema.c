@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Looks into the rows of the schema: finds, walks, suggests, tells what is allowed. Read schema_rows.h first. */
+/* Looks into the rows of the schema: finds, walks, suggests, names the allowed values. Read schema_rows.h
+ * first. */
 #include "scene/schema.h"
 #include "scene/schema_root.h"
 
@@ -295,7 +296,7 @@ const char *schema_target_name(const char *root, const char *target, int k) {
     return root + list->offset + (size_t)k * list->size + name->offset;
 }
 
-/* What is allowed, in words. */
+/* The allowed values, in words. */
 
 static void append_word(char *text, size_t room, const char *separator, const char *word) {
     size_t length = strlen(text);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What is asked of the schema (schema_rows.h): rows by key, conditions, what is allowed, messages. */
+/* The queries of the schema (schema_rows.h): rows by key, conditions, allowed values, messages. */
 #ifndef SCREE_SCENE_SCHEMA_H
 #define SCREE_SCENE_SCHEMA_H
 
@@ -9,14 +9,14 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Where a read stands; also what messages need. */
+/* The state of a read; messages need this struct, too. */
 struct schema_reader {
     const char *file;     /* for messages */
     const char *folder;   /* relative paths start here */
     char *root;           /* the struct that schema_root describes */
     bool units;           /* units may be given */
     const int *dimension; /* 2: vectors may have two components */
-    char *note;           /* SCHEMA_NOTE_MAX bytes: what to tell the user of an older name; "" if nothing */
+    char *note;           /* SCHEMA_NOTE_MAX bytes: note to the user of an older name; "" if none */
     struct error *error;
 };
 
@@ -59,7 +59,7 @@ bool schema_suggest(const char *section, const char *key, char nearest[SCHEMA_KE
 void schema_walk(void (*visit)(void *context, const struct schema_row *row, const char *key, int depth),
                  void *context);
 
-/* What is allowed, in words: "a number > 0 with a unit of length (m)", "one of a, b, c". */
+/* The allowed values, in words: "a number > 0 with a unit of length (m)", "one of a, b, c". */
 void schema_allowed(const struct schema_row *row, char *text, size_t room);
 
 #endif

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-/* One line: what may stand there. */
+/* One line: the allowed values. */
 static void print_brief(FILE *out, const struct schema_row *row) {
     char allowed[512];
     schema_allowed(row, allowed, sizeof(allowed));

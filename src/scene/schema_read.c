@@ -30,14 +30,14 @@ static bool unknown_key(struct schema_reader *reader, const struct tree_node *no
     return schema_fail(reader, node, "", "unknown key '%s%.80s' (`scree help` lists all keys)", prefix, key);
 }
 
-/* Where a setting is on its way down. */
+/* The place of a setting on its way down the tree. */
 struct descent {
     struct schema_reader *reader;
     const struct schema_table *table; /* NULL: below a list of plain values */
     struct tree_node *node;           /* the section */
-    const struct tree_node *value;    /* what is set: names the place */
+    const struct tree_node *value;    /* the value to set; names the place in messages */
     const char *whole;
-    bool out; /* the value is null: what is there is taken out */
+    bool out; /* the value is null: the present entry is taken out */
 };
 
 /* The number in "[3]" at *key, which is moved behind it. */
@@ -101,7 +101,7 @@ static bool replace_item(struct descent *descent, const struct schema_row *row, 
     return true;
 }
 
-/* A key that is to be taken out and is not there: nothing to do, if it could be. */
+/* A key that is to be taken out and is not there: nothing to do, if the key could be there. */
 static bool absent(struct descent *descent) {
     char full[SCHEMA_KEY_MAX];
     return schema_find(descent->whole, full) ||
@@ -126,7 +126,7 @@ static bool step_into_short_form(struct descent *descent, const char *name, size
     return descent->node != NULL;
 }
 
-/* Puts `value` (taken over on success) where `key` says, or takes out what is there (`value` stays the
+/* Puts `value` (taken over on success) at the place of `key`, or takes out the entry there (`value` stays the
  * caller's). */
 static bool put_setting(struct descent *descent, const char *key, struct tree_node *value) {
     for (;;) {

@@ -2,7 +2,7 @@
 /* The schema: one row a key. Parsing, `scree help`, docs/scene.md and the echo of the effective scene all
  * walk these rows, so that none of them can know a key that the others do not.
  *
- * A table lists the keys of one section (a mapping); sections and lists name the table of what they hold. A
+ * A table lists the keys of one section (a mapping); sections and lists name the table of their entries. A
  * row says where in the section's struct its value lies, as offset and size. Rows are read in order: a row
  * may depend (`when`) on those before it. A key may have several rows, side by side, of whose conditions at most
  * one holds (its unit depends on a law, say). */
@@ -56,7 +56,7 @@ struct schema_row {
     const char *(*choice)(int k, const char **help); /* CHOICE: the k-th name, NULL after the last */
     const char *(*traits)(int value); /* NAME: words "a b" that conditions may ask for; NULL: none */
     const char *target;               /* REF, REFS: a list at the top level */
-    bool in_column;   /* TEXT: part of a column's name in observables.csv, so without what would break that */
+    bool in_column;   /* TEXT: part of a column's name in observables.csv; must not break the name */
     const char *when; /* "shape=cylinder|plane": the key exists only then; "/contact.damping=restitution" from
                          the top; "/contact.law:moduli" (from the top alone): with all names that have the trait;
                          "a=b & c=d" */
@@ -71,7 +71,7 @@ struct schema_row {
     const char *help, *example;
 };
 
-/* For the files that hold rows: where a member lies. */
+/* For the files that hold rows: the place of a member. */
 #define AT(type, member) .offset = offsetof(type, member), .size = sizeof(((type *)0)->member)
 
 /* An array member and the member that counts its entries. */

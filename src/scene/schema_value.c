@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* One value: from a node to where the row says. */
+/* Reads one value from a node into the place that the row gives. */
 #include "scene/schema_value.h"
 #include "scene/decimal.h"
 #include "scene/units.h"
@@ -48,7 +48,7 @@ static bool is_null(const struct tree_node *node) {
            (!node->text[0] || strcmp(node->text, "~") == 0 || strcmp(node->text, "null") == 0);
 }
 
-/* Fails with `why` and what is allowed. */
+/* Fails with `why` and the allowed values. */
 static bool refuse(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node,
                    const char *key, const char *why) {
     char allowed[512];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* One value: from a node to where the row says. */
+/* Reads one value from a node into the place that the row gives. */
 #ifndef SCREE_SCENE_SCHEMA_VALUE_H
 #define SCREE_SCENE_SCHEMA_VALUE_H
 
@@ -10,7 +10,7 @@
 bool schema_value(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node,
                   const char *key, char *base);
 
-/* Stores what a row without default holds when it is left out: NAN, -1, empty. */
+/* Stores the value of a row without default whose key is left out: NAN, -1, empty. */
 void schema_unset(const struct schema_row *row, char *base);
 
 /* A number with an optional unit: "5 mm" where the row's unit is "m". False with one line in `why`. */

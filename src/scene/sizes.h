@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Size laws: how large the particles of a source are. A law is options (plain data); a sampler is what is
- * prepared from them once. Radii depend on the random sequence alone. */
+/* Size laws: the sizes of the particles of a source. A law is options (plain data); a sampler is prepared
+ * once from the options. Radii depend on the random sequence alone. */
 #ifndef SCREE_SCENE_SIZES_H
 #define SCREE_SCENE_SIZES_H
 
@@ -42,7 +42,7 @@ struct sizes_sampler {
 };
 
 /* Prepares a sampler. Fails (user) on tables that do not rise, empty ranges, unequal lengths; the text names
- * what is wrong but no place. */
+ * the mistake but no place. */
 bool sizes_prepare(struct sizes_sampler *sampler, const struct sizes_options *options, struct error *error);
 
 /* One radius, by number. Draws a varying count of numbers from the sequence. */

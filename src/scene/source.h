@@ -54,7 +54,7 @@ struct source_options {
     /* all */
     double offset[3]; /* FILE: added to positions after scaling */
     int material, group;
-    double velocity[3];    /* added to what the file holds */
+    double velocity[3];    /* added to the velocity in the file */
     double velocity_sigma; /* standard deviation of each component of a random velocity */
     double omega[3];
     double density; /* 0: the file's, else the material's */

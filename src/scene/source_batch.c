@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What the kinds of particle source share: the life of a batch, keys for messages, the region that is meant. */
+/* The common part of the kinds of particle source: the life of a batch, keys for messages, the region that is
+ * meant. */
 #include "scene/source_batch.h"
 
 #include "core/memory.h"

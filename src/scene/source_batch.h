@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What the kinds of particle source share. Each kind (table.h, lattice.h, packing.h) fills a batch, in the
- * user's coordinates; source_sphere.h turns the rows of a batch into spheres, scene_particles.h spheres into
- * particles. */
+/* The common part of the kinds of particle source. Each kind (table.h, lattice.h, packing.h) fills a batch,
+ * in the user's coordinates; source_sphere.h turns the rows of a batch into spheres, scene_particles.h
+ * spheres into particles. */
 #ifndef SCREE_SCENE_SOURCE_BATCH_H
 #define SCREE_SCENE_SOURCE_BATCH_H
 
 #include "formats/rows.h"
 #include "scene/scene.h"
 
-/* The largest id: what insertions add never overflows. */
+/* The largest id: so the ids of inserted particles never overflow. */
 #define SOURCE_ID_MAX ((int64_t)1 << 62)
 
 /* The most spheres that a source makes: each rank draws all of them. */
@@ -21,10 +21,10 @@ struct source_batch {
     bool materials_named; /* rows.material is a number of the scene's materials, not a type of the file */
 };
 
-/* Frees what a batch holds. */
+/* Frees the arrays of a batch. */
 void source_batch_free(struct source_batch *batch);
 
-/* A region with REGION_ALL resolved to the box, and how it is asked. */
+/* A region with REGION_ALL resolved to the box, and the space of the region. */
 struct region source_region(const struct scene *scene, const struct region *region,
                             struct region_space *space);
 

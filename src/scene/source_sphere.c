@@ -8,7 +8,7 @@
 #include <stdarg.h>
 #include <string.h>
 
-/* What a check needs to say which sphere it refuses. */
+/* Data of a check, from which a message names the refused sphere. */
 struct subject {
     const struct scene *scene;
     int source;
@@ -61,7 +61,7 @@ struct source_sphere source_sphere_of(const struct source_options *options, cons
     return sphere;
 }
 
-/* What no source may give. */
+/* Refuses values that no source may give. */
 static bool check_given(const struct subject *at) {
     const struct source_sphere *sphere = at->sphere;
     for (int d = 0; d < 3; d++)
@@ -98,8 +98,8 @@ static bool choose_material(const struct subject *at, const struct source_batch 
     return true;
 }
 
-/* The group that a sphere at x, box-relative and wrapped, is selected by. A centre that was not moved by
- * wrapping is asked about with the digits that were given. */
+/* The group whose selection holds a sphere at x, box-relative and wrapped. If wrapping did not move the
+ * centre, the selection tests the centre with the given digits. */
 static int select_group(const struct scene *scene, const struct source_sphere *sphere, const double x[3]) {
     int chosen = 0;
     struct region_space space = {.dimension = scene->box.dimension};

@@ -19,9 +19,9 @@ struct source_sphere {
 struct source_sphere source_sphere_of(const struct source_options *options, const struct source_batch *batch,
                                       size_t k);
 
-/* Gives a sphere what source and scene say: material, density, velocity, group; and its centre, box-relative
- * and wrapped, with the images counted, as x. Fails (user), with the sphere's place in the file, where it
- * cannot be. */
+/* Gives a sphere its material, density, velocity and group by source and scene; x becomes its centre,
+ * box-relative and wrapped, with the images counted. Fails (user), with the sphere's place in the file, if
+ * the sphere is not allowed. */
 bool source_sphere_complete(const struct scene *scene, int source, const struct source_batch *batch,
                             struct source_sphere *sphere, double x[3], struct error *error);
 

@@ -6,7 +6,7 @@
 
 #include <string.h>
 
-/* What stands between words. */
+/* Characters between words. */
 static const char between[] = " \t\r,;";
 
 /* Bytes of the longest line, with a zero at its end. */

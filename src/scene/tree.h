@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A YAML text as a tree of nodes that know their lines. Anchors, aliases, tags and several documents are
- * refused: a scene says what it means in place. Duplicate keys are refused here. */
+ * refused: a scene gives every value in its place. Duplicate keys are refused here. */
 #ifndef SCREE_SCENE_TREE_H
 #define SCREE_SCENE_TREE_H
 
@@ -32,7 +32,7 @@ struct tree_node *tree_get(const struct tree_node *map, const char *key);
 /* A new empty node. */
 struct tree_node *tree_new(enum tree_kind kind, long line);
 
-/* Puts `child` (taken over) under `key` of a mapping, replacing what was there. */
+/* Puts `child` (taken over) under `key` of a mapping, replacing the old entry. */
 void tree_put(struct tree_node *map, const char *key, struct tree_node *child);
 
 /* Appends `child` (taken over) to a list. */

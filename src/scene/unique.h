@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Finds what occurs twice in a stream: keys are collected, sorted once, and neighbours compared. */
+/* Finds keys that occur twice in a stream: keys are collected, sorted once, and neighbours compared. */
 #ifndef SCREE_SCENE_UNIQUE_H
 #define SCREE_SCENE_UNIQUE_H
 
@@ -10,7 +10,7 @@
 struct unique_entry {
     uint64_t key;          /* a hash: equal keys count as equal things */
     int64_t id;            /* of the particle */
-    uint32_t line, source; /* where it stands; order among equal keys */
+    uint32_t line, source; /* place of the entry; order among equal keys */
 };
 
 /* Zeroed: empty. */

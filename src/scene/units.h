@@ -28,8 +28,8 @@ double units_convert(double value, const struct units_scale *scale);
 /* True if both are of one dimension. */
 bool units_same(const struct units_dimension *a, const struct units_dimension *b);
 
-/* What the dimension of an SI unit is called ("length", "pressure"); the unit itself where there is no name.
- */
+/* The name of the dimension of an SI unit ("length", "pressure"); the unit itself if the dimension has no
+ * name. */
 const char *units_name(const char *si);
 
 #endif

@@ -19,7 +19,7 @@ static bool mesh_table(struct mesh *mesh, char *text, const char *path, struct e
     return true;
 }
 
-/* The content read by the format, which is known or to be found out. */
+/* Parses the content in the given format, or in the format that the content shows. */
 static bool mesh_parse(struct mesh *mesh, char *text, size_t size, const char *path, const char *format,
                        struct error *error) {
     bool any = strcmp(format, "") == 0 || strcmp(format, "auto") == 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Triangle meshes as files hold them: STL (ASCII or binary) or a table of nine numbers a row. Only read here;
- * what a wall makes of the triangles is wall_mesh.h. */
+ * wall_mesh.h makes the surface of a wall from the triangles. */
 #ifndef SCREE_WALLS_MESH_H
 #define SCREE_WALLS_MESH_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Walls: planes, cylinders and triangle meshes, each with a material and a motion. They use the particles'
- * contact laws, as a partner of infinite mass and infinite radius (m* = m, R* = r).
+/* Walls: planes, cylinders and triangle meshes, each with a material and a motion. A wall uses the
+ * particles' contact laws, as a partner of infinite mass and infinite radius (m* = m, R* = r).
  *
  *   plane      infinite and one-sided: beyond it is solid, however deep
  *   cylinder   infinite: one-sided, solid beyond it. Finite: the shell alone, without end caps; it is felt
@@ -13,14 +13,14 @@
  * A contact with a wall belongs to a *feature* of it: the plane; the shell of a cylinder (0) or a rim (1, 2);
  * of a mesh a flat patch, an edge between patches or a vertex of one (numbered in this order). The history of
  * a contact is keyed by particle, wall and feature; between rebuilds also by the periodic image of the wall,
- * and over a rebuild contacts with one feature through several images go on in the order of these. Where a
- * contact appears and another one of the same particle and wall vanishes in the same step, and they point the
+ * and over a rebuild contacts with one feature through several images go on in the order of these. If a
+ * contact appears and another one of the same particle and wall vanishes in the same step, and both point the
  * same way within 60 degrees, the sphere has crossed an edge: the history is carried over, turned with the
  * normal.
  *
  * Every rank holds all walls (meshes are small beside particles) and moves them alike, so wall poses are
  * never sent; only the forces on walls are summed over ranks, where an observable or a servo wants them.
- * Lengths are box-relative inside; walls_create shifts what the user gave. In periodic directions meshes and
+ * Lengths are box-relative inside; walls_create shifts the user's values. In periodic directions meshes and
  * finite or solid cylinders are felt through the nearest images too. */
 #ifndef SCREE_WALLS_WALL_H
 #define SCREE_WALLS_WALL_H
@@ -82,9 +82,9 @@ struct wall_options {
     struct wall_motion motion[WALL_MOTIONS_MAX];
 };
 
-/* Pose of a wall: x = R x0 + t, and its velocity. What a checkpoint stores of a wall; doubles alone.
- * The centre is the body's point that lay on the axis of the first rotation at the start; without one the
- * wall's point, or the middle of the mesh. */
+/* Pose of a wall: x = R x0 + t, and its velocity. A checkpoint stores this struct for each wall; doubles
+ * alone. The centre is the body's point that lay on the axis of the first rotation at the start; without one
+ * the wall's point, or the middle of the mesh. */
 struct wall_pose {
     double rotation[9]; /* row by row */
     double translation[3];
@@ -104,7 +104,7 @@ struct walls; /* all walls of a scene, their meshes, candidate lists and contact
 
 /* Reads meshes and tables, finds flat patches, checks everything (file and line in errors; slivers and
  * duplicate vertices are repaired or refused by name). Places the walls as they are at time 0. `notes` (may
- * be NULL) receives what was repaired. `law` and `box` are copied or borrowed as follows: box is copied, law
+ * be NULL) receives the repairs. `law` and `box` are copied or borrowed as follows: box is copied, law
  * must live as long as the walls. One thread; every rank does the same. Destroy frees and nulls. */
 bool walls_create(struct walls **walls, const struct wall_options *options, int count, const struct law *law,
                   const struct box *box, int threads, struct error *error, FILE *notes);
@@ -123,11 +123,12 @@ void walls_advance(struct walls *walls, double t, double dt, const double (*serv
 bool walls_have_servo(const struct walls *walls);
 bool walls_move(const struct walls *walls);
 
-/* At a rebuild, where walls move and particles may be outside of the box: the corners (box-relative) of what
- * holds the centres of all particles, on all ranks the same. Without particles lower may lie above upper. */
+/* At a rebuild, where walls move and particles may be outside of the box: the corners (box-relative) of a box
+ * that holds the centres of all particles, on all ranks the same. Without particles lower may lie above
+ * upper. */
 void walls_set_extent(struct walls *walls, const double lower[3], const double upper[3]);
 
-/* Largest distance that a wall surface point within the box, or that extent where it reaches farther, may
+/* Largest distance that a wall surface point within the box, or within the extent if it reaches farther, may
  * have moved since the last walls_build (a bound; a plane moving within itself and an infinite cylinder
  * turning about its axis have not moved). */
 double walls_displacement(const struct walls *walls);
@@ -159,7 +160,7 @@ void walls_close(struct walls *walls, double dt, bool mine);
 /* Force and torque (about the wall's centre) of the particles on each wall in the last evaluation, this
  * rank's part: 6 doubles a wall. */
 void walls_forces(const struct walls *walls, double (*force_torque)[6]);
-void walls_set_forces(struct walls *walls, double (*force_torque)[6]); /* shares them out otherwise */
+void walls_set_forces(struct walls *walls, double (*force_torque)[6]); /* sets this rank's part */
 
 /* Work that walls did on particles since the start, this rank's part; energy. Mean of the forces at both ends
  * of a step times the motion in it. */
@@ -181,22 +182,22 @@ struct wall_rows {
     struct wall_row *row;
     size_t count;
 };
-/* Before and after a rebuild: detach allocates `rows` (also when there is no history: then no row) and
- * forgets through which images contacts were, as the rows do, so that a run that goes on without a rebuild
- * goes on as one from the rows; attach hands them to the new candidates; rows of walls or features that no
- * longer exist, and of walls that the particle is no longer near, are dropped. */
+/* Before and after a rebuild. detach allocates `rows` (also if there is no history: then no row) and forgets
+ * the images of contacts, as the rows have no images: so a run that goes on without a rebuild and a run that
+ * goes on from the rows are the same. attach gives the rows to the new candidates. attach drops rows of walls
+ * or features that no longer exist, and of walls that the particle is no longer near. */
 void walls_detach(struct walls *walls, const struct particles *particles, struct wall_rows *rows);
 void walls_attach(struct walls *walls, const struct wall_rows *rows, const struct particles *particles);
 void wall_rows_reorder(struct wall_rows *rows, const uint32_t *order, size_t owned);
 void wall_rows_remove(struct wall_rows *rows, const uint8_t *remove, size_t owned);
 void wall_rows_free(struct wall_rows *rows);
 
-/* Poses, for checkpoints and output. A pose that was set is where the wall's motions go on from: where they
- * are those that led to it, as if there had been no break (bitwise), else from there. */
+/* Poses, for checkpoints and output. The wall's motions go on from a pose that was set: if these motions led
+ * to the pose, as without a break (bitwise), else from the pose. */
 void walls_pose(const struct walls *walls, int wall, struct wall_pose *pose);
 void walls_set_pose(struct walls *walls, int wall, const struct wall_pose *pose);
 
-/* How far the wall's centre (see struct wall_pose) is from where the scene puts it at rest; length. */
+/* Displacement of the wall's centre (see struct wall_pose) from its place at rest in the scene; length. */
 void walls_offset(const struct walls *walls, int wall, double offset[3]);
 
 /* Triangles of a mesh wall at its present pose, user's coordinates, 9 doubles each, for output; 0 for other

@@ -38,7 +38,7 @@ static int clamp_cell(double at, int cells) {
     return at < 0.0 ? 0 : at >= cells ? cells - 1 : (int)at;
 }
 
-/* The cells that a box meets; those at the border stand for all beyond. */
+/* The cells that a box meets; the cells at the border also stand for all places beyond. */
 static struct cell_range range_of(const struct wall_grid *grid, const double low[3], const double high[3]) {
     struct cell_range range;
     for (int d = 0; d < 3; d++) {

@@ -13,7 +13,7 @@ struct wall_grid *wall_grid_create(const struct wall_mesh *mesh);
 void wall_grid_destroy(struct wall_grid **grid);
 
 /* The triangles that come nearer than `reach` to x (body's frame), each once, in no order: writes their
- * numbers to `out`, or only counts them where that is NULL. Returns how many. Any thread. */
+ * numbers to `out`, or only counts them if `out` is NULL. Returns their number. Any thread. */
 size_t wall_grid_query(const struct wall_grid *grid, struct law_vector x, double reach, int32_t *out);
 
 #endif

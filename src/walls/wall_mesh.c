@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Merges vertices, drops what has no area, and makes the surface. Read wall_mesh.h first. */
+/* Merges vertices, drops triangles without area, and makes the surface. Read wall_mesh.h first. */
 #include "walls/wall_mesh.h"
 #include "core/memory.h"
 #include <stdlib.h>
@@ -62,7 +62,7 @@ static int32_t weld_add(struct welder *w, struct law_vector x) {
     return v;
 }
 
-/* Numbers the vertices; returns how many corners were moved, and how far at most. */
+/* Numbers the vertices; returns the number of moved corners, and the largest displacement. */
 static size_t weld_run(struct wall_weld *weld, const struct law_vector *corner, size_t corners,
                        struct law_vector lower, double *farthest) {
     struct welder w = {.weld = weld, .slots = 64, .lower = lower};
@@ -144,7 +144,7 @@ static void mark_copies(const struct wall_weld *weld, uint8_t *drop) {
     memory_free(key);
 }
 
-/* Tells what was left out: the first few of each kind by name. */
+/* Notes the triangles that were left out: the first few of each kind by name. */
 static void note_dropped(const uint8_t *drop, const struct mesh *file, const char *path, FILE *notes) {
     static const char *const what[] = {
         "", "is too thin (its height is a millionth of the mesh or less): left out",

@@ -45,10 +45,10 @@ struct wall_mesh {
     struct law_vector centre; /* of the bounding box */
     double radius;            /* of the ball around the centre that holds the mesh */
     double tolerance;         /* 1e-6 L */
-    double slack;             /* a foot so far outside of a triangle, in the plane, is inside: rounding */
+    double slack; /* a foot outside of a triangle, in its plane, by less counts as inside: rounding */
 };
 
-/* What becomes of the coordinates of the file: x scale + shift. */
+/* Transformation of the coordinates of the file: x scale + shift. */
 struct wall_mesh_place {
     double scale;
     double shift[3];

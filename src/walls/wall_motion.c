@@ -74,7 +74,7 @@ static double motion_time(const struct wall_motion *motion, double t) {
     return t > motion->start ? t : motion->start;
 }
 
-/* The row of a table at whose time or after it t lies; the last but one at most, 0 at least. */
+/* The last row of a table whose time is not after t; the last but one at most, 0 at least. */
 static size_t table_row(const struct numbers *table, double t) {
     size_t low = 0, high = table->rows - 1;
     while (high - low > 1) {

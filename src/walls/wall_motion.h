@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* How a wall moves: rigid transforms as functions of time, in closed form, and the velocity of the step
- * between two times. Nothing is accumulated but the displacement of a servo, which its owner keeps.
+ * between two times. Nothing is accumulated but the displacement of a servo, which the owner of the wall
+ * keeps.
  *
  * A motion k maps points by M_k(t); the wall's motions together by M = M_n ... M_2 M_1, the first applied
  * first. A motion is frozen outside of its span: its time is cut to [start, stop]. Points are box-relative.
- */
+ * */
 #ifndef SCREE_WALLS_WALL_MOTION_H
 #define SCREE_WALLS_WALL_MOTION_H
 
@@ -81,13 +82,14 @@ bool wall_mover_has_servo(const struct wall_mover *mover);
  * the force on the wall; 0 without a servo or outside of its span. */
 double wall_mover_servo_speed(const struct wall_mover *mover, double t, struct law_vector force);
 
-/* The speed that it takes up: a fiftieth of the way from that of the step before to the one above. Taken up
- * at once, that speed would change sign with each step as soon as the contacts' dampers answer it with more
- * than the force sought; so they may answer with a hundred times that. */
+/* The speed that the servo takes: the speed of the step before, plus a fiftieth of the difference to
+ * wall_mover_servo_speed. With the whole difference the speed would change sign with each step as soon as the
+ * contacts' dampers answer the speed with more than the force sought; with a fiftieth the dampers may answer
+ * with a hundred times that force. */
 double wall_mover_servo_follow(const struct wall_mover *mover, double t, struct law_vector force,
                                double before);
 
-/* The point about which the wall turns first (box-relative); false if it never turns. */
+/* The point about which the wall turns first (box-relative); false if the wall never turns. */
 bool wall_mover_pivot(const struct wall_mover *mover, struct law_vector *point);
 
 #endif

@@ -122,8 +122,8 @@ static bool smooth_with(const struct wall_touch *touch, size_t l, size_t k) {
     return (beyond > 0.0 || (beyond == 0.0 && l < k)) && law_dot(touch[k].normal, touch[l].normal) > alike;
 }
 
-/* Leaves of contacts with nearly the same normal the nearest one; the order stays. `drop` has room for a mark
- * of each. */
+/* Keeps only the nearest of contacts with nearly the same normal; the order stays. `drop` has room for a mark
+ * of each contact. */
 static size_t smooth(struct wall_touch *touch, size_t taken, struct wall_nearest *drop) {
     size_t left = 0;
     for (size_t k = 0; k < taken; k++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Where a sphere touches a wall: geometry alone, no forces.
+/* The contact points of a sphere with a wall: geometry alone, no forces.
  *
  * A mesh is resolved in two stages. First each triangle near the sphere names its point nearest to the
  * centre: inside (a face: then the distance is that to the plane of its patch), on an edge, or at a corner.
@@ -40,7 +40,7 @@ struct wall_touch {
     struct law_vector normal; /* unit vector from the centre to the wall (to its outside, where beyond it) */
 };
 
-/* What a triangle says of its point nearest to a centre. */
+/* The result of a triangle: its point nearest to a centre. */
 struct wall_nearest {
     enum wall_touch_kind kind;
     int32_t feature; /* -1: inside of a patch, no contact */
@@ -50,14 +50,14 @@ struct wall_nearest {
     struct law_vector to; /* from the centre to the point; face: perpendicular to the patch */
 };
 
-/* The point of triangle t nearest to x, both in the body's frame. Where that is farther than `reach`, only
- * the distance is set, and may be anything from `reach` on. Any thread. */
+/* The point of triangle t nearest to x, both in the body's frame. If the point is farther than `reach`, only
+ * the distance is set, to any value from `reach` on. Any thread. */
 struct wall_nearest wall_touch_nearest(const struct wall_mesh *mesh, int32_t t, struct law_vector x,
                                        double reach);
 
 /* Second stage: makes contacts of the `count` nearest points of triangles (all of those that may touch; order
  * is changed) that are nearer than the radius; `touch` has room for `count`. Normals are in the body's frame.
- * Returns how many. Any thread. */
+ * Returns the number of contacts. Any thread. */
 size_t wall_touch_resolve(const struct wall_mesh *mesh, struct wall_nearest *near, size_t count,
                           double radius, struct wall_touch *touch);
 
@@ -91,7 +91,7 @@ bool wall_cylinder_touch(const struct wall_cylinder *cylinder, struct law_vector
 
 /* Of the contacts of a sphere with images of a cylinder those that no other one hides, by the rule above
  * (shell before rim, then by distance): where ends of images meet, or images overlap, they are one tube.
- * `touch` is sorted and cut in place. Returns how many. */
+ * `touch` is sorted and cut in place. Returns the number of contacts left. */
 size_t wall_cylinder_resolve(const struct wall_cylinder *cylinder, struct wall_touch *touch, size_t count,
                              double radius);
 

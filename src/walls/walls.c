@@ -50,8 +50,8 @@ static bool wall_set_shape(struct wall *wall, const struct box *box, struct erro
     return true;
 }
 
-/* Which images of a wall can be felt: those in periodic directions, but for planes and infinite tubes, which
- * a periodic box must not cut. */
+/* Finds the images of a wall that particles can touch: those in periodic directions, except for planes and
+ * infinite tubes, which a periodic box must not cut. */
 static void wall_find_images(struct wall *wall, const struct box *box) {
     const struct wall_options *o = &wall->options;
     const double axis[3] = {wall->axis.x, wall->axis.y, wall->axis.z};
@@ -82,7 +82,7 @@ static void wall_find_reach(struct wall *wall) {
         }
 }
 
-/* Follows from the pose. */
+/* Updates the members that follow from the pose. */
 static void wall_update(struct wall *wall) {
     wall->point_now = wall_transform_point(&wall->pose, wall->point);
     wall->axis_now = wall_turn(wall->pose.rotation, wall->axis);
@@ -207,8 +207,8 @@ bool walls_move(const struct walls *walls) {
     return false;
 }
 
-/* A pose came from outside, at time t: the motions act upon what makes them lead to it. What was stored is
- * kept where it does, so that a run that goes on unchanged goes on with the same bits. */
+/* Finds the base of a wall whose pose was set from outside, at time t: the motions, applied to the base, give
+ * this pose. A stored base that does so is kept, so that an unchanged run goes on with the same bits. */
 static void wall_find_base(struct wall *wall, double t) {
     struct wall_transform motion = wall_mover_place(wall->mover, t, wall->servo_offset);
     struct wall_transform there = wall_transform_compose(&motion, &wall->base);
@@ -236,8 +236,8 @@ void walls_advance(struct walls *walls, double t, double dt, const double (*serv
     }
 }
 
-/* How far any point of a plane where particles are has moved, across the plane: the distance of a corner is
- * linear in the corner. */
+/* The largest displacement, across the plane, of a point of a plane within the extent of the particles: the
+ * distance of a corner is linear in the corner. */
 static double plane_displacement(const struct walls *walls, const struct wall *wall) {
     struct law_vector point = wall_transform_point(&wall->built, wall->point);
     struct law_vector normal = wall_turn(wall->built.rotation, wall->axis);
@@ -256,8 +256,8 @@ static double length_of(struct law_vector a) {
     return sqrt(law_dot(a, a));
 }
 
-/* For a cylinder without ends: of its axis near the middle of where particles are, as the wall's image sees
- * it, plus what tilting adds as far as they reach. */
+/* Displacement of a cylinder without ends: of its axis near the middle of the particles' extent, as seen from
+ * the wall's image, plus the part of tilting over that extent. */
 static double endless_displacement(const struct walls *walls, const struct wall *wall) {
     struct law_vector point = wall_transform_point(&wall->built, wall->point);
     struct law_vector axis = wall_turn(wall->built.rotation, wall->axis);
@@ -273,7 +273,7 @@ static double endless_displacement(const struct walls *walls, const struct wall 
     return length_of(law_add(now, -1.0, before)) + tilt;
 }
 
-/* With ends: of its middle, plus what tilting adds at its rims. */
+/* Displacement of a cylinder with ends: of its middle, plus the part of tilting at its rims. */
 static double cylinder_displacement(const struct walls *walls, const struct wall *wall) {
     if (wall->options.length == 0.0)
         return endless_displacement(walls, wall);
@@ -284,7 +284,8 @@ static double cylinder_displacement(const struct walls *walls, const struct wall
            length_of(law_add(wall->axis_now, -1.0, axis)) * far;
 }
 
-/* For a mesh: of its middle, plus what turning adds at its radius; |R - R'| = 2 sqrt(2) sin(angle / 2). */
+/* Displacement of a mesh: of its middle, plus the part of turning at its radius; |R - R'| = 2 sqrt(2)
+ * sin(angle / 2). */
 static double mesh_displacement(const struct wall *wall) {
     double square = 0.0;
     for (int k = 0; k < 9; k++) {

@@ -19,7 +19,7 @@ struct wall_task {
     const uint8_t *material;  /* NULL where all are of one */
     size_t candidate;         /* its number */
     size_t particle;
-    struct force_contact *list; /* where contacts are only listed; else NULL: they act */
+    struct force_contact *list; /* the list, if contacts are only listed; NULL: contacts act */
     size_t listed;
 };
 
@@ -57,8 +57,7 @@ static void recall_springs(const struct wall_task *task, int w, const struct wal
     put(b->walk.history + 3, k, roll);
 }
 
-/* The lever that the slip velocity is taken with: that of half a step ago, where springs advance in that
- * plane. */
+/* The lever for the slip velocity: the lever of half a step ago, if springs advance in that plane. */
 static double lever_of_slip(const struct wall_task *task, int k, double lever, double radius) {
     struct force_batch *b = &task->scratch->batch->contact;
     if (!task->law.synchronised)
@@ -172,7 +171,7 @@ static void account(const struct wall_task *task, int k) {
     force_add_virial(sums->virial, 1.0, (double[3]){d.x, d.y, d.z}, (double[3]){f.x, f.y, f.z});
 }
 
-/* Writes the record that follows: the springs of contact k. */
+/* Writes the springs of contact k to the new record. */
 static void remember(const struct wall_task *task, int k) {
     struct walls *walls = task->walls;
     const struct force_batch *b = &task->scratch->batch->contact;
@@ -200,7 +199,7 @@ static struct force_contact contact_of(const struct wall_task *task, int k) {
                                   .force = {f.x, f.y, f.z}};
 }
 
-/* Takes the batch through the law, and what comes of it to where it belongs. */
+/* Takes the batch through the law and applies the results. */
 static void flush(struct wall_task *task) {
     struct force_batch *b = &task->scratch->batch->contact;
     if (b->walk.count == 0)
@@ -282,7 +281,7 @@ static double wall_work(const struct wall *wall, const double before[6], const d
     return -0.5 * dt * (law_dot(force, velocity) + law_dot(torque, wall->twist.omega));
 }
 
-/* The forces on a wall are known. */
+/* Stores the force on a wall, and adds its work. */
 static void set_force(struct walls *walls, int w, const double force[6], double dt) {
     if (walls->wall[w].moving)
         walls->work += wall_work(&walls->wall[w], walls->force[w], force, dt);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What contacts with walls remember: which record a contact goes on with, and the way over a rebuild. */
+/* The history of contacts with walls: the old record of each contact, and the way over a rebuild. */
 #include "walls/walls_history.h"
 #include "walls/walls_touch.h"
 #include "core/memory.h"
@@ -9,7 +9,7 @@
 /* A contact that appears takes over from one that vanishes if both point the same way: cosine of the angle.
  */
 static const double carry_cosine = 0.5;
-/* And if what vanishes is no farther than this many radii. */
+/* The vanished contact must also be no farther than this many radii. */
 static const double carry_distance = 1.5;
 
 struct law_vector walls_carry(struct law_vector spring, struct law_vector from, struct law_vector to) {
@@ -56,7 +56,7 @@ void walls_sort_images(struct wall_touch *touch, size_t count) {
 }
 
 /* Gives the contacts with wall w that have no record yet those of their feature; with `images` only where the
- * image is the same, too. Returns how many got one. */
+ * image is the same, too. Returns the number of contacts that got one. */
 static size_t recall_feature(const struct wall_key *key, size_t records, int w, size_t count, bool images,
                              struct wall_scratch *scratch) {
     size_t found = 0;
@@ -113,7 +113,7 @@ void walls_detach(struct walls *walls, const struct particles *particles, struct
             continue;
         for (size_t r = walls->first[k]; r < walls->first[k] + (size_t)now->count[k]; r++) {
             struct wall_row *row = &rows->row[at++];
-            now->key[r].image = WALL_IMAGE_LOST; /* here as in the rows */
+            now->key[r].image = WALL_IMAGE_LOST; /* the image is lost here, as in the rows */
             *row = (struct wall_row){
                 .id = particles->id[i], .wall = now->key[r].wall, .patch = now->key[r].feature};
             memcpy(row->value, now->value + r * components, components * sizeof *row->value);
@@ -123,7 +123,7 @@ void walls_detach(struct walls *walls, const struct particles *particles, struct
     rows->start[particles->owned] = at;
 }
 
-/* True if a row of history belongs to something that exists. */
+/* True if the wall and the feature of a row of history exist. */
 static bool row_exists(const struct walls *walls, const struct wall_row *row) {
     return row->wall >= 0 && row->wall < walls->count && row->patch >= 0 &&
            (size_t)row->patch < walls_features(&walls->wall[row->wall]);
@@ -136,7 +136,7 @@ static bool triangle_has(const struct wall_triangle *t, int32_t feature) {
     return has;
 }
 
-/* What a row is to the pieces of candidate k. */
+/* The relation of a row to the pieces of candidate k. */
 enum row_place {
     ROW_AWAY,   /* its wall is not among them: no contact can go on with it */
     ROW_BESIDE, /* its wall is, its feature is not: a contact that crossed an edge may */

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Inside of the walls: which record a contact goes on with. */
+/* Inside of the walls: the old record of each contact. */
 #ifndef SCREE_WALLS_WALLS_HISTORY_H
 #define SCREE_WALLS_WALLS_HISTORY_H
 
 #include "walls/walls_parts.h"
 
-/* For each of the `count` contacts with wall w in scratch->touch: which old record of candidate k it goes on
- * with, in scratch->from. */
+/* Finds, for each of the `count` contacts with wall w in scratch->touch, the old record of candidate k that
+ * the contact goes on with, in scratch->from. */
 void walls_recall(const struct walls *walls, size_t k, int w, size_t count, struct law_vector x,
                   double radius, struct wall_scratch *scratch);
 

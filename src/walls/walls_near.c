@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Candidates: which particles are near which pieces of walls (walls_parts.h). Count, scan, fill; each thread
- * its own range of particles, so that the result is the same for any number of threads. */
+/* Candidates: the particles near walls, with the pieces near each (walls_parts.h). Count, scan, fill; each
+ * thread its own range of particles, so that the result is the same for any number of threads. */
 #include "walls/walls_near.h"
 #include "walls/walls_touch.h"
 #include "contact/spin.h"
@@ -79,8 +79,8 @@ static bool is_zero(const double a[3]) {
     return a[0] == 0 && a[1] == 0 && a[2] == 0;
 }
 
-/* True of a particle that nothing moves or turns: at a wall that does not move either it has no contact,
- * whatever they overlap by. */
+/* True if nothing moves or turns a particle: such a particle has no contact with a wall at rest, for any
+ * overlap. */
 static bool at_rest(const struct particles *particles, size_t i) {
     const struct particle_state *state = &particles->state[i];
     if (state->inverse_mass != 0 || !is_zero(state->v))
@@ -103,7 +103,7 @@ static size_t near_particle(const struct walls *walls, const struct particles *p
     return count;
 }
 
-/* A wall at rest stays where it reaches into the box: its images there may be all that is felt of it. */
+/* A wall at rest that reaches into the box is not shifted: perhaps only its images touch particles there. */
 void walls_wrap(struct walls *walls) {
     for (int w = 0; w < walls->count; w++) {
         struct wall *wall = &walls->wall[w];
@@ -119,15 +119,15 @@ void walls_wrap(struct walls *walls) {
     }
 }
 
-/* Poses at this moment: where displacements start, and which image of a wall that has travelled is looked at.
- */
+/* Stores the present poses: displacements start from them. Also selects the images of walls that have
+ * travelled. */
 static void anchor(struct walls *walls) {
     for (int w = 0; w < walls->count; w++)
         walls->wall[w].built = walls->wall[w].pose;
     walls_wrap(walls);
 }
 
-/* What one thread found in its range of particles. */
+/* The results of one thread in its range of particles. */
 struct share {
     size_t candidates, pieces, most;
 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Is there a wall where a sphere is to be put? The same geometry as for forces, for one sphere at any place.
- */
+/* Test for a wall at the place of a new sphere. The same geometry as for forces, for one sphere at any
+ * place. */
 #include "walls/walls_near.h"
 #include "walls/walls_touch.h"
 #include "core/memory.h"

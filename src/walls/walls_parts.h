@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Inside of the walls: what walls.c (life and motion), walls_near.h (candidates), walls_touch.h (geometry of one
- * sphere), walls_force.c and walls_history.h share. Nobody else includes this.
+/* Inside of the walls: the common part of walls.c (life and motion), walls_near.h (candidates), walls_touch.h
+ * (geometry of one sphere), walls_force.c and walls_history.h. No other file includes this one.
  *
  * Candidates. At a rebuild each owned particle near a wall becomes a candidate, in the order of the
  * particles, with the *pieces* near it: (wall, image, triangle), sorted. Candidate k has the pieces first[k]
@@ -29,7 +29,7 @@ struct wall {
     struct law_vector centre; /* at rest, see struct wall_pose */
     double reach[3]; /* of cylinder and mesh at rest: how far from the middle along x, y, z, at most */
 
-    struct wall_transform pose, base; /* now; what the motions act upon */
+    struct wall_transform pose, base; /* now; the pose that the motions act upon */
     struct wall_twist twist;          /* of the half step */
     double servo_offset, servo_speed;
     bool moving;  /* its pose is not the identity, or may change */
@@ -49,8 +49,8 @@ struct wall_piece {
     uint8_t wall, image;
 };
 
-/* A record's contact. WALL_IMAGE_LOST: through which image is no longer known, as a rebuild may have wrapped
- * the particle. */
+/* Key of a record's contact. WALL_IMAGE_LOST: the image is no longer known, as a rebuild may have wrapped the
+ * particle. */
 enum { WALL_IMAGE_LOST = -1 };
 struct wall_key {
     int16_t wall, image;
@@ -63,8 +63,9 @@ struct wall_records {
     double *value; /* history_components doubles a record */
 };
 
-/* Contacts on their way through the law, which takes them FORCE_BATCH at a time, in the order of the
- * candidates. The batch has what the law knows of contact k, and its answer; entry k whose it is. */
+/* Contacts on their way through the law, which takes FORCE_BATCH of them at a time, in the order of the
+ * candidates. contact: input and results of the law for contact k. entry[k]: the candidate, particle and wall
+ * of contact k. */
 struct wall_batch {
     struct force_batch contact;
     struct wall_entry {
@@ -75,7 +76,7 @@ struct wall_batch {
     } entry[FORCE_BATCH];
 };
 
-/* What a thread needs for one particle, its batch, and its sums. */
+/* Memory of a thread for one particle, its batch, and its sums. */
 struct wall_scratch {
     size_t capacity;
     struct wall_nearest *near;

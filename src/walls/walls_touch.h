@@ -9,7 +9,7 @@
 struct wall_cylinder walls_cylinder(const struct wall *wall);
 
 /* The contacts of a sphere at x with one wall, whose pieces these are; written to scratch->touch, normals in
- * space. Returns how many. */
+ * space. Returns the number of contacts. */
 size_t walls_touch(const struct walls *walls, const struct wall_piece *piece, size_t pieces,
                    struct law_vector x, double radius, struct wall_scratch *scratch);
 
@@ -24,7 +24,7 @@ struct law_vector walls_toward(const struct wall *wall, int32_t feature, struct 
 /* Number of features of a wall. */
 size_t walls_features(const struct wall *wall);
 
-/* Makes room in a thread's scratch; frees what it holds. */
+/* Makes room in a thread's scratch; frees its arrays. */
 void walls_scratch_reserve(struct wall_scratch *scratch, size_t pieces);
 void walls_scratch_free(struct wall_scratch *scratch);
 
