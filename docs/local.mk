@@ -4,7 +4,7 @@ EXTRA_DIST += docs/indexes.md docs/images/penetration.png
 EXTRA_DIST += docs/physics.md
 EXTRA_DIST += docs/packing.md
 EXTRA_DIST += docs/scaling.md docs/layouts.md \
-	docs/images/scaling-hybrid.svg docs/images/scaling-model.svg docs/images/scaling-ranks.svg \
+	docs/folders.dot docs/images/folders.svg docs/images/scaling-hybrid.svg docs/images/scaling-model.svg docs/images/scaling-ranks.svg \
 	docs/images/scaling-sizes.svg docs/images/scaling-speed.svg
 EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-beverloo-3d.svg \
