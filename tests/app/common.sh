@@ -117,7 +117,7 @@ find_bisection() {
 # checkpoint_lines CHECKPOINT: what it holds, in lines that do not depend on the layout
 checkpoint_lines() {
     local lines=$top_builddir/tests/checkpoint_lines
-    [ -x "$lines" ] || make -s -C "$top_builddir" tests/checkpoint_lines || return 1
+    [ -x "$lines" ] || make -s -C "$top_builddir" tests/checkpoint_lines >&2 || return 1
     "$lines" "$1" >"$out/unsorted" && sort "$out/unsorted"
 }
 
