@@ -44,7 +44,7 @@ struct force_context {
     bool want_sums;   /* fill the energies of the sums; contacts and overlap_max always are */
     bool want_virial; /* fill the virial; only with want_sums */
     bool prescribed;  /* there may be particles whose motion is prescribed */
-    bool ordered;     /* forces are summed in an order that no layout changes (force_ordered.h) */
+    bool ordered;     /* forces are summed in an order that no layout changes (pairs/walk_ordered.h) */
 };
 
 /* A force loop's own memory (slots, batches of each thread), and the compiled kernel that the loop runs: the

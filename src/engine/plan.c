@@ -56,11 +56,10 @@ void plan_make(struct step_plan *plan, const struct physics_set *set, const stru
         add_stage(&plan->plain, NULL, set, (enum pass_stage)stage);
     add_engine(&plan->plain, engine->moved, simulation);
     for (int stage = PASS_PAIRS; stage <= PASS_CLOSE; stage++)
-        add_stage(&plan->plain, NULL, set, (enum pass_stage)stage);
-    add_engine(&plan->plain, engine->paired, simulation);
-    for (int stage = PASS_PAIRS; stage <= PASS_CLOSE; stage++)
         add_stage(&plan->forces, NULL, set, (enum pass_stage)stage);
     add_engine(&plan->forces, engine->paired, simulation);
+    for (int p = 0; p < plan->forces.passes; p++)
+        add(&plan->plain, &plan->forces.pass[p]);
 
     add_stage(&plan->fused, NULL, set, PASS_FIRST);
     add_stage(&plan->fused, NULL, set, PASS_MOVED);

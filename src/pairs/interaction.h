@@ -26,9 +26,6 @@ struct interaction {
     /* See struct classes_range. */
     double (*range)(const void *context, int kind_a, double radius_a, int kind_b, double radius_b);
     const void *context;
-    bool
-        both_rows; /* rows of both particles are needed: then pairs across ranks are kept on both (newton off)
-                     */
 };
 
 /* The interactions of a scene and their pair lists. Rows are added before the first rebuild. */
