@@ -254,7 +254,7 @@ static const struct bad_setting settings[] = {
      "command line: insertions[0].region: ",
      {"in the periodic direction y"}},
     {{"box.leave=vanish"}, "command line: box.leave.all: ", {"keep, delete, error"}},
-    {{"materials=[]"}, "command line: materials: ", {"the list is empty"}},
+    {{"materials=[]"}, "command line: materials: ", {"is missing"}},
     {{"materials[0]={name: a, density: 1}"}, "command line: materials[0].young: ", {"is missing", "in Pa"}},
     {{"materials[0].poisson=0.7"}, "command line: materials[0].poisson: ", {"0.5"}},
     {{"materials[0].name='glass[1]'"},

@@ -96,9 +96,10 @@ static void print_terms(const struct simulation *s) {
     char text[WHY_MAX] = "";
     printf("\nwhat is modelled, and why\n");
     snprintf(text, sizeof text, "contact.law: %s", law_row_get(s->grains.law.options.normal)->name);
-    print_term("normal force", text, "");
+    print_term("normal force", scene->materials > 0 ? text : "", "the scene has no materials");
     text[0] = '\0';
-    print_end(s);
+    if (scene->materials > 0)
+        print_end(s);
     pairs_with(scene, offsetof(struct law_pair, friction), text, sizeof text);
     print_term("friction, spin, history",
                s->grains.law.spin ? text[0] ? text : "contact.tangential: history" : "",
@@ -110,7 +111,8 @@ static void print_terms(const struct simulation *s) {
                "contact.rolling: none");
     text[0] = '\0';
     walls_list(scene, text, sizeof text);
-    print_term("walls", text, "the scene has none");
+    print_term("walls", scene->materials > 0 ? text : "",
+               text[0] ? "the scene has no materials" : "the scene has none");
     print_term("gravity",
                scene->gravity[0] != 0 || scene->gravity[1] != 0 || scene->gravity[2] != 0 ? "gravity" : "",
                "gravity is 0");
@@ -203,19 +205,27 @@ static void print_levels(const struct simulation *s) {
 }
 
 static void print_step(const struct simulation *s) {
+    bool limited = isfinite(s->timing.limits.stable);
     printf("\ntime step\n");
-    printf("  stable       %.6g (contact '%s' - '%s', damping ratio %.3g)\n", s->timing.limits.stable,
-           s->scene->material[s->timing.limits.material_a].name,
-           s->scene->material[s->timing.limits.material_b].name,
-           s->timing.limits.damping_ratio + 0.0); /* no -0 */
+    if (s->scene->materials > 0)
+        printf("  stable       %.6g (contact '%s' - '%s', damping ratio %.3g)\n", s->timing.limits.stable,
+               s->scene->material[s->timing.limits.material_a].name,
+               s->scene->material[s->timing.limits.material_b].name,
+               s->timing.limits.damping_ratio + 0.0); /* no -0 */
+    else if (limited)
+        printf("  stable       %.6g\n", s->timing.limits.stable);
     if (s->timing.limits.stable < s->timing.expected)
         printf("               for the contacts that there are; %.6g for contacts to come\n",
                s->timing.expected);
-    printf("  contact time %.6g\n", s->timing.limits.contact_time);
+    if (s->scene->materials > 0)
+        printf("  contact time %.6g\n", s->timing.limits.contact_time);
     if (s->timing.limits.rayleigh > 0)
         printf("  Rayleigh     %.6g\n", s->timing.limits.rayleigh);
-    printf("  chosen       %.6g = %.3g of the stable one (default %.3g)\n", s->clock.dt,
-           s->clock.dt / s->timing.limits.stable, timestep_default_fraction());
+    if (limited)
+        printf("  chosen       %.6g = %.3g of the stable one (default %.3g)\n", s->clock.dt,
+               s->clock.dt / s->timing.limits.stable, timestep_default_fraction());
+    else
+        printf("  chosen       %.6g; any is stable\n", s->clock.dt);
 }
 
 /* Prints all notes together, for people who read only the notes; the last line says whether a guard would end
@@ -302,7 +312,8 @@ static void print_all(const struct simulation *s, const struct notes *notes) {
     printf("%s: valid\n", scene->file);
     printf("  %llu particles, %d materials, %d walls, %d groups, %s, %s, %s\n", (unsigned long long)s->total,
            scene->materials, scene->walls, scene->groups, scene->box.dimension == 2 ? "2D" : "3D",
-           scene->integrator, law_row_get(s->grains.law.options.normal)->name);
+           scene->integrator,
+           scene->materials > 0 ? law_row_get(s->grains.law.options.normal)->name : "no contacts");
     printf("  %d rank%s, %d thread%s each, newton %s; %zu pairs and %zu contacts at the start on rank 0\n",
            s->comm->size, s->comm->size == 1 ? "" : "s", s->threads, s->threads == 1 ? "" : "s",
            s->search.view.newton ? "on" : "off", s->grains.list->primary_count, s->grains.sums.contacts);

@@ -17,8 +17,8 @@ struct law_options law_options_default(void) {
 
 /* Refuses options that do not go together. */
 static bool law_check_options(const struct law_options *o, int materials, struct error *error) {
-    if (materials < 1 || materials > LAW_MATERIALS_MAX)
-        return error_set(error, ERROR_USER, "materials: %d given; allowed are 1 to %d", materials,
+    if (materials < 0 || materials > LAW_MATERIALS_MAX)
+        return error_set(error, ERROR_USER, "materials: %d given; allowed are up to %d", materials,
                          LAW_MATERIALS_MAX);
     if (o->lammps_history && o->synchronised)
         return error_set(error, ERROR_USER,
@@ -127,6 +127,8 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
         }
     law->options = *options;
     law->materials = materials;
+    if (materials == 0)
+        return true;
     law->moduli = law_has_moduli(options);
     law->uniform = true;
     for (int a = 0; a < materials; a++)
@@ -140,7 +142,7 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
 
 double law_range(const struct law *law, double radius_a, double radius_b) {
     const struct law_form *form = law_row_get(law->options.normal)->form;
-    double most = 0.0;
+    double most = law->materials ? 0.0 : -INFINITY;
     for (int a = 0; form->range && a < law->materials; a++)
         for (int b = 0; b <= a; b++)
             most = fmax(most, form->range(&law->pair[a][b], radius_a, radius_b));

@@ -53,8 +53,8 @@ struct law_options {
 
 struct law {
     struct law_options options;
-    int materials;
-    bool uniform; /* all pairs of materials have the same coefficients */
+    int materials; /* 0: no law, nothing touches */
+    bool uniform;  /* all pairs of materials have the same coefficients */
     struct law_coefficients pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX]; /* symmetric */
     bool moduli;            /* springs come from young and poisson of the materials */
     int history_components; /* doubles of history a contact: 0, 3 or 6 */
@@ -65,11 +65,12 @@ struct law {
 struct law_options law_options_default(void);
 
 /* The largest gap at which spheres of these radii interact, for any two materials; a wall has an infinite
- * radius. Any thread. */
+ * radius. Without materials -INFINITY. Any thread. */
 double law_range(const struct law *law, double radius_a, double radius_b);
 
 /* Makes the table of coefficients from the entries pair[a][b], a <= b < materials. Fails (user) on values out
- * of range or options that do not go together. One thread. */
+ * of range or options that do not go together. Without materials there is no law to check: nothing touches,
+ * has friction or a history. One thread. */
 bool law_prepare(struct law *law, const struct law_options *options, int materials,
                  const struct law_material *material,
                  struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX], struct error *error);

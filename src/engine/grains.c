@@ -70,14 +70,19 @@ static void finish(const struct physics_context *context) {
     s->grains.taken += s->grains.sums.taken;
 }
 
+static bool needs_contacts(const struct physics_context *context) {
+    const struct simulation *s = context->self;
+    return s->grains.law.materials > 0;
+}
+
 static bool needs_servo(const struct physics_context *context) {
     const struct simulation *s = context->self;
-    return s->grains.walls && walls_have_servo(s->grains.walls);
+    return needs_contacts(context) && s->grains.walls && walls_have_servo(s->grains.walls);
 }
 
 static bool needs_walls(const struct physics_context *context) {
     const struct simulation *s = context->self;
-    return s->grains.walls != NULL;
+    return needs_contacts(context) && s->grains.walls;
 }
 
 static bool needs_motion(const struct physics_context *context) {
@@ -107,6 +112,8 @@ static const struct physics_pass passes[] = {
      .stage = PASS_PAIRS,
      .reads = "position velocity radius inverse_mass",
      .writes = "force",
+     .why = "materials",
+     .needed = needs_contacts,
      .block = contact,
      .abandon = contact_abandon},
     {.name = "wall",
@@ -116,7 +123,13 @@ static const struct physics_pass passes[] = {
      .writes = "force",
      .needed = needs_walls,
      .share = wall},
-    {.name = "finish", .stage = PASS_CLOSE, .timer = "contact", .writes = "force", .whole = finish},
+    {.name = "finish",
+     .why = "materials",
+     .stage = PASS_CLOSE,
+     .timer = "contact",
+     .writes = "force",
+     .needed = needs_contacts,
+     .whole = finish},
 };
 
 static double range(const void *context, int kind_a, double radius_a, int kind_b, double radius_b) {
@@ -137,7 +150,7 @@ static void rebuilt(const struct physics_context *context) {
 }
 
 static double limit(const struct physics_context *context, double most) {
-    return limit_of_contacts(context->self, most);
+    return needs_contacts(context) && isfinite(most) ? limit_of_contacts(context->self, most) : most;
 }
 
 static void guard(const struct physics_context *context, struct error *error) {

@@ -250,7 +250,7 @@ static bool many_that_keep(const struct simulation *s, const struct rebuild_rows
 }
 static bool with_walls(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
-    return s->grains.walls != NULL;
+    return s->grains.walls && s->grains.law.materials > 0;
 }
 static bool with_history(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;

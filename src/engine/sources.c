@@ -36,7 +36,9 @@ bool sources_prepare(struct simulation *s, struct error *error) {
     const struct scene *scene = s->scene;
     for (int k = 0; k < scene->insertions; k++) {
         const struct insertion_options *options = &scene->insertion[k];
-        double density = options->density > 0 ? options->density : scene->material[options->material].density;
+        double density = options->density;
+        if (!(density > 0))
+            density = scene->material[options->material].density;
         if (!insertion_prepare(&s->sources.insertion[k], options, k, density, scene->seed, &scene->box,
                                error) ||
             !insertion_fits(s, k, error))

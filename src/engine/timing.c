@@ -54,6 +54,8 @@ static void kinds_insert(const struct simulation *s, struct kinds *kinds,
 
 static void kinds_collect(const struct simulation *s, struct kinds *kinds) {
     *kinds = (struct kinds){0};
+    if (s->scene->materials == 0) /* nothing touches */
+        return;
     for (int k = 0; k < KINDS; k++)
         kinds->radius_min[k] = kinds->lightest[k] = INFINITY;
     const uint8_t *number = material_numbers(s->particles);
@@ -179,16 +181,19 @@ bool timing_choose(struct simulation *s, struct error *error) {
     const struct scene_step *step = &s->scene->step;
     char place[SCENE_PATH_MAX];
     limits_find(s);
+    if (!isfinite(s->timing.limits.stable))
+        s->timing.limits.stable = physics_limit(&s->physics, INFINITY);
     s->timing.expected = s->timing.limits.stable;
     if (step->dt > 0) {
         s->clock.dt = step->dt;
     } else {
         double fraction = step->fraction > 0 ? step->fraction : timestep_default_fraction();
         if (!isfinite(s->timing.limits.stable))
-            return error_set(error, ERROR_USER,
-                             "%s: step.dt is needed: without free particles there is no stable time step to "
-                             "take a fraction of",
-                             scene_place(s->scene, "step", place, sizeof place));
+            return error_set(
+                error, ERROR_USER,
+                "%s: step.dt is needed: without free particles that touch there is no stable time "
+                "step to take a fraction of",
+                scene_place(s->scene, "step", place, sizeof place));
         bool goes_on = s->resumed.fraction == fraction && s->resumed.dt <= s->timing.limits.stable;
         s->clock.dt_fraction = fraction;
         s->clock.dt = goes_on ? s->resumed.dt : fraction * s->timing.limits.stable;

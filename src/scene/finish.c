@@ -165,6 +165,20 @@ static struct law_pair law_pair_of(const struct scene_pair *pair) {
     return law;
 }
 
+/* A scene without materials has no contacts, and needs something else to do. */
+static bool finish_materials(const struct scene *scene, struct error *error) {
+    static const char needed[] = "is missing; needed: a list of sections (`- key: value`)";
+    bool other = false;
+    for (int k = 0; k < PHYSICS_COUNT; k++)
+        other = other || scene->physics_given[k];
+    if (scene->materials == 0 && !other)
+        return scene_fail(scene, error, "materials", needed);
+    if (scene->materials > 0 && scene->pairs == 0)
+        return scene_fail(scene, error, "material_pairs", needed);
+    return scene->materials > 0 || scene->pairs == 0 ||
+           scene_fail(scene, error, "material_pairs", "is given, but the scene has no materials");
+}
+
 /* Materials that a particle may be of; the others belong to walls alone, which never meet each other. */
 static void particle_materials(const struct scene *scene, bool may[LAW_MATERIALS_MAX]) {
     for (int s = 0; s < scene->sources; s++) {
@@ -225,9 +239,11 @@ static bool finish_pairs(struct scene *scene, struct error *error) {
     return true;
 }
 
-/* Sets a material that was not named: the only one. */
+/* Sets a material that was not named: the only one. A scene without materials leaves all unnamed. */
 static bool only_material(const struct scene *scene, int *material, struct error *error, const char *list,
                           int number) {
+    if (scene->materials == 0)
+        return true;
     if (*material < 0 && scene->materials == 1)
         *material = 0;
     char key[64];
@@ -307,6 +323,9 @@ static bool finish_sources(struct scene *scene, struct error *error) {
         if (insertion->region.shape == REGION_CYLINDER &&
             !unit_vector(scene, insertion->region.axis, error, key))
             return false;
+        snprintf(key, sizeof(key), "insertions[%d].density", k);
+        if (scene->materials == 0 && !(insertion->density > 0))
+            return scene_fail(scene, error, key, "is missing; needed, as the scene has no materials");
         insertion->group = insertion->group < 0 ? 0 : insertion->group;
     }
     for (int k = 0; k < scene->deletions; k++) {
@@ -339,8 +358,9 @@ static bool finish_fields(struct scene *scene, struct error *error) {
 }
 
 bool finish_scene(struct scene *scene, struct error *error) {
-    if (!finish_box(scene, error) || !finish_pairs(scene, error) || !finish_walls(scene, error) ||
-        !finish_groups(scene, error) || !finish_sources(scene, error) || !finish_fields(scene, error))
+    if (!finish_materials(scene, error) || !finish_box(scene, error) || !finish_pairs(scene, error) ||
+        !finish_walls(scene, error) || !finish_groups(scene, error) || !finish_sources(scene, error) ||
+        !finish_fields(scene, error))
         return false;
     finish_step(scene);
     scene->ghosts.reduced = scene->ghosts_name == SCENE_GHOSTS_REDUCED ||

@@ -91,7 +91,9 @@ static bool choose_material(const struct subject *at, const struct source_batch 
     } else if (!batch->rows.material) {
         sphere->material = 0;
     }
-    if (sphere->material < 0 || sphere->material >= scene->materials)
+    if (scene->materials == 0)
+        sphere->material = 0;
+    else if (sphere->material < 0 || sphere->material >= scene->materials)
         return fail(at,
                     "type %d, but the scene has %d materials (`types` or `material` of the source maps them)",
                     sphere->material + 1, scene->materials);
@@ -130,6 +132,8 @@ static bool complete(const struct subject *at, struct source_sphere *sphere) {
         sphere->density = options->density;
     else if (!(sphere->density > 0))
         sphere->density = scene->material[sphere->material].density;
+    if (!(sphere->density > 0))
+        return fail(at, "has no density: the scene has no materials, so the source needs `density`");
     struct random_sequence random = random_sequence(scene->seed, RANDOM_VELOCITY, (uint64_t)sphere->id);
     for (int d = 0; d < 3; d++) {
         bool flat = scene->box.dimension == 2 && d == 2;

@@ -94,6 +94,27 @@ refused() {
 }
 check 'a support is needed, and fits the box' refused
 
+# Without materials nothing touches: the same sums, no contact in step, memory and files; a resume goes on
+untouched() {
+    sed '/^contact:/d; /^materials:/d; /^material_pairs:/d; s/radius: 0.9}/radius: 0.9, density: 1}/; s/velocity_sigma: 1}/velocity_sigma: 1, density: 1}/' \
+        cloud.yaml >points.yaml
+    rm -rf run more
+    run_scene "$1" points.yaml run --set step.dt=0.01 --set output.checkpoint.every=10 && sums run 5 3 251 &&
+        ! "$scree" check points.yaml --set step.dt=0.01 | grep -E '^  (contact|finish|wall) |spin *[0-9]' &&
+        run_scene 1 points.yaml more --set step.dt=0.01 --resume run/checkpoint-10.h5 && sums more 5 3 251 &&
+        awk -F , 'FNR == 1 { next } NR == FNR { a[$1] = $3; next } { d = $3 - a[$1]; if (d * d > 1e-20) exit 1 }' \
+            run/observables.csv more/observables.csv
+}
+check 'without materials' untouched 1
+check 'without materials, 3 ranks' untouched 3
+needed() {
+    ! "$scree" check points.yaml >told 2>&1 && grep -q 'step.dt is needed' told &&
+        ! "$scree" check cloud.yaml --set 'materials=~' >told 2>&1 && grep -q 'material_pairs: is given, but' told &&
+        ! "$scree" check points.yaml --set 'particles.sources[0].density=0' --set step.dt=0.01 >told 2>&1 && grep -q 'has no density' told &&
+        ! "$scree" check points.yaml --set 'number_density=~' --set 'observables.list=[]' >told 2>&1 && grep -q 'materials: is missing' told
+}
+check 'what a scene without materials needs' needed
+
 # What the rest of the program knows of it
 two_lines() {
     (cd "$top_srcdir" && grep -rnE 'number_density|density_(physics|schema|fields|observables)|src/density|libdensity|PHYSICS_density' \
