@@ -228,3 +228,7 @@ tests/app/reproducible.log: tests/checkpoint_lines
 tests_checkpoint_lines_SOURCES = tests/checkpoint_lines.c
 tests_checkpoint_lines_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
 tests_checkpoint_lines_LDADD = $(OBSERVE_LIBS)
+
+check_PROGRAMS += tests/test_fluid_operators
+tests_test_fluid_operators_SOURCES = tests/test_fluid_operators.c
+tests_test_fluid_operators_LDADD = $(FLUID_LIBS) $(TEST_LIBS)

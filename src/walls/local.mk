@@ -16,6 +16,7 @@ libwalls_la_SOURCES = \
 	src/walls/wall_touch.c \
 	src/walls/wall_touch.h \
 	src/walls/walls.c \
+	src/walls/walls_foot.c \
 	src/walls/walls_force.c \
 	src/walls/walls_history.c \
 	src/walls/walls_history.h \

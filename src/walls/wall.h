@@ -137,6 +137,19 @@ double walls_displacement(const struct walls *walls);
  * The room inside of a closed mesh is not solid: only its surface is. Any thread. */
 bool walls_overlap(const struct walls *walls, const double x[3], double radius);
 
+/* The point of a one-sided wall (walls_one_sided: a plane, or an infinite cylinder) nearest to a place, as the
+ * wall stands now: the distance, negative beyond the wall; the unit normal of the wall there, towards the
+ * free side; the velocity of the wall there, in the last half step. */
+struct wall_foot {
+    double distance, normal[3], velocity[3];
+};
+
+/* True if the wall has a solid side, so that walls_foot may be asked. Any thread. */
+bool walls_one_sided(const struct walls *walls, int wall);
+
+/* The foot of x (box-relative) on a one-sided wall. Any thread. */
+void walls_foot(const struct walls *walls, int wall, const double x[3], struct wall_foot *foot);
+
 /* At a rebuild: for every owned particle the wall pieces nearer than r + margin(class, walls). Opens its own
  * team. */
 void walls_build(struct walls *walls, const struct particles *particles, const struct size_classes *classes);

@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Bodies: what bounds the fluid. A body is a grain, by its id, or a wall, by -1 - its number. Geometry alone:
+ * the point of a body's surface nearest to x, the normal there out of the body, the signed distance and the
+ * velocity of the surface. */
+#ifndef SCREE_FLUID_BODY_H
+#define SCREE_FLUID_BODY_H
+
+#include "fluid/weights.h"
+
+/* The number of a wall as a body, and back. */
+static inline int64_t body_of_wall(int wall) {
+    return -1 - wall;
+}
+static inline int body_wall(int64_t body) {
+    return (int)(-1 - body);
+}
+
+/* The foot of x on a sphere: `away` = x - centre, `velocity` and `omega` (NULL: no spin) of the sphere. The
+ * distance is negative inside. A point at the centre has a normal along x. Any thread. */
+void body_sphere_foot(const double away[3], double radius, int dimension, const double velocity[3],
+                      const double *omega, struct weights_foot *foot);
+
+/* Distance of x_j behind the tangent plane of a foot, 0 in front of it; `apart` = x_j - x_i. */
+static inline double body_behind(const struct weights_foot *foot, const double apart[3]) {
+    double along = foot->distance;
+    for (int d = 0; d < 3; d++)
+        along += foot->normal[d] * apart[d];
+    return along < 0 ? -along : 0;
+}
+
+#endif

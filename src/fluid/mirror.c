@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Feet and mirror coefficients: count, scan, fill. Read mirror.h first. */
+#include "fluid/mirror.h"
+#include "core/memory.h"
+#include "particles/kinds.h"
+#include <math.h>
+#include <string.h>
+
+struct build {
+    struct weights *weights;
+    const struct mirror_input *input;
+};
+
+static int64_t body_at(const struct build *build, size_t entry) {
+    return build->input->body[pair_partner(build->weights->partner[entry])];
+}
+
+/* The entry of the row that is the first one of the same body. */
+static size_t first_of_body(const struct build *build, size_t row, size_t entry) {
+    size_t first = weights_walls(build->weights, row);
+    while (body_at(build, first) != body_at(build, entry))
+        first++;
+    return first;
+}
+
+static size_t bodies_count(const struct build *build, size_t row) {
+    size_t count = 0;
+    for (size_t e = weights_walls(build->weights, row); e < build->weights->start[row + 1]; e++)
+        count += first_of_body(build, row, e) == e;
+    return count;
+}
+
+/* x_j - x_i of an entry of pairs or weights. */
+static void separation(const struct build *build, size_t i, uint32_t partner, double apart[3]) {
+    const struct weights_input *rows = build->input->rows;
+    const double *shift = rows->shift[pair_image(partner)];
+    for (int d = 0; d < 3; d++)
+        apart[d] =
+            rows->particles->state[pair_partner(partner)].x[d] - rows->particles->state[i].x[d] + shift[d];
+}
+
+/* The foot on a grain: the nearest of its images. */
+static bool grain_foot(const struct build *build, size_t i, int64_t body, struct weights_foot *foot) {
+    const struct weights_input *rows = build->input->rows;
+    foot->distance = INFINITY;
+    for (size_t e = rows->pairs->start[i]; e < rows->pairs->start[i + 1]; e++) {
+        size_t j = pair_partner(rows->pairs->partner[e]);
+        struct weights_foot one;
+        double apart[3], away[3];
+        if (rows->kind == NULL || rows->kind[j] != KIND_GRAIN || rows->particles->id[j] != body)
+            continue;
+        separation(build, i, rows->pairs->partner[e], apart);
+        for (int d = 0; d < 3; d++)
+            away[d] = -apart[d];
+        const struct particle_state *grain = &rows->particles->state[j];
+        body_sphere_foot(away, grain->radius, rows->dimension, grain->v,
+                         build->input->spin ? build->input->spin[j] : NULL, &one);
+        if (one.distance < foot->distance)
+            *foot = one;
+    }
+    return isfinite(foot->distance);
+}
+
+static bool foot_make(const struct build *build, size_t i, int64_t body, struct weights_foot *foot) {
+    bool found = body >= 0;
+    *foot = (struct weights_foot){0};
+    if (body < 0 && build->input->wall) {
+        build->input->wall(build->input->context, body_wall(body), build->input->rows->particles->state[i].x,
+                           foot);
+        found = true;
+    } else if (body >= 0) {
+        found = grain_foot(build, i, body, foot);
+    }
+    foot->body = body;
+    foot->distance = fmax(foot->distance, WEIGHTS_NEAREST * build->input->spacing);
+    return found;
+}
+
+/* Returns the number of entries without a body. */
+static size_t row_fill(const struct build *build, size_t row) {
+    struct weights *weights = build->weights;
+    size_t i = weights->first + row, at = weights->foot_start[row], lost = 0;
+    size_t walls = weights_walls(weights, row), before = weights->wall_start[row];
+    for (size_t e = walls; e < weights->start[row + 1]; e++) {
+        size_t first = first_of_body(build, row, e), own = before + (e - walls);
+        double apart[3];
+        bool found = true;
+        if (first == e) {
+            weights->wall_foot[own] = (uint32_t)at;
+            found = foot_make(build, i, body_at(build, e), &weights->foot[at++]);
+        } else {
+            weights->wall_foot[own] = weights->wall_foot[before + (first - walls)];
+        }
+        const struct weights_foot *foot = &weights->foot[weights->wall_foot[own]];
+        separation(build, i, weights->partner[e], apart);
+        weights->mirror[own] = body_behind(foot, apart) / foot->distance;
+        lost += !found;
+        if (!isfinite(weights->mirror[own]))
+            weights->mirror[own] = 1;
+    }
+    return lost;
+}
+
+size_t mirror_make(struct weights *weights, const struct mirror_input *input) {
+    const struct build build = {weights, input};
+    size_t sum = 0, lost = 0;
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++)
+        weights->foot_start[row] = bodies_count(&build, row);
+    for (size_t row = 0; row <= weights->rows; row++) {
+        size_t count = row < weights->rows ? weights->foot_start[row] : 0;
+        weights->foot_start[row] = sum;
+        sum += count;
+    }
+    if (sum > weights->foot_room) {
+        weights->foot_room = sum;
+        weights->foot = memory_resize(weights->foot, sum, sizeof *weights->foot, "feet on bodies");
+    }
+#pragma omp parallel for schedule(static) reduction(+ : lost)
+    for (size_t row = 0; row < weights->rows; row++)
+        lost += row_fill(&build, row);
+    return lost;
+}

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Mirrors: the feet of fluid particles on the bodies of their wall neighbours, and the coefficients beta_ij =
+ * d_j / d_i (weights.h). d_j is the depth of j behind the tangent plane of its own body at i's foot. */
+#ifndef SCREE_FLUID_MIRROR_H
+#define SCREE_FLUID_MIRROR_H
+
+#include "fluid/body.h"
+
+/* All borrowed. */
+struct mirror_input {
+    const struct weights_input *rows; /* the pairs must have grains near fluid particles */
+    const int64_t *body;              /* of boundary particles, by particle number */
+    const double (*spin)[4];          /* angular velocities, by particle number; NULL: none */
+    double spacing;
+    /* The foot of a place on a wall; NULL: no walls. Any thread. */
+    void (*wall)(const void *context, int wall, const double x[3], struct weights_foot *foot);
+    const void *context;
+};
+
+/* Fills mirror, wall_foot, foot and foot_start of weights that weights_make has made. Returns the number of
+ * wall neighbours whose body was not found (a mistake of the program; their beta is 1). Opens its own
+ * team. */
+size_t mirror_make(struct weights *weights, const struct mirror_input *input);
+
+#endif

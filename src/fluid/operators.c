@@ -1,0 +1,123 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Operators on arrays, row by row. Read operators.h first. */
+#include "fluid/operators.h"
+
+static const double *at(struct operators_values values, size_t particle) {
+    return values.value + values.stride * particle;
+}
+
+static const double *partner_at(const struct weights *weights, struct operators_values values, size_t entry) {
+    return at(values, pair_partner(weights->partner[entry]));
+}
+
+void operators_gradient(const struct weights *weights, struct operators_values p, double (*out)[3]) {
+    size_t dimension = (size_t)weights->dimension;
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++) {
+        double own = *at(p, weights->first + row), sum[3] = {0};
+        for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++) {
+            double difference = *partner_at(weights, p, e) - own;
+            for (size_t d = 0; d < dimension; d++)
+                sum[d] += weights->vector[e * dimension + d] * difference;
+        }
+        for (int d = 0; d < 3; d++)
+            out[row][d] = sum[d];
+    }
+}
+
+void operators_laplacian(const struct weights *weights, struct operators_values p, double *out) {
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++) {
+        double own = *at(p, weights->first + row), sum = 0;
+        for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++)
+            sum += weights->scalar[e] * (*partner_at(weights, p, e) - own);
+        out[row] = sum;
+    }
+}
+
+/* u_i - u_w of a wall entry. */
+static void relative_to_wall(const struct weights *weights, size_t wall, const double *own, double out[3]) {
+    const double *velocity = weights->foot[weights->wall_foot[wall]].velocity;
+    for (int d = 0; d < 3; d++)
+        out[d] = own[d] - velocity[d];
+}
+
+void operators_divergence(const struct weights *weights, struct operators_values u, double *out) {
+    size_t dimension = (size_t)weights->dimension;
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++) {
+        const double *own = at(u, weights->first + row);
+        double sum = 0;
+        size_t e = weights->start[row];
+        for (; e < weights_walls(weights, row); e++) {
+            const double *other = partner_at(weights, u, e);
+            for (size_t d = 0; d < dimension; d++)
+                sum += weights->vector[e * dimension + d] * (other[d] - own[d]);
+        }
+        for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
+            double relative[3], factor = weights_divergence_factor(weights, k);
+            relative_to_wall(weights, k, own, relative);
+            for (size_t d = 0; d < dimension; d++)
+                sum -= factor * weights->vector[e * dimension + d] * relative[d];
+        }
+        out[row] = sum;
+    }
+}
+
+/* The difference f_j - f_i of the velocity at a wall neighbour: normal part no penetration, tangential part
+ * with the slip of the walls. */
+static void mirror_difference(const struct weights *weights, size_t wall, const double *own,
+                              double difference[3]) {
+    const double *normal = weights->foot[weights->wall_foot[wall]].normal;
+    double relative[3], across = 0, along = weights_tangential_factor(weights, wall),
+                        straight = 1 + weights->mirror[wall];
+    relative_to_wall(weights, wall, own, relative);
+    for (int d = 0; d < 3; d++)
+        across += relative[d] * normal[d];
+    for (int d = 0; d < 3; d++)
+        difference[d] = weights->slip > 0 ? -along * relative[d] - (straight - along) * across * normal[d]
+                                          : -straight * relative[d];
+}
+
+void operators_laplacian_velocity(const struct weights *weights, struct operators_values u,
+                                  double (*out)[3]) {
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++) {
+        const double *own = at(u, weights->first + row);
+        double sum[3] = {0}, difference[3];
+        size_t e = weights->start[row];
+        for (; e < weights_walls(weights, row); e++) {
+            const double *other = partner_at(weights, u, e);
+            for (int d = 0; d < 3; d++)
+                sum[d] += weights->scalar[e] * (other[d] - own[d]);
+        }
+        for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
+            mirror_difference(weights, k, own, difference);
+            for (int d = 0; d < 3; d++)
+                sum[d] += weights->scalar[e] * difference[d];
+        }
+        for (int d = 0; d < 3; d++)
+            out[row][d] = sum[d];
+    }
+}
+
+void operators_advection(const struct weights *weights, struct operators_values u, double (*out)[3]) {
+    size_t dimension = (size_t)weights->dimension;
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++) {
+        const double *own = at(u, weights->first + row);
+        double sum[3] = {0}, difference[3];
+        size_t e = weights->start[row], wall = weights->wall_start[row], walls = weights_walls(weights, row);
+        for (; e < weights->start[row + 1]; e++) {
+            double along = 0;
+            for (size_t d = 0; d < dimension; d++)
+                along += own[d] * weights->vector[e * dimension + d];
+            if (e >= walls)
+                mirror_difference(weights, wall++, own, difference);
+            for (int d = 0; d < 3; d++)
+                sum[d] += along * (e >= walls ? difference[d] : partner_at(weights, u, e)[d] - own[d]);
+        }
+        for (int d = 0; d < 3; d++)
+            out[row][d] = sum[d];
+    }
+}

@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Operators on arrays of values, applied row by row from weights (weights.h). Inputs are arrays by particle
+ * number, owned particles and copies, `stride` doubles from one to the next; copies must be up to date.
+ * Outputs are arrays by row. Each function opens its own team; bits do not depend on threads.
+ *
+ * Pressure has no flux through walls: wall neighbours drop out. Velocity is mirrored at the walls. */
+#ifndef SCREE_FLUID_OPERATORS_H
+#define SCREE_FLUID_OPERATORS_H
+
+#include "fluid/weights.h"
+
+/* Values of all particles. */
+struct operators_values {
+    const double *value;
+    size_t stride; /* doubles */
+};
+
+/* out[row] = grad p; in two dimensions the third component is 0. */
+void operators_gradient(const struct weights *weights, struct operators_values p, double (*out)[3]);
+
+/* out[row] = div grad p. */
+void operators_laplacian(const struct weights *weights, struct operators_values p, double *out);
+
+/* out[row] = div u, mirrored at the walls with the capped coefficient. */
+void operators_divergence(const struct weights *weights, struct operators_values u, double *out);
+
+/* out[row] = div grad u, each component, mirrored (no slip, or the slip of the weights). */
+void operators_laplacian_velocity(const struct weights *weights, struct operators_values u, double (*out)[3]);
+
+/* out[row] = (u . grad) u, mirrored. */
+void operators_advection(const struct weights *weights, struct operators_values u, double (*out)[3]);
+
+#endif

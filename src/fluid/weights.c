@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Rows of weights from rows of pairs: count, scan, fill. Read weights.h first. */
+#include "fluid/weights.h"
+#include "core/memory.h"
+#include "fluid/tensors.h"
+#include "particles/kinds.h"
+#include <string.h>
+
+/* Everything that a row needs. */
+struct build {
+    struct weights *weights;
+    const struct weights_input *input;
+    const struct weights_options *options;
+    size_t longest; /* entries of the longest row of pairs */
+};
+
+static int kind_at(const struct weights_input *input, size_t k) {
+    return input->kind ? input->kind[k] : KIND_FLUID;
+}
+
+/* The neighbour that an entry of the pairs stands for; false if it lies beyond the support. */
+static bool neighbour_of(const struct build *build, size_t i, uint32_t partner,
+                         struct tensors_neighbour *to) {
+    const struct weights_input *input = build->input;
+    const struct particle_state *state = input->particles->state;
+    const double *shift = input->shift[pair_image(partner)], *xj = state[pair_partner(partner)].x;
+    double square = 0;
+    for (int d = 0; d < 3; d++) {
+        to->e[d] = d < input->dimension ? -((xj[d] - state[i].x[d]) + shift[d]) : 0;
+        square += to->e[d] * to->e[d];
+    }
+    to->distance = sqrt(square);
+    if (!(to->distance < build->options->kernel.support) || to->distance == 0)
+        return false;
+    for (int d = 0; d < 3; d++)
+        to->e[d] /= to->distance;
+    return true;
+}
+
+/* Counts the fluid and wall neighbours of a row. */
+static void row_count(const struct build *build, size_t row) {
+    const struct pair_rows *pairs = build->input->pairs;
+    size_t i = build->weights->first + row, entries = 0, walls = 0;
+    for (size_t e = pairs->start[i]; e < pairs->start[i + 1]; e++) {
+        struct tensors_neighbour to;
+        int kind = kind_at(build->input, pair_partner(pairs->partner[e]));
+        if (kind == KIND_GRAIN || !neighbour_of(build, i, pairs->partner[e], &to))
+            continue;
+        entries++;
+        walls += kind == KIND_BOUNDARY;
+    }
+    build->weights->start[row] = entries;
+    build->weights->wall_start[row] = walls;
+}
+
+/* Fills the partners of a row, fluid first. */
+static void row_fill(const struct build *build, size_t row) {
+    struct weights *weights = build->weights;
+    const struct pair_rows *pairs = build->input->pairs;
+    size_t i = weights->first + row, at[2] = {weights->start[row], weights_walls(weights, row)};
+    for (size_t e = pairs->start[i]; e < pairs->start[i + 1]; e++) {
+        struct tensors_neighbour to;
+        int kind = kind_at(build->input, pair_partner(pairs->partner[e]));
+        if (kind != KIND_GRAIN && neighbour_of(build, i, pairs->partner[e], &to))
+            weights->partner[at[kind == KIND_BOUNDARY]++] = pairs->partner[e];
+    }
+}
+
+static void sum_up(size_t *start, size_t rows) {
+    size_t sum = 0;
+    for (size_t k = 0; k <= rows; k++) {
+        size_t count = k < rows ? start[k] : 0;
+        start[k] = sum;
+        sum += count;
+    }
+}
+
+/* V_i = 1 / sum of W over all neighbours and i itself. */
+static void row_volume(const struct build *build, size_t row) {
+    struct weights *weights = build->weights;
+    double sum = kernel_value(&build->options->kernel, 0);
+    for (size_t e = weights->start[row]; e < weights->start[row + 1]; e++) {
+        struct tensors_neighbour to;
+        neighbour_of(build, weights->first + row, weights->partner[e], &to);
+        sum += kernel_value(&build->options->kernel, to.distance);
+    }
+    weights->volume[row] = build->options->volume > 0 ? build->options->volume : 1 / sum;
+}
+
+/* The volume of a neighbour. */
+static double volume_of(const struct build *build, size_t particle) {
+    const struct weights_input *input = build->input;
+    if (build->options->volume > 0)
+        return build->options->volume;
+    if (input->volume)
+        return input->volume(input->context, particle);
+    if (particle >= input->first && particle < input->end)
+        return build->weights->volume[particle - input->first];
+    return kernel_power(build->options->spacing, input->dimension);
+}
+
+/* Computes the weights of a row; returns true if its tensors are singular. */
+static bool row_weigh(const struct build *build, size_t row, struct tensors_neighbour *neighbour) {
+    struct weights *weights = build->weights;
+    size_t first = weights->start[row], count = weights->start[row + 1] - first;
+    int dimension = build->input->dimension;
+    struct tensors tensors;
+    bool good = true;
+    for (size_t e = 0; e < count; e++) {
+        neighbour_of(build, weights->first + row, weights->partner[first + e], &neighbour[e]);
+        neighbour[e].strength = volume_of(build, pair_partner(weights->partner[first + e])) *
+                                kernel_slope(&build->options->kernel, neighbour[e].distance);
+    }
+    if (build->options->operators == WEIGHTS_STANDARD)
+        tensors_standard(&tensors, dimension);
+    else
+        good = tensors_make(&tensors, neighbour, count, dimension);
+    for (size_t e = 0; e < count; e++)
+        weights->scalar[first + e] = tensors_weigh(&tensors, &neighbour[e], dimension,
+                                                   weights->vector + (first + e) * (size_t)dimension);
+    return !good;
+}
+
+static void reserve_rows(struct weights *weights) {
+    if (weights->rows + 1 <= weights->row_room)
+        return;
+    size_t room = weights->row_room = weights->rows + weights->rows / 8 + 1;
+    weights->start = memory_resize(weights->start, room, sizeof *weights->start, "weights");
+    weights->wall_start = memory_resize(weights->wall_start, room, sizeof *weights->wall_start, "weights");
+    weights->foot_start = memory_resize(weights->foot_start, room, sizeof *weights->foot_start, "weights");
+    weights->volume = memory_resize(weights->volume, room, sizeof *weights->volume, "weights");
+}
+
+static void reserve_entries(struct weights *weights) {
+    size_t entries = weights->start[weights->rows], walls = weights->wall_start[weights->rows];
+    if (entries > weights->entry_room) {
+        size_t room = weights->entry_room = entries;
+        weights->partner = memory_resize(weights->partner, room, sizeof *weights->partner, "weights");
+        weights->scalar = memory_resize(weights->scalar, room, sizeof *weights->scalar, "weights");
+        weights->vector = memory_resize(weights->vector, room * (size_t)weights->dimension,
+                                        sizeof *weights->vector, "weights");
+    }
+    if (walls > weights->wall_room) {
+        weights->wall_room = walls;
+        weights->mirror = memory_resize(weights->mirror, walls, sizeof *weights->mirror, "weights");
+        weights->wall_foot = memory_resize(weights->wall_foot, walls, sizeof *weights->wall_foot, "weights");
+    }
+}
+
+static void weigh(const struct build *build) {
+    struct weights *weights = build->weights;
+    size_t poor = 0, poor_first = SIZE_MAX;
+#pragma omp parallel reduction(+ : poor) reduction(min : poor_first)
+    {
+        struct tensors_neighbour *neighbour =
+            memory_allocate(build->longest + 1, sizeof *neighbour, "weights of a row");
+#pragma omp for schedule(static)
+        for (size_t row = 0; row < weights->rows; row++)
+            if (row_weigh(build, row, neighbour)) {
+                poor++;
+                poor_first = row < poor_first ? row : poor_first;
+            }
+        memory_free(neighbour);
+    }
+    weights->poor = poor;
+    weights->poor_first = poor_first;
+}
+
+void weights_make(struct weights *weights, const struct weights_input *input,
+                  const struct weights_options *options) {
+    struct build build = {weights, input, options, 0};
+    weights->dimension = input->dimension;
+    weights->first = input->first;
+    weights->rows = input->end - input->first;
+    weights->slip = options->slip;
+    reserve_rows(weights);
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++)
+        row_count(&build, row);
+    for (size_t row = 0; row < weights->rows; row++)
+        build.longest = weights->start[row] > build.longest ? weights->start[row] : build.longest;
+    sum_up(weights->start, weights->rows);
+    sum_up(weights->wall_start, weights->rows);
+    reserve_entries(weights);
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++) {
+        row_fill(&build, row);
+        row_volume(&build, row);
+    }
+    weigh(&build);
+    memset(weights->foot_start, 0, (weights->rows + 1) * sizeof *weights->foot_start);
+}
+
+void weights_free(struct weights *weights) {
+    memory_free(weights->start);
+    memory_free(weights->wall_start);
+    memory_free(weights->partner);
+    memory_free(weights->scalar);
+    memory_free(weights->vector);
+    memory_free(weights->mirror);
+    memory_free(weights->wall_foot);
+    memory_free(weights->foot);
+    memory_free(weights->foot_start);
+    memory_free(weights->volume);
+    *weights = (struct weights){0};
+}
+
+size_t weights_memory(const struct weights *weights) {
+    size_t entry = sizeof *weights->partner + sizeof *weights->scalar +
+                   (size_t)weights->dimension * sizeof *weights->vector;
+    return weights->row_room * (3 * sizeof(size_t) + sizeof(double)) + weights->entry_room * entry +
+           weights->wall_room * (sizeof *weights->mirror + sizeof *weights->wall_foot) +
+           weights->foot_room * sizeof *weights->foot;
+}

@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Rows of weights: for each fluid particle i of this rank the neighbours j within the support, and what turns
+ * differences of values into a gradient and a Laplacian:
+ *
+ *   (grad f)_i = sum over j of b_ij (f_j - f_i),     (div grad f)_i = sum over j of w_ij (f_j - f_i)
+ *
+ * with the corrected operators of second order of Trask et al., CMAME 289 (2015) 155, after Fatehi and
+ * Manzari, Comput. Math. Appl. 61 (2011) 482, and Bonet and Lok, CMAME 180 (1999) 97 (tensors.h has the
+ * formulas). On any arrangement, to rounding:
+ *
+ *   sum b_ij (x) (x_j - x_i) = 1,   sum w_ij (x_j - x_i) = 0,   sum w_ij (x_j - x_i) (x) (x_j - x_i) = 2 1
+ *
+ * Fluid neighbours stand first in a row, wall neighbours (boundary particles) last. A wall neighbour has no
+ * unknown: with the foot point of i on the body of j, d_i and d_j the distances of both from the tangent
+ * plane there and beta = d_j / d_i (Morris, Fox, Zhu, J. Comput. Phys. 136 (1997) 214), a condition at the
+ * wall gives
+ *
+ *   no slip, wall velocity u_w:   f_j - f_i = -(1 + beta) (f_i - u_w)        for each component of velocity
+ *   slip length b, tangential:    f_j - f_i = -(d_i + d_j) / (d_i + b) (f_i - u_w) = -(1 + beta) d_i / (d_i + b) ...
+ *   no flux (pressure):           f_j - f_i = 0
+ *
+ * so the wall part of a velocity row is a diagonal entry and a right-hand side. In a divergence beta is
+ * capped at WEIGHTS_MIRROR_CAP. */
+#ifndef SCREE_FLUID_WEIGHTS_H
+#define SCREE_FLUID_WEIGHTS_H
+
+#include "core/error.h"
+#include "fluid/kernel.h"
+#include "pairs/interaction.h"
+#include <math.h>
+
+#define WEIGHTS_MIRROR_CAP 3.0
+
+enum weights_operators { WEIGHTS_CORRECTED, WEIGHTS_STANDARD };
+
+/* The tangent plane of a body at the point nearest to a fluid particle i. */
+struct weights_foot {
+    double distance;    /* d_i, length, >= WEIGHTS_NEAREST x spacing */
+    double normal[3];   /* unit, out of the body into the fluid; the foot point is x_i - d_i n */
+    double velocity[3]; /* of the body's surface there, u_w, length/time */
+    int64_t body;       /* see body.h: id of a grain, or -1 - number of a wall */
+};
+#define WEIGHTS_NEAREST 1e-4
+
+/* All arrays are owned. Row k is that of the owned particle first + k. Entries of row k are start[k] ...
+ * start[k + 1] - 1, the last walls(k) of which are wall neighbours; these have numbers of their own,
+ * wall_start[k] ... wall_start[k + 1] - 1. All zero: empty. */
+struct weights {
+    int dimension;             /* 2 or 3 */
+    size_t first, rows;        /* the fluid particles of this rank */
+    size_t *start;             /* [rows + 1] */
+    size_t *wall_start;        /* [rows + 1] */
+    uint32_t *partner;         /* number and image code (pair_partner, pair_image), as in a pair list */
+    double *scalar;            /* w_ij, 1 / length^2 */
+    double *vector;            /* b_ij: `dimension` components an entry, 1 / length */
+    double *mirror;            /* by wall entry: beta_ij = d_j / d_i, not capped */
+    uint32_t *wall_foot;       /* by wall entry: number of its foot */
+    struct weights_foot *foot; /* by row, then by body */
+    size_t *foot_start;        /* [rows + 1]: feet of row k */
+    double *volume;            /* by row: V_i, length^dimension */
+    double slip;               /* slip length of the walls, >= 0; INFINITY: no friction */
+    size_t poor;               /* rows whose tensors are singular: they have standard operators */
+    size_t poor_first;         /* the first of them (a row) */
+    size_t row_room, entry_room, wall_room, foot_room;
+};
+
+/* First wall entry of a row among its entries. */
+static inline size_t weights_walls(const struct weights *weights, size_t row) {
+    return weights->start[row + 1] - (weights->wall_start[row + 1] - weights->wall_start[row]);
+}
+
+/* 1 + beta of a wall entry, capped for a divergence. */
+static inline double weights_divergence_factor(const struct weights *weights, size_t wall) {
+    return 1 + fmin(weights->mirror[wall], WEIGHTS_MIRROR_CAP);
+}
+
+/* The factor of (u_i - u_w) tangential to the wall, (d_i + d_j) / (d_i + b); 1 + beta without slip. */
+static inline double weights_tangential_factor(const struct weights *weights, size_t wall) {
+    double d = weights->foot[weights->wall_foot[wall]].distance;
+    return (1 + weights->mirror[wall]) * (weights->slip > 0 ? d / (d + weights->slip) : 1);
+}
+
+/* How weights are made. */
+struct weights_options {
+    struct kernel kernel;
+    enum weights_operators operators;
+    double spacing; /* length */
+    double volume;  /* > 0: the same volume for all particles (a lattice); 0: V_i = 1 / sum of W */
+    double slip;    /* slip length */
+};
+
+/* The neighbourhood from which weights are made; all borrowed. */
+struct weights_input {
+    const struct particles *particles; /* owned and copies */
+    const uint8_t *kind;               /* kinds_of; NULL: all are fluid */
+    size_t first, end;                 /* the fluid particles of this rank, kinds_span */
+    const struct pair_rows *pairs;     /* rows of all pairs up to the support at least */
+    const double (*shift)[4];          /* of image codes, as in the pair list */
+    int dimension;
+    double (*volume)(const void *context, size_t particle); /* NULL: from options */
+    const void *context;
+};
+
+/* Makes rows, neighbours within the support alone, tensors and weights. Mirrors are mirror_make's. Opens its
+ * own team; bits do not depend on threads. */
+void weights_make(struct weights *weights, const struct weights_input *input,
+                  const struct weights_options *options);
+void weights_free(struct weights *weights);
+
+/* Bytes held. */
+size_t weights_memory(const struct weights *weights);
+
+#endif
