@@ -99,3 +99,8 @@ CLEANFILES += tests/mpi/bench_ranks
 tests_mpi_bench_ranks_SOURCES = tests/mpi/bench_ranks.c
 tests_mpi_bench_ranks_CPPFLAGS = $(MPI_TEST_FLAGS)
 tests_mpi_bench_ranks_LDADD = $(COMM_LIBS) $(MPI_LIBS)
+
+check_PROGRAMS += tests/mpi/test_solve
+tests_mpi_test_solve_SOURCES = tests/mpi/test_solve.c tests/mpi/team.c tests/mpi/team.h
+tests_mpi_test_solve_CPPFLAGS = $(MPI_TEST_FLAGS)
+tests_mpi_test_solve_LDADD = $(SOLVE_LIBS) $(TEST_LIBS) $(MPI_LIBS)
