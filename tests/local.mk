@@ -137,7 +137,7 @@ tests_test_units_LDADD = $(SCENE_LIBS) $(TEST_LIBS)
 check_PROGRAMS += tests/test_describe
 tests_test_describe_SOURCES = tests/test_describe.c
 tests_test_describe_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
-tests_test_describe_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
+tests_test_describe_LDADD = $(ENGINE_LIBS) $(TEST_LIBS)
 
 check_PROGRAMS += tests/test_lammps
 tests_test_lammps_SOURCES = tests/test_lammps.c

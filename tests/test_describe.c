@@ -6,6 +6,8 @@
 #include <stdint.h>
 #include <cmocka.h>
 
+#include "engine/grains.h"
+#include "engine/stages.h"
 #include "observe/describe.h"
 #include "observe/report_json.h"
 
@@ -35,11 +37,13 @@ static char *read_page(void) {
 
 /* The page with its tables made again; NULL: refused. */
 static char *described(char *page, struct error *error) {
+    struct timers stages = {0};
+    stages_register_all(&stages, &grains_physics);
     char *text = NULL;
     size_t size;
     FILE *in = fmemopen(page, strlen(page), "r"), *out = open_memstream(&text, &size);
     assert_true(in && out);
-    bool good = describe_page(in, out, error);
+    bool good = describe_page(in, out, &stages, error);
     fclose(in);
     fclose(out);
     if (!good) {
@@ -49,7 +53,7 @@ static char *described(char *page, struct error *error) {
     return text;
 }
 
-/* `make src/observe/document && src/observe/document <docs/output.md >new` */
+/* `make src/engine/document && src/engine/document <docs/output.md >new` */
 static void page_is_current(void **state) {
     (void)state;
     struct error error = {0};
@@ -135,6 +139,11 @@ static void write_report(char path[]) {
     struct error error = {0};
     struct report report;
     report_create(&report, 2);
+    struct timers stages = {0};
+    stages_register_all(&stages, &grains_physics);
+    report.stages = stages.stages;
+    for (int k = 0; k < stages.stages; k++)
+        snprintf(report.stage[k].name, sizeof report.stage[k].name, "%s", stages.stage[k].name);
     snprintf(report.choice, sizeof report.choice, "hgrid");
     report.levels = report.classes = report.insertions = 2;
     int file = mkstemp(path);

@@ -100,11 +100,11 @@ static bool variants_read(const struct comm *comm, struct variants *v, const str
     return true;
 }
 
-static void table_head(FILE *table) {
+static void table_head(FILE *table, const struct timers *timers) {
     fprintf(table, "index,newton,ranks,threads,particles,steps,seconds,particle_steps_per_second,pairs,"
                    "contacts,rebuilds,bytes_per_particle,peak_bytes");
-    for (int k = 0; k < TIMER_STAGES; k++)
-        fprintf(table, ",%s[s]", timer_stage_name(k));
+    for (int k = 0; k < timers->stages; k++)
+        fprintf(table, ",%s[s]", timers->stage[k].name);
     fprintf(table, "\n");
 }
 
@@ -114,16 +114,14 @@ static void table_row(FILE *table, const struct report *r) {
             (unsigned long long)r->steps, r->seconds, report_speed(r), (unsigned long long)r->pairs,
             (unsigned long long)r->contacts, (unsigned long long)r->rebuilds, r->bytes_per_particle,
             (unsigned long long)(r->bytes_per_particle * (double)r->particles));
-    for (int k = 0; k < TIMER_STAGES; k++)
+    for (int k = 0; k < r->stages; k++)
         fprintf(table, ",%.6g", r->stage[k].mean);
     fprintf(table, "\n");
     fflush(table);
 }
 
 static void print_row(const struct report *r) {
-    double rebuild = 0;
-    for (int k = TIMER_MIGRATE; k <= TIMER_HISTORY; k++)
-        rebuild += r->stage[k].mean;
+    double rebuild = report_stages(r, TIMER_REBUILD, 0);
     printf("  %-10s %-6s %7d %10.4f s %10.2f M/s %12llu pairs  rebuild %.4f s  %.0f bytes/particle\n",
            r->index, r->newton ? "on" : "off", r->threads, r->seconds, report_speed(r) * 1e-6,
            (unsigned long long)r->pairs, rebuild, r->bytes_per_particle);
@@ -280,7 +278,7 @@ static bool table_make(const struct comm *comm, const struct command_line *line,
         error_set_errno(error, "%s", path);
     if (comm_agree(comm, error)) {
         if (table)
-            table_head(table);
+            table_head(table, &trial.timers);
         variants_run(comm, line, v, trial.particles, table, error);
     }
     if (table && fclose(table) != 0)

@@ -89,6 +89,7 @@ bool trial_run(const struct comm *comm, const struct scene *scene, struct trial 
     progress_start(&progress, &options, &series, stderr, s->clock.step, trial->last);
     int number = steps_run(s, &progress, trial);
     progress_finish(&progress);
+    trial->timers = s->timers;
     *error = s->error;
     if (comm_agree(comm, error) && number)
         error_set(error, (enum error_kind)(ERROR_SIGNAL + number), "ended by signal %d", number);

@@ -13,6 +13,7 @@ struct trial {
     bool touched;         /* something touched, first after step `contact_first` */
     uint64_t rebuild_first, contact_first;
     uint64_t particles;
+    struct timers timers; /* of the trial; all runs of the scene have its stages */
 };
 
 /* Creates the simulation of a scene and steps until the list of pairs has been made again, something has

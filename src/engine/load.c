@@ -20,23 +20,6 @@
  * after some twenty rebuilds. */
 static const double remembered = 0.995;
 
-double load_seconds(const struct simulation *s) {
-    static const enum timer_stage work[] = {TIMER_ADVANCE, TIMER_SWEEP, TIMER_CONTACT, TIMER_WALL,
-                                            TIMER_REORDER, TIMER_INDEX, TIMER_PAIRS,   TIMER_HISTORY};
-    double seconds = 0;
-    for (size_t k = 0; k < sizeof work / sizeof work[0]; k++)
-        seconds += s->timers.seconds[work[k]];
-    return seconds;
-}
-
-double load_waiting(const struct simulation *s) {
-    static const enum timer_stage wait[] = {TIMER_COMM, TIMER_DECIDE, TIMER_MIGRATE, TIMER_GHOSTS};
-    double seconds = 0;
-    for (size_t k = 0; k < sizeof wait / sizeof wait[0]; k++)
-        seconds += s->timers.seconds[wait[k]];
-    return seconds;
-}
-
 /* Weights of the owned particles by the last pair list; returns their sum. */
 static double weights_by_pairs(const struct simulation *s, double *weight) {
     const struct pairlist *list = s->grains.list;
@@ -158,7 +141,7 @@ void load_balance(struct simulation *s) {
         for (size_t k = 0; k < owned; k++)
             weight[k] = 1;
     } else if (options->weights == DOMAIN_WEIGHTS_TIME) {
-        double seconds = load_seconds(s);
+        double seconds = timer_sum(&s->timers, TIMER_WORK, 0);
         load = fmax(seconds - s->ranks.load.seconds, 1e-9);
         s->ranks.load.seconds = seconds;
         for (size_t k = 0; k < owned; k++)

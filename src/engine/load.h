@@ -23,8 +23,4 @@ void load_restore(struct simulation *simulation, struct domain_tree *tree, bool 
  * uneven. Collective. */
 void load_balance(struct simulation *simulation);
 
-/* Seconds of this rank so far: of work, and in communication (waiting for others included). */
-double load_seconds(const struct simulation *simulation);
-double load_waiting(const struct simulation *simulation);
-
 #endif

@@ -40,6 +40,8 @@ libengine_la_SOURCES = \
 	src/engine/simulation.h \
 	src/engine/sources.c \
 	src/engine/sources.h \
+	src/engine/stages.c \
+	src/engine/stages.h \
 	src/engine/state.h \
 	src/engine/step.c \
 	src/engine/step.h \
@@ -50,3 +52,10 @@ libengine_la_SOURCES = \
 	src/engine/view.c \
 	src/engine/view.h
 libengine_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+
+# What writes the tables of docs/output.md, after a change of fields, observables, stages or the report
+EXTRA_PROGRAMS += src/engine/document
+CLEANFILES += src/engine/document
+src_engine_document_SOURCES = src/engine/document.c
+src_engine_document_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+src_engine_document_LDADD = $(ENGINE_LIBS)

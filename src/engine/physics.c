@@ -12,6 +12,10 @@ struct physics_entry {
 #define PHYSICS_ENTRY(name, key, summary) {&name##_physics, name##_fields},
 static const struct physics_entry entries[] = {PHYSICS_TABLE(PHYSICS_ENTRY)};
 
+const struct physics *physics_get(enum physics_number number) {
+    return entries[number].physics;
+}
+
 static void activate(struct physics_set *set, const struct physics *row, const void *options,
                      const struct physics_context *context, struct interactions *interactions) {
     struct physics_active *active = &set->active[set->count++];

@@ -14,7 +14,7 @@
  *   2. Write its `struct physics`: interactions, create and destroy, passes.
  *   3. Add its row to PHYSICS_TABLE, and `include src/NAME/local.mk` to Makefile.am.
  *   4. Write its test against a plain double loop, on several ranks and threads and on every index.
- *   5. Make the pages: docs/scene.md by src/scene/document, docs/output.md by src/observe/document.
+ *   5. Make the pages: docs/scene.md by src/scene/document, docs/output.md by src/engine/document.
  *
  * A physics sees only its context, never the simulation. */
 #ifndef SCREE_ENGINE_PHYSICS_H
@@ -62,7 +62,8 @@ struct physics_pass {
     const char *name;
     const char *why; /* the reason in the scene for this pass; NULL: always there */
     enum pass_stage stage;
-    const char *timer;          /* stage of the report for the time; NULL: named as the pass */
+    const char *does;           /* its work in a few words, for the report's description of its stage */
+    const char *timer;          /* stage of the report for the time (stages.h); NULL: named as the pass */
     const char *reads, *writes; /* names of fields, as "position velocity"; only shown to people */
     bool (*needed)(const struct physics_context *context);
     /* Called once; opens its own teams of threads. */
@@ -117,6 +118,9 @@ struct physics_set {
  * thread. */
 void physics_begin(struct physics_set *set, const struct physics *grains,
                    const struct physics_context *context, struct interactions *interactions);
+
+/* The row of a physics of the table. */
+const struct physics *physics_get(enum physics_number number);
 
 /* Creates the own data of all physics but grains, whose data are `self`. */
 void physics_create(struct physics_set *set, void *self);

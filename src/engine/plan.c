@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Merging passes into a plan, and running it. Read plan.h first. */
 #include "engine/plan.h"
+#include "engine/stages.h"
 #include <assert.h>
 
 static void visit_add(struct plan_visit *visit, const struct plan_pass *pass) {
@@ -13,32 +14,35 @@ static void add(struct plan *plan, const struct plan_pass *pass) {
     plan->pass[plan->passes++] = *pass;
 }
 
-static void add_engine(struct plan *plan, const struct engine_pass *pass,
+static void add_engine(struct plan *plan, const struct engine_pass *pass, const struct timers *timers,
                        const struct simulation *simulation) {
     for (; pass->run; pass++)
         if (pass->needed == NULL || pass->needed(simulation))
-            add(plan, &(struct plan_pass){
-                          .name = pass->name, .why = pass->why, .timer = pass->timer, .run = pass->run});
+            add(plan, &(struct plan_pass){.name = pass->name,
+                                          .why = pass->why,
+                                          .timer = stages_find(timers, pass->timer),
+                                          .run = pass->run});
 }
 
-static struct plan_pass entry_of(const struct physics_active *active, const struct physics_pass *pass) {
+static struct plan_pass entry_of(const struct physics_active *active, const struct physics_pass *pass,
+                                 const struct timers *timers) {
     return (struct plan_pass){.name = pass->name,
                               .why = pass->why,
-                              .timer = timer_stage_find(pass->timer ? pass->timer : pass->name),
+                              .timer = stages_of_pass(timers, pass),
                               .pass = pass,
                               .context = &active->context};
 }
 
 /* Adds the passes of a stage to the plan; passes that fit the visit go to `visit` instead. */
 static void add_stage(struct plan *plan, struct plan_visit *visit, const struct physics_set *set,
-                      enum pass_stage stage) {
+                      const struct timers *timers, enum pass_stage stage) {
     for (int k = 0; k < set->count; k++)
         for (int p = 0; p < set->active[k].row->passes; p++) {
             const struct physics_active *active = &set->active[k];
             const struct physics_pass *pass = &active->row->pass[p];
             if (pass->stage != stage || (pass->needed && !pass->needed(&active->context)))
                 continue;
-            struct plan_pass entry = entry_of(active, pass);
+            struct plan_pass entry = entry_of(active, pass, timers);
             bool joins = visit && (visit->count == 0 || stage != PASS_PAIRS ||
                                    active->context.list[0] == visit->pass[0].context->list[0]);
             if (joins)
@@ -49,28 +53,28 @@ static void add_stage(struct plan *plan, struct plan_visit *visit, const struct 
 }
 
 void plan_make(struct step_plan *plan, const struct physics_set *set, const struct engine_passes *engine,
-               const struct simulation *simulation) {
+               const struct timers *timers, const struct simulation *simulation) {
     struct plan alone = {0};
     *plan = (struct step_plan){0};
     for (int stage = PASS_FIRST; stage <= PASS_MOVED; stage++)
-        add_stage(&plan->plain, NULL, set, (enum pass_stage)stage);
-    add_engine(&plan->plain, engine->moved, simulation);
+        add_stage(&plan->plain, NULL, set, timers, (enum pass_stage)stage);
+    add_engine(&plan->plain, engine->moved, timers, simulation);
     for (int stage = PASS_PAIRS; stage <= PASS_CLOSE; stage++)
-        add_stage(&plan->forces, NULL, set, (enum pass_stage)stage);
-    add_engine(&plan->forces, engine->paired, simulation);
+        add_stage(&plan->forces, NULL, set, timers, (enum pass_stage)stage);
+    add_engine(&plan->forces, engine->paired, timers, simulation);
     for (int p = 0; p < plan->forces.passes; p++)
         add(&plan->plain, &plan->forces.pass[p]);
 
-    add_stage(&plan->fused, NULL, set, PASS_FIRST);
-    add_stage(&plan->fused, NULL, set, PASS_MOVED);
-    add_stage(&plan->fused, &plan->moves, set, PASS_MOVE);
-    add_stage(&alone, &plan->pairs, set, PASS_PAIRS);
-    add_engine(&plan->fused, engine->sweep, simulation);
+    add_stage(&plan->fused, NULL, set, timers, PASS_FIRST);
+    add_stage(&plan->fused, NULL, set, timers, PASS_MOVED);
+    add_stage(&plan->fused, &plan->moves, set, timers, PASS_MOVE);
+    add_stage(&alone, &plan->pairs, set, timers, PASS_PAIRS);
+    add_engine(&plan->fused, engine->sweep, timers, simulation);
     for (int p = 0; p < alone.passes; p++)
         add(&plan->fused, &alone.pass[p]);
-    add_stage(&plan->fused, NULL, set, PASS_SHARES);
-    add_stage(&plan->fused, NULL, set, PASS_CLOSE);
-    add_engine(&plan->fused, engine->paired, simulation);
+    add_stage(&plan->fused, NULL, set, timers, PASS_SHARES);
+    add_stage(&plan->fused, NULL, set, timers, PASS_CLOSE);
+    add_engine(&plan->fused, engine->paired, timers, simulation);
 }
 
 void plan_move(const struct plan_visit *moves, int thread, size_t first, size_t last, int size_class) {

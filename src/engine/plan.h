@@ -22,7 +22,7 @@ struct simulation;
 /* A pass of the engine's own. */
 struct engine_pass {
     const char *name, *why; /* as in struct physics_pass */
-    enum timer_stage timer;
+    const char *timer;      /* its stage (stages.h) */
     bool (*needed)(const struct simulation *simulation);
     void (*run)(struct simulation *simulation);
 };
@@ -30,7 +30,7 @@ struct engine_pass {
 /* One entry: a pass of the engine's, or of a physics with its context. */
 struct plan_pass {
     const char *name, *why;
-    enum timer_stage timer;
+    int timer; /* stage, registered */
     void (*run)(struct simulation *simulation);
     const struct physics_pass *pass;
     const struct physics_context *context; /* borrowed from the physics set */
@@ -61,9 +61,10 @@ struct engine_passes {
         *sweep; /* fused: from the first move to the last sum over pairs of the sweep's list */
 };
 
-/* Makes the plan; once a run, before the first step. */
+/* Makes the plan; once a run, before the first step, after the stages have been registered with
+ * `timers`. */
 void plan_make(struct step_plan *plan, const struct physics_set *set, const struct engine_passes *engine,
-               const struct simulation *simulation);
+               const struct timers *timers, const struct simulation *simulation);
 
 /* Runs all passes, each under its timer. */
 void plan_run(const struct plan *plan, struct timers *timers, struct simulation *simulation);

@@ -8,6 +8,7 @@
 #include "engine/tune.h"
 #include "engine/sources.h"
 #include "engine/rebuild_rows.h"
+#include "engine/stages.h"
 #include "engine/guards.h"
 #include "engine/load.h"
 #include "core/memory.h"
@@ -150,10 +151,11 @@ void rebuild_plan(struct simulation *s) {
     size_t count = 0;
     if (!s->search.sweep->stale)
         return;
-    timer_start(&s->timers, TIMER_PAIRS);
+    int stage = stages_find(&s->timers, "pairs");
+    timer_start(&s->timers, stage);
     const uint32_t *originals = s->ranks.alone ? NULL : ghosts_originals(s->ranks.ghosts, &count);
     sweep_build(s->search.sweep, s->grains.list, s->particles->owned, originals, count);
-    timer_stop(&s->timers, TIMER_PAIRS);
+    timer_stop(&s->timers, stage);
 }
 
 /* Sets size classes: particles that migrated have none, and after a new choice of classes the classes of all
@@ -260,29 +262,29 @@ static bool with_history(const struct simulation *s, const struct rebuild_rows *
 /* A pass of the rebuild. `needed` with rows NULL tells whether the pass may ever run. */
 struct rebuild_pass {
     const char *name, *why; /* why NULL: always */
-    enum timer_stage timer;
+    const char *timer;      /* its stage (stages.h) */
     bool (*needed)(const struct simulation *s, const struct rebuild_rows *rows);
     void (*run)(struct simulation *s, struct rebuild_rows *rows);
 };
 
 /* The passes of a rebuild. The passes before `wrap` are left out if histories come from a checkpoint. */
 static const struct rebuild_pass passes[] = {
-    {"balance", "several ranks", TIMER_MIGRATE, many_ranks, balance},
-    {"follow", "history, several ranks", TIMER_COMM, many_with_history, follow},
-    {"detach", "history", TIMER_HISTORY, with_history, detach},
-    {"wrap", NULL, TIMER_MIGRATE, NULL, wrap},
-    {"sources", NULL, TIMER_MIGRATE, NULL, come_and_go},
-    {"part", "history, several ranks", TIMER_HISTORY, many_that_keep, part_with_leavers},
-    {"migrate", "several ranks", TIMER_MIGRATE, many_ranks, migrate},
-    {"classify", NULL, TIMER_MIGRATE, NULL, classify},
-    {"reorder", NULL, TIMER_REORDER, NULL, reorder},
-    {"keep", "history", TIMER_HISTORY, with_history, keep},
-    {"ghosts", NULL, TIMER_GHOSTS, NULL, ghosts_pass},
-    {"index", NULL, TIMER_INDEX, NULL, index_pass},
-    {"pairs", NULL, TIMER_PAIRS, NULL, pairs_pass},
-    {"walls", "walls", TIMER_WALL, with_walls, walls_pass},
-    {"attach", NULL, TIMER_HISTORY, NULL, attach},
-    {"physics", NULL, TIMER_PAIRS, NULL, tell_physics},
+    {"balance", "several ranks", "migrate", many_ranks, balance},
+    {"follow", "history, several ranks", "comm", many_with_history, follow},
+    {"detach", "history", "history", with_history, detach},
+    {"wrap", NULL, "migrate", NULL, wrap},
+    {"sources", NULL, "migrate", NULL, come_and_go},
+    {"part", "history, several ranks", "history", many_that_keep, part_with_leavers},
+    {"migrate", "several ranks", "migrate", many_ranks, migrate},
+    {"classify", NULL, "migrate", NULL, classify},
+    {"reorder", NULL, "reorder", NULL, reorder},
+    {"keep", "history", "history", with_history, keep},
+    {"ghosts", NULL, "ghosts", NULL, ghosts_pass},
+    {"index", NULL, "index", NULL, index_pass},
+    {"pairs", NULL, "pairs", NULL, pairs_pass},
+    {"walls", "walls", "wall", with_walls, walls_pass},
+    {"attach", NULL, "history", NULL, attach},
+    {"physics", NULL, "pairs", NULL, tell_physics},
 };
 enum { REBUILD_PASSES = sizeof passes / sizeof passes[0], REBUILD_WRAP = 3 };
 
@@ -290,9 +292,10 @@ static void passes_run(struct simulation *s, struct rebuild_rows *rows, int firs
     for (int p = first; p < REBUILD_PASSES; p++) {
         if (passes[p].needed && !passes[p].needed(s, rows))
             continue;
-        timer_start(&s->timers, passes[p].timer);
+        int stage = stages_find(&s->timers, passes[p].timer);
+        timer_start(&s->timers, stage);
         passes[p].run(s, rows);
-        timer_stop(&s->timers, passes[p].timer);
+        timer_stop(&s->timers, stage);
     }
     rebuild_rows_free(rows);
 }

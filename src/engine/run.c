@@ -2,6 +2,7 @@
 /* The life of a run: folder, simulation, loop, signals, checkpoints, report. Read run.h first. */
 #include "engine/run.h"
 #include "engine/simulation.h"
+#include "engine/stages.h"
 #include "engine/timing.h"
 #include "engine/resume_check.h"
 #include "engine/step.h"
@@ -172,7 +173,8 @@ static bool step_once(struct run *run, struct error *error) {
     if (guards_energy_due(s, s->clock.step))
         guards_check_energy(s);
     look_at_step(run);
-    timer_start(&s->timers, TIMER_OUTPUT);
+    int stage = stages_find(&s->timers, "output");
+    timer_start(&s->timers, stage);
     if (watched || (run->outputs && outputs_due(run->outputs, s)))
         physics_look(&s->physics);
     bool good = run->outputs == NULL || outputs_write(run->outputs, s, error);
@@ -182,7 +184,7 @@ static bool step_once(struct run *run, struct error *error) {
         good = checkpoint_regular(run, error);
     run->checkpoint_due = s->agree.signals.stop || (s->agree.signals.checkpoint && !checkpoint);
     progress_update(&run->progress, s->clock.step, s->total, s->clock.time);
-    timer_stop(&s->timers, TIMER_OUTPUT);
+    timer_stop(&s->timers, stage);
     return good;
 }
 
@@ -265,15 +267,16 @@ static void run_loop(struct run *run, struct error *error) {
     run->last = run_last_step(s);
     ghosts_count(s->ranks.ghosts, &run->record.before);
     s->ranks.load.seconds = 0;
-    memset(&s->timers, 0, sizeof s->timers);
-    timer_start(&s->timers, TIMER_OTHER);
+    int stage = stages_find(&s->timers, "other");
+    timer_clear(&s->timers);
+    timer_start(&s->timers, stage);
     run->record.began = run->checkpoint_last = timer_now();
     if ((run->options->quiet && run->options->series == NULL) || s->comm->rank != 0)
         progress.mode = PROGRESS_OFF;
     progress_start(&run->progress, &progress, run->options->series, stderr, run->record.first, run->last);
     steps(run, error);
     progress_finish(&run->progress);
-    timer_stop(&s->timers, TIMER_OTHER);
+    timer_stop(&s->timers, stage);
     if (error->kind == ERROR_NONE)
         *error = s->error; /* also an error of the last step, not checked yet */
     if (!comm_agree(s->comm, error))

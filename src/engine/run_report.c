@@ -164,8 +164,8 @@ void run_report_fill(const struct simulation *s, const struct run_record *run, s
                                .ghosts = ghosts.ghosts,
                                .messages = ghosts.messages - run->before.messages,
                                .bytes = ghosts.bytes - run->before.bytes,
-                               .work = load_seconds(s),
-                               .waiting = load_waiting(s),
+                               .work = timer_sum(&s->timers, TIMER_WORK, 0),
+                               .waiting = timer_sum(&s->timers, TIMER_WAIT, 0),
                                .seconds = timer_now() - run->began,
                                .seconds_setup = run->setup};
     report_gather(report, s->comm, &mine);

@@ -7,6 +7,7 @@
 #include "engine/sources.h"
 #include "engine/resume.h"
 #include "engine/rebuild_rows.h"
+#include "engine/stages.h"
 #include "engine/rebuild.h"
 #include "engine/step.h"
 #include "engine/grains.h"
@@ -279,14 +280,15 @@ struct simulation *simulation_create(const struct comm *comm, const struct scene
     s->comm = comm;
     s->scene = scene;
     s->ranks.alone = comm->size == 1;
-    timer_start(&s->timers, TIMER_SETUP);
+    int stage = stages_begin(&s->timers);
+    timer_start(&s->timers, stage);
     simulation_prepare(s, error);
     if (comm_agree(comm, error))
         simulation_fill(s, resume, error);
     if (!comm_agree(comm, error))
         simulation_destroy(&s);
     else
-        timer_stop(&s->timers, TIMER_SETUP);
+        timer_stop(&s->timers, stage);
     return s;
 }
 

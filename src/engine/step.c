@@ -30,6 +30,7 @@
  */
 #include "engine/step.h"
 #include "engine/decide.h"
+#include "engine/stages.h"
 #include "engine/sources.h"
 #include "engine/rebuild.h"
 #include <string.h>
@@ -136,24 +137,26 @@ static bool needs_copies(const struct simulation *s) {
     return !s->ranks.alone;
 }
 
-static const struct engine_pass moved[] = {{"decide", NULL, TIMER_DECIDE, NULL, decide_run},
-                                           {"exchange", NULL, TIMER_COMM, NULL, exchange_run},
+static const struct engine_pass moved[] = {
+    {"decide", NULL, "decide", NULL, decide_run}, {"exchange", NULL, "comm", NULL, exchange_run}, {0}};
+
+static const struct engine_pass sweep[] = {{"early", "several ranks", "advance", needs_copies, early_run},
+                                           {"sweep", NULL, "sweep", NULL, sweep_run},
+                                           {"receive", "several ranks", "comm", needs_copies, receive_run},
+                                           {"copies", "several ranks", "contact", needs_copies, copies_run},
+                                           {"verify", NULL, "decide", NULL, verify_run},
                                            {0}};
 
-static const struct engine_pass sweep[] = {
-    {"early", "several ranks", TIMER_ADVANCE, needs_copies, early_run},
-    {"sweep", NULL, TIMER_SWEEP, NULL, sweep_run},
-    {"receive", "several ranks", TIMER_COMM, needs_copies, receive_run},
-    {"copies", "several ranks", TIMER_CONTACT, needs_copies, copies_run},
-    {"verify", NULL, TIMER_DECIDE, NULL, verify_run},
-    {0}};
-
 static const struct engine_pass paired[] = {
-    {"reverse", "newton on, several ranks", TIMER_COMM, needs_reverse, reverse_run}, {0}};
+    {"reverse", "newton on, several ranks", "comm", needs_reverse, reverse_run}, {0}};
 
 void step_plan(struct simulation *s) {
     static const struct engine_passes own = {.moved = moved, .paired = paired, .sweep = sweep};
-    plan_make(&s->plan, &s->physics, &own, s);
+    const struct physics *physics[PHYSICS_COUNT + 1];
+    for (int k = 0; k < s->physics.count; k++)
+        physics[k] = s->physics.active[k].row;
+    stages_register(&s->timers, physics, s->physics.count);
+    plan_make(&s->plan, &s->physics, &own, &s->timers, s);
 }
 
 void step_plan_print(const struct simulation *s, FILE *file) {
@@ -169,12 +172,6 @@ void step_plan_print(const struct simulation *s, FILE *file) {
     rebuild_print(s, file);
 }
 
-/* Seconds in stages whose work is dealt out to threads and that do not wait for other ranks. */
-static double work_seconds(const struct timers *timers) {
-    return timers->seconds[TIMER_ADVANCE] + timers->seconds[TIMER_SWEEP] + timers->seconds[TIMER_CONTACT] +
-           timers->seconds[TIMER_WALL];
-}
-
 void step_run(struct simulation *s, bool rebuild) {
     s->clock.step++;
     s->clock.time = s->clock.time_base + (double)(s->clock.step - s->clock.step_base) * s->clock.dt;
@@ -186,7 +183,7 @@ void step_run(struct simulation *s, bool rebuild) {
         rebuild_plan(s);
     plan_run(fused ? &s->plan.fused : &s->plan.plain, &s->timers, s);
     physics_guard(&s->physics, &s->error);
-    team_step(&s->team, s->timers.since, work_seconds(&s->timers));
+    team_step(&s->team, s->timers.since, timer_sum(&s->timers, TIMER_WORK, TIMER_REBUILD));
 }
 
 void step_forces(struct simulation *s) {

@@ -25,8 +25,8 @@ struct output_view simulation_view(const struct simulation *s) {
                                 .load = {.ghosts = ghosts.ghosts,
                                          .messages = ghosts.messages,
                                          .bytes = ghosts.bytes,
-                                         .work = load_seconds(s),
-                                         .waiting = load_waiting(s)}};
+                                         .work = timer_sum(&s->timers, TIMER_WORK, 0),
+                                         .waiting = timer_sum(&s->timers, TIMER_WAIT, 0)}};
 }
 
 bool simulation_may_lose(const struct simulation *s) {

@@ -19,7 +19,8 @@ static const char *type_name(enum field_type type) {
     return type == FIELD_DOUBLE ? "float64" : type == FIELD_INT64 ? "int64" : "int32";
 }
 
-static void print_fields(FILE *out) {
+static void print_fields(const struct timers *stages, FILE *out) {
+    (void)stages;
     fprintf(out, "| in H5MD | in a dump | type | shape | unit | over time | scenes with | what it is |\n"
                  "|---|---|---|---|---|---|---|---|\n");
     struct particles *known = particles_create(0);
@@ -68,7 +69,8 @@ static void print_takes(FILE *out, const struct observable_info *info) {
             info->components == 3 ? "`components`" : "");
 }
 
-static void print_observables(FILE *out) {
+static void print_observables(const struct timers *stages, FILE *out) {
+    (void)stages;
     fprintf(out, "| name | columns | unit | takes | what it is |\n|---|---|---|---|---|\n");
     for (int k = 0; k < observables_kinds_count(); k++) {
         const struct observable_info *info = observables_get(k);
@@ -82,7 +84,8 @@ static void print_observables(FILE *out) {
 }
 
 /* Names that stand for several observables; their members follow each other. */
-static void print_families(FILE *out) {
+static void print_families(const struct timers *stages, FILE *out) {
+    (void)stages;
     const char *last = "";
     for (int k = 0; k < observables_kinds_count(); k++) {
         const struct observable_info *info = observables_get(k);
@@ -99,7 +102,7 @@ static void print_entry(FILE *out, const char *prefix, const struct report_row *
     fprintf(out, "| `%s%s` |%s%s | %s |\n", prefix, row->name, row->unit[0] ? " " : "", row->unit, row->help);
 }
 
-static void print_report(FILE *out) {
+static void print_report(const struct timers *stages, FILE *out) {
     fprintf(out, "| key | unit | what it is |\n|---|---|---|\n");
     for (const struct report_row *row = report_rows; row->name; row++) {
         char prefix[64];
@@ -111,10 +114,9 @@ static void print_report(FILE *out) {
              below++)
             if (!below->terminal)
                 print_entry(out, prefix, below);
-        for (int s = 0; row->type == REPORT_STAGES && s < TIMER_STAGES; s++) {
-            const struct report_row stage = {.name = timer_stage_name((enum timer_stage)s),
-                                             .unit = row->unit,
-                                             .help = report_stage_help((enum timer_stage)s)};
+        for (int s = 0; row->type == REPORT_STAGES && s < stages->stages; s++) {
+            const struct report_row stage = {
+                .name = stages->stage[s].name, .unit = row->unit, .help = stages->stage[s].help};
             print_entry(out, prefix, &stage);
         }
     }
@@ -122,7 +124,7 @@ static void print_report(FILE *out) {
 
 static const struct {
     const char *name;
-    void (*print)(FILE *out);
+    void (*print)(const struct timers *stages, FILE *out);
 } tables[] = {{"fields", print_fields},
               {"observables", print_observables},
               {"families", print_families},
@@ -154,7 +156,7 @@ static bool skip_table(FILE *page, FILE *out, const char *name) {
     return found;
 }
 
-bool describe_page(FILE *page, FILE *out, struct error *error) {
+bool describe_page(FILE *page, FILE *out, const struct timers *stages, struct error *error) {
     char *line = NULL;
     size_t room = 0;
     bool seen[TABLES] = {false}, good = true;
@@ -164,7 +166,7 @@ bool describe_page(FILE *page, FILE *out, struct error *error) {
         if (k < 0)
             continue;
         seen[k] = true;
-        tables[k].print(out);
+        tables[k].print(stages, out);
         good = skip_table(page, out, tables[k].name) ||
                error_set(error, ERROR_USER, "the page has no line \"<!-- end of %s -->\"", tables[k].name);
     }

@@ -5,12 +5,14 @@
 #define SCREE_OBSERVE_DESCRIBE_H
 
 #include "core/error.h"
+#include "core/timer.h"
 #include <stdbool.h>
 #include <stdio.h>
 
 /* Copies a page and writes its tables again. A table is the text between a line "<!-- NAME: ... -->" and the
  * line "<!-- end of NAME -->"; NAME is "fields", "observables", "families" or "report". A name without its
- * end, and one of the four that the page does not have, are a user's error. One thread. */
-bool describe_page(FILE *page, FILE *out, struct error *error);
+ * end, and one of the four that the page does not have, are a user's error. `stages`: those that a report may have. One
+ * thread. */
+bool describe_page(FILE *page, FILE *out, const struct timers *stages, struct error *error);
 
 #endif

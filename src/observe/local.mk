@@ -23,10 +23,3 @@ libobserve_la_SOURCES = \
 libobserve_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 
 EXTRA_DIST += docs/output.md
-
-# What writes the tables of docs/output.md, after a change of fields or observables
-EXTRA_PROGRAMS += src/observe/document
-CLEANFILES += src/observe/document
-src_observe_document_SOURCES = src/observe/document.c
-src_observe_document_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
-src_observe_document_LDADD = $(OBSERVE_LIBS)

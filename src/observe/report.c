@@ -3,6 +3,7 @@
 #include "observe/report.h"
 
 #include "core/memory.h"
+#include <stdio.h>
 
 void report_create(struct report *report, int ranks) {
     *report = (struct report){.ranks = ranks};
@@ -18,15 +19,33 @@ void report_destroy(struct report *report) {
     *report = (struct report){0};
 }
 
+/* All ranks have the same stages. */
+static void stages_gather(struct report *report, const struct comm *comm, const struct timers *timers) {
+    double low[TIMER_STAGES_MAX], mean[TIMER_STAGES_MAX], high[TIMER_STAGES_MAX];
+    int stages = report->stages = timers->stages;
+    for (int s = 0; s < stages; s++)
+        low[s] = mean[s] = high[s] = timers->stage[s].seconds;
+    comm_min(comm, low, stages);
+    comm_sum(comm, mean, stages);
+    comm_max(comm, high, stages);
+    for (int s = 0; s < stages; s++) {
+        struct report_stage *stage = &report->stage[s];
+        *stage = (struct report_stage){
+            .use = timers->stage[s].use, .min = low[s], .mean = mean[s] / comm->size, .max = high[s]};
+        snprintf(stage->name, sizeof stage->name, "%s", timers->stage[s].name);
+    }
+}
+
+double report_stages(const struct report *report, unsigned with, unsigned without) {
+    double seconds = 0;
+    for (int s = 0; s < report->stages; s++)
+        if ((report->stage[s].use & with) == with && (report->stage[s].use & without) == 0)
+            seconds += report->stage[s].mean;
+    return seconds;
+}
+
 void report_gather(struct report *report, const struct comm *comm, const struct report_mine *mine) {
-    double low[TIMER_STAGES], mean[TIMER_STAGES], high[TIMER_STAGES];
-    for (int s = 0; s < TIMER_STAGES; s++)
-        low[s] = mean[s] = high[s] = mine->timers->seconds[s];
-    comm_min(comm, low, TIMER_STAGES);
-    comm_sum(comm, mean, TIMER_STAGES);
-    comm_max(comm, high, TIMER_STAGES);
-    for (int s = 0; s < TIMER_STAGES; s++)
-        report->stage[s] = (struct report_stage){.min = low[s], .mean = mean[s] / comm->size, .max = high[s]};
+    stages_gather(report, comm, mine->timers);
     double largest[3] = {mine->seconds, mine->seconds_setup, (double)memory_peak_resident()};
     comm_max(comm, largest, 3);
     report->seconds = largest[0];
@@ -35,9 +54,7 @@ void report_gather(struct report *report, const struct comm *comm, const struct 
     comm_gather_all(comm, &mine->ghosts, sizeof mine->ghosts, report->ghosts);
     comm_gather_all(comm, &mine->messages, sizeof mine->messages, report->messages);
     comm_gather_all(comm, &mine->bytes, sizeof mine->bytes, report->bytes);
-    double most = mine->work, sums[3] = {mine->work, mine->waiting, 0};
-    for (int s = 0; s < TIMER_STAGES; s++)
-        sums[2] += s == TIMER_SETUP ? 0 : mine->timers->seconds[s];
+    double most = mine->work, sums[3] = {mine->work, mine->waiting, timer_sum(mine->timers, 0, TIMER_START)};
     comm_max(comm, &most, 1);
     comm_sum(comm, sums, 3);
     report->imbalance = sums[0] > 0 ? most * comm->size / sums[0] : 1;

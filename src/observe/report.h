@@ -31,6 +31,8 @@ struct report_insertion {
 };
 
 struct report_stage {
+    char name[REPORT_NAME_MAX];
+    unsigned use;          /* enum timer_use */
     double min, mean, max; /* seconds, over ranks */
 };
 
@@ -64,7 +66,8 @@ struct report {
     char sync[4 * REPORT_NAME_MAX];
     char domain[REPORT_NAME_MAX];
     uint64_t divisions; /* times that the box was divided again */
-    struct report_stage stage[TIMER_STAGES];
+    int stages;
+    struct report_stage stage[TIMER_STAGES_MAX];
     double seconds; /* wall clock without set-up, largest over ranks */
     double seconds_setup;
     uint64_t pairs;    /* in the last list */
@@ -95,6 +98,9 @@ struct report_mine {
     double seconds, seconds_setup;
 };
 void report_gather(struct report *report, const struct comm *comm, const struct report_mine *mine);
+
+/* Mean seconds over ranks of the stages that have all bits `with` and none of `without` (enum timer_use). */
+double report_stages(const struct report *report, unsigned with, unsigned without);
 
 /* Particle-steps / seconds. */
 double report_speed(const struct report *report);

@@ -89,8 +89,8 @@ static void put_list(FILE *file, const struct report *report, const struct repor
 
 static void put_stages(FILE *file, const struct report *report, const struct report_row *row) {
     fprintf(file, "{");
-    for (int s = 0; s < TIMER_STAGES; s++) {
-        fprintf(file, "%s\n    \"%s\": ", s ? "," : "", timer_stage_name((enum timer_stage)s));
+    for (int s = 0; s < report->stages; s++) {
+        fprintf(file, "%s\n    \"%s\": ", s ? "," : "", report->stage[s].name);
         put_object(file, report, row->rows, &report->stage[s]);
     }
     fprintf(file, "\n  }");

@@ -110,17 +110,15 @@ static void print_text(const struct report *report, const struct source *source,
 /* Stages that took time, and their share of all but the set-up. */
 static void print_stages(const struct report *report, FILE *file) {
     const struct report_row *row = report_row_find(report_rows, "stages", strlen("stages"));
-    double total = 0;
-    for (int s = 0; s < TIMER_STAGES; s++)
-        total += s == TIMER_SETUP ? 0 : report->stage[s].mean;
+    double total = report_stages(report, 0, TIMER_START);
     fprintf(file, "\n  %-10s %10s %10s %10s %7s\n", "seconds", "min", "mean", "max", "share");
-    for (int s = 0; s < TIMER_STAGES; s++) {
+    for (int s = 0; s < report->stages; s++) {
         const struct source source = {row->rows, &report->stage[s], s};
         if (report->stage[s].max <= 0)
             continue;
-        fprintf(file, "  %-10s", timer_stage_name((enum timer_stage)s));
+        fprintf(file, "  %-10s", report->stage[s].name);
         print_text(report, &source, " {min:10} {mean:10} {max:10}", file);
-        if (s == TIMER_SETUP || total <= 0)
+        if ((report->stage[s].use & TIMER_START) || total <= 0)
             fprintf(file, " %7s\n", "");
         else
             fprintf(file, " %5.1f %%\n", 100 * report->stage[s].mean / total);

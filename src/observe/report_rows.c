@@ -155,24 +155,6 @@ static const struct report_row stage_rows[] = {
      .help = "most over ranks"},
     {0}};
 
-static const char *const stage_help[TIMER_STAGES] = {
-    [TIMER_SETUP] = "0: what comes before the first step is in `seconds_setup`",
-    [TIMER_ADVANCE] = "kick and drift",
-    [TIMER_SWEEP] = "drift and particle forces in one pass",
-    [TIMER_CONTACT] = "particle forces",
-    [TIMER_WALL] = "wall forces and motion of walls",
-    [TIMER_COMM] = "values of copies sent, forces sent back",
-    [TIMER_DECIDE] = "whether a rebuild is due, waiting for other ranks included",
-    [TIMER_MIGRATE] = "rebuild: particles change ranks",
-    [TIMER_REORDER] = "rebuild: particles sorted into cell order",
-    [TIMER_GHOSTS] = "rebuild: copies made",
-    [TIMER_INDEX] = "rebuild: index",
-    [TIMER_PAIRS] = "rebuild: pair list",
-    [TIMER_HISTORY] = "rebuild: springs of contacts carried over",
-    [TIMER_OUTPUT] = "files, observables, progress",
-    [TIMER_OTHER] = "the rest",
-};
-
 const struct report_row report_rows[] = {
     {.name = "steps", .unit = "1", .type = REPORT_COUNT, AT(struct report, steps),
      .help = "steps done by this program"},
@@ -281,10 +263,6 @@ const struct report_row report_rows[] = {
     {0}};
 
 /* clang-format on */
-
-const char *report_stage_help(enum timer_stage stage) {
-    return stage_help[stage];
-}
 
 const struct report_row *report_row_find(const struct report_row *rows, const char *name, size_t length) {
     size_t part = 0;

@@ -44,9 +44,6 @@ struct report_row {
 /* All entries, in the order of report.json; a row without a name ends them. */
 extern const struct report_row report_rows[];
 
-/* The description of a stage, for docs/output.md. */
-const char *report_stage_help(enum timer_stage stage);
-
 /* The row of a name ("steps", "index_choice.why"), of which `length` bytes count; NULL if there is none. */
 const struct report_row *report_row_find(const struct report_row *rows, const char *name, size_t length);
 
