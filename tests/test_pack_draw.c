@@ -2,6 +2,8 @@
 /* The laws of sizes of packings, by the Kolmogorov-Smirnov distance from their closed forms, and their
  * options. */
 #include "pack/draw.h"
+#include "pack/options_read.h"
+#include <stdio.h>
 
 #include <math.h>
 #include <stdarg.h>

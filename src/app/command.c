@@ -8,7 +8,7 @@
 #include "engine/run.h"
 #include "formats/convert.h"
 #include "formats/info.h"
-#include "pack/options.h"
+#include "pack/laws.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -7,6 +7,7 @@
 #include "formats/h5md.h"
 #include "formats/lammps_data.h"
 #include "observe/progress.h"
+#include "pack/laws.h"
 #include "pack/pack.h"
 #include <inttypes.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 /* Two relaxed random systems, of small and of large spheres, in one cube; small spheres that overlap a large
  * one are removed. So the neighbours of a large sphere are placed by chance, and do not press on the large
  * sphere. */
-#include "pack/parts.h"
+#include "pack/bidisperse.h"
 
 #include "core/memory.h"
 #include "core/random.h"
@@ -54,8 +54,8 @@ static bool place_large(struct pack_work *work, struct error *error) {
     const struct pack_options *o = work->options;
     work->particles = particles_create((size_t)o->large);
     for (int64_t k = 1; k <= (int64_t)o->large; k++)
-        pack_add(work, k, o->ratio);
-    return pack_relax(work, "large", error);
+        work_add(work, k, o->ratio);
+    return work_relax(work, "large", error);
 }
 
 /* Marks the small spheres of pairs that overlap and are not alike. */
@@ -123,7 +123,7 @@ static void thin_and_number(struct pack_work *work, size_t large, size_t started
     memory_free(remove);
 }
 
-bool pack_bidisperse(struct pack_work *work, struct error *error) {
+bool bidisperse_make(struct pack_work *work, struct error *error) {
     const struct pack_options *o = work->options;
     struct pack_report *report = work->report;
     size_t large = (size_t)o->large, started = count_start(work, error);
@@ -132,8 +132,8 @@ bool pack_bidisperse(struct pack_work *work, struct error *error) {
     struct particles *placed = work->particles;
     work->particles = particles_create(large + started);
     for (size_t k = 1; k <= started; k++)
-        pack_add(work, (int64_t)(large + k), 1);
-    bool good = pack_relax(work, "small", error);
+        work_add(work, (int64_t)(large + k), 1);
+    bool good = work_relax(work, "small", error);
     for (size_t k = 0; k < large && good; k++) {
         size_t at = particles_append(work->particles);
         work->particles->state[at] = placed->state[k];

@@ -3,7 +3,9 @@
 #ifndef SCREE_PACK_DRAW_H
 #define SCREE_PACK_DRAW_H
 
+#include "core/error.h"
 #include "pack/options.h"
+#include <stdbool.h>
 #include <stddef.h>
 
 /* Fills radius[0 ... count-1]. Not for BIDISPERSE. Fails (user) on an empty law or a bad sieve file. Opens

@@ -110,7 +110,7 @@ enum { KEYS = sizeof keys / sizeof keys[0] };
 
 static const char *const common = "gap=0.001 overlap=0 sweeps=20000 velocity=0 density=1 seed=1 threads=0";
 
-static const struct law laws[] = {
+static const struct laws_row laws[] = {
     [PACK_BIDISPERSE] = {.name = "bidisperse",
                          .summary = "spheres of radius 1 and R in a periodic cube",
                          .defaults = "ratio=10 numbers=table",
@@ -168,7 +168,7 @@ static const struct law laws[] = {
 };
 enum { LAWS = sizeof laws / sizeof laws[0] };
 
-const struct law *laws_get(int k) {
+const struct laws_row *laws_get(int k) {
     return k >= 0 && k < LAWS ? &laws[k] : NULL;
 }
 
@@ -194,7 +194,7 @@ static bool listed(const char *list, const char *name, size_t length) {
     return false;
 }
 
-bool laws_has(const struct law *law, const char *name, size_t length) {
+bool laws_has(const struct laws_row *law, const char *name, size_t length) {
     return listed(law->defaults, name, length) || listed(law->more, name, length) ||
            listed(common, name, length);
 }
@@ -209,7 +209,7 @@ static void find_default(const char *list, const char *name, char *value, size_t
     }
 }
 
-static void help_key(FILE *out, const struct law *law, const struct law_key *key) {
+static void help_key(FILE *out, const struct laws_row *law, const struct law_key *key) {
     char value[VALUE_MAX] = "";
     find_default(common, key->name, value, sizeof value);
     find_default(law->defaults, key->name, value, sizeof value);

@@ -4,7 +4,9 @@
 #define SCREE_PACK_LAWS_H
 
 #include "pack/options.h"
+#include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 enum law_key_type { LAW_REAL, LAW_WHOLE, LAW_TEXT, LAW_NAME };
 
@@ -19,18 +21,24 @@ struct law_key {
 
 /* A law: its keys are those of `defaults`, which lists KEY=VALUE, those of `more`, which have none, and those
  * of all. */
-struct law {
+struct laws_row {
     const char *name, *summary, *defaults, *more, *text;
 };
 
 /* The k-th law (an enum pack_law) and key; NULL after the last. */
-const struct law *laws_get(int k);
+const struct laws_row *laws_get(int k);
 const struct law_key *laws_key(int k);
 
 /* The keys of all laws with their defaults. */
 const char *laws_common(void);
 
 /* True if the law has a key of this name (of `length` letters). */
-bool laws_has(const struct law *law, const char *name, size_t length);
+bool laws_has(const struct laws_row *law, const char *name, size_t length);
+
+/* The name of a law. */
+const char *pack_law_name(enum pack_law law);
+
+/* Lists the laws, or describes one law in full; false if no law has that name. */
+bool pack_help(FILE *out, const char *law);
 
 #endif

@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The options of a packing: a law of sizes and its keys. The tables of options.c give parsing, defaults,
- * bounds and help. */
+/* The options of a packing: a law of sizes and its keys. options_read.h reads them, laws.h has their
+ * table. */
 #ifndef SCREE_PACK_OPTIONS_H
 #define SCREE_PACK_OPTIONS_H
 
-#include "core/error.h"
-#include <stdbool.h>
 #include <stdint.h>
-#include <stdio.h>
 
 enum pack_law { PACK_BIDISPERSE, PACK_UNIVOL, PACK_SAND, PACK_EXPONENTIAL, PACK_POWER, PACK_SIEVE };
 enum pack_by { PACK_BY_NUMBER, PACK_BY_MASS };
@@ -34,17 +31,5 @@ struct pack_options {
     double density;
     double seed, threads; /* whole numbers; threads 0: all of OpenMP */
 };
-
-/* Fills the options from the law's name and texts KEY=VALUE (borrowed): first the law's defaults, then the
- * texts, then derived values (numbers and box of the published systems). Fails (user) and names the allowed
- * values. */
-bool pack_options_read(struct pack_options *options, const char *law, const char *const *setting,
-                       int settings, struct error *error);
-
-/* The name of a law. */
-const char *pack_law_name(enum pack_law law);
-
-/* Lists the laws, or describes one law in full; false if no law has that name. */
-bool pack_help(FILE *out, const char *law);
 
 #endif

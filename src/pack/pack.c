@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Makes a packing: box, spheres, relaxation, rows. Read pack.h first. */
-#include "pack/parts.h"
+#include "pack/pack.h"
+#include "pack/bidisperse.h"
 
 #include "core/memory.h"
 #include "core/random.h"
@@ -43,9 +44,9 @@ static bool make_spheres(struct pack_work *work, struct error *error) {
     if (good)
         work->particles = particles_create(count);
     for (size_t k = 0; good && k < count; k++)
-        pack_add(work, (int64_t)k + 1, radius[k]);
+        work_add(work, (int64_t)k + 1, radius[k]);
     memory_free(radius);
-    return good && pack_relax(work, "spheres", error);
+    return good && work_relax(work, "spheres", error);
 }
 
 static void fill_row(const struct pack_work *work, struct rows *rows, size_t k) {
@@ -112,7 +113,7 @@ bool pack_make(const struct pack_options *options, const struct pack_hook *hook,
         return false;
     *report = (struct pack_report){0};
     bool good = options->law == PACK_BIDISPERSE
-                    ? make_box(&work, 0, options->ratio, error) && pack_bidisperse(&work, error)
+                    ? make_box(&work, 0, options->ratio, error) && bidisperse_make(&work, error)
                     : make_spheres(&work, error);
     good = good && measure(&work, error);
     if (good) {

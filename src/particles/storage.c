@@ -3,51 +3,31 @@
  * consistent. */
 #include "particles/storage.h"
 
-static const struct field position = {.name = "position",
-                                      .type = FIELD_DOUBLE,
-                                      .components = 3,
-                                      .use = FIELD_GHOST | FIELD_FORWARD | FIELD_TRAVELS | FIELD_OUTPUT |
-                                             FIELD_SPATIAL,
-                                      .unit = "m",
-                                      .help = "centre"};
-static const struct field velocity = {.name = "velocity",
-                                      .type = FIELD_DOUBLE,
-                                      .components = 3,
-                                      .use = FIELD_GHOST | FIELD_FORWARD | FIELD_TRAVELS | FIELD_OUTPUT |
-                                             FIELD_SPATIAL,
-                                      .unit = "m s-1",
-                                      .help = "velocity of the centre"};
-static const struct field radius = {.name = "radius",
-                                    .type = FIELD_DOUBLE,
-                                    .components = 1,
-                                    .use = FIELD_GHOST | FIELD_TRAVELS | FIELD_OUTPUT | FIELD_FIXED,
-                                    .unit = "m",
-                                    .help = "radius"};
-static const struct field inverse_mass = {.name = "inverse_mass",
-                                          .type = FIELD_DOUBLE,
-                                          .components = 1,
-                                          .use = FIELD_GHOST | FIELD_TRAVELS | FIELD_OUTPUT | FIELD_FIXED,
-                                          .unit = "kg-1",
-                                          .help = "1 / mass; 0 while motion is prescribed"};
-static const struct field force = {.name = "force",
-                                   .type = FIELD_DOUBLE,
-                                   .components = 3,
-                                   .room = 4,
-                                   .use = FIELD_REVERSE | FIELD_TRAVELS | FIELD_OUTPUT | FIELD_SPATIAL,
-                                   .unit = "N",
-                                   .help = "force of contacts and walls, without gravity"};
-static const struct field id = {.name = "id",
-                                .type = FIELD_INT64,
-                                .components = 1,
-                                .use = FIELD_GHOST | FIELD_TRAVELS | FIELD_OUTPUT | FIELD_FIXED,
-                                .unit = "",
-                                .help = "unique number, from 1"};
-static const struct field size_class = {.name = "size_class",
-                                        .type = FIELD_UINT8,
-                                        .components = 1,
-                                        .use = FIELD_GHOST | FIELD_OUTPUT | FIELD_ASKED,
-                                        .unit = "",
-                                        .help = "size class, from small to large"};
+/* clang-format off */
+static const struct field position = {
+    .name = "position", .type = FIELD_DOUBLE, .components = 3, .unit = "m", .help = "centre",
+    .use = FIELD_GHOST | FIELD_FORWARD | FIELD_TRAVELS | FIELD_OUTPUT | FIELD_SPATIAL};
+static const struct field velocity = {
+    .name = "velocity", .type = FIELD_DOUBLE, .components = 3, .unit = "m s-1", .help = "velocity of the centre",
+    .use = FIELD_GHOST | FIELD_FORWARD | FIELD_TRAVELS | FIELD_OUTPUT | FIELD_SPATIAL};
+static const struct field radius = {
+    .name = "radius", .type = FIELD_DOUBLE, .components = 1, .unit = "m", .help = "radius",
+    .use = FIELD_GHOST | FIELD_TRAVELS | FIELD_OUTPUT | FIELD_FIXED};
+static const struct field inverse_mass = {
+    .name = "inverse_mass", .type = FIELD_DOUBLE, .components = 1, .unit = "kg-1",
+    .help = "1 / mass; 0 while motion is prescribed",
+    .use = FIELD_GHOST | FIELD_TRAVELS | FIELD_OUTPUT | FIELD_FIXED};
+static const struct field force = {
+    .name = "force", .type = FIELD_DOUBLE, .components = 3, .room = 4, .unit = "N",
+    .help = "force of contacts and walls, without gravity",
+    .use = FIELD_REVERSE | FIELD_TRAVELS | FIELD_OUTPUT | FIELD_SPATIAL};
+static const struct field id = {
+    .name = "id", .type = FIELD_INT64, .components = 1, .unit = "", .help = "unique number, from 1",
+    .use = FIELD_GHOST | FIELD_TRAVELS | FIELD_OUTPUT | FIELD_FIXED};
+static const struct field size_class = {
+    .name = "size_class", .type = FIELD_UINT8, .components = 1, .unit = "", .help = "size class, from small to large",
+    .use = FIELD_GHOST | FIELD_OUTPUT | FIELD_ASKED};
+/* clang-format on */
 
 void storage_begin(struct storage *storage) {
     *storage = (struct storage){

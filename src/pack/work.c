@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The common part of all packings: spheres at random places, relaxed until none overlap. Read pack.h
  * first. */
-#include "pack/parts.h"
+#include "pack/work.h"
 
 #include "core/random.h"
 
-void pack_add(struct pack_work *work, int64_t id, double radius) {
+void work_add(struct pack_work *work, int64_t id, double radius) {
     struct random_sequence random =
         random_sequence((uint64_t)work->options->seed, RANDOM_POSITION, (uint64_t)id);
     size_t k = particles_append(work->particles);
@@ -28,7 +28,7 @@ static void relay_show(void *context, const struct relax_state *state) {
     relay->hook->show(relay->hook->context, relay->what, state);
 }
 
-bool pack_relax(struct pack_work *work, const char *what, struct error *error) {
+bool work_relax(struct pack_work *work, const char *what, struct error *error) {
     const struct pack_options *o = work->options;
     struct relay relay = {.hook = work->hook, .what = what};
     struct relax_options options = {.gap = o->gap,

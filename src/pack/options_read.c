@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Reads KEY=VALUE by the tables of laws.c, and derives the values that are not given. Read options.h
  * first. */
-#include "pack/options.h"
+#include "pack/options_read.h"
 
 #include "pack/laws.h"
 
@@ -44,7 +44,7 @@ static bool set_value(struct pack_options *options, const struct law_key *key, c
 }
 
 /* One KEY=VALUE. Box and fraction replace each other. */
-static bool set_key(struct pack_options *options, const struct law *law, const char *text,
+static bool set_key(struct pack_options *options, const struct laws_row *law, const char *text,
                     struct error *error) {
     size_t length = strcspn(text, "=");
     if (text[length] != '=')
@@ -66,7 +66,7 @@ static bool set_key(struct pack_options *options, const struct law *law, const c
 }
 
 /* Reads the words of a list of defaults. The lists are part of the program, so no word fails. */
-static void set_defaults(struct pack_options *options, const struct law *law, const char *list,
+static void set_defaults(struct pack_options *options, const struct laws_row *law, const char *list,
                          struct error *error) {
     char word[SETTING_MAX];
     for (const char *at = list; *at; at += *at == ' ') {
