@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The physics that a scene may ask for beside its grains: one row each, with NAME, the key of the physics'
  * section in a scene, and a summary. engine/physics.h has the contract and the recipe. A row stands for these
- * objects of src/NAME/:
+ * objects of src/NAME/. PARTICLES is OWN if the physics makes
+ * particles of its own, and needs all pairs of each on its rank (newton is then off); GRAINS if not:
  *
  *   NAME_physics      struct physics              engine/physics.h
  *   NAME_schema       struct schema_table         the rows of its section (scene/schema.h)
@@ -10,16 +11,20 @@
 #ifndef SCREE_PHYSICS_TABLE_H
 #define SCREE_PHYSICS_TABLE_H
 
-#define PHYSICS_TABLE(ROW)                                                                                   \
-    ROW(density, number_density, "the SPH number density of each particle, sum of W(|x_ij|, support)")
+#include <stdbool.h>
 
-#define PHYSICS_ENUMERATOR(name, key, summary) PHYSICS_##name,
+#define PHYSICS_TABLE(ROW)                                                                                   \
+    ROW(density, number_density, GRAINS,                                                                     \
+        "the SPH number density of each particle, sum of W(|x_ij|, support)")                                \
+    ROW(fluid, fluid, OWN, "an incompressible fluid around grains and between walls (implicit SPH)")
+
+#define PHYSICS_ENUMERATOR(name, key, whose, summary) PHYSICS_##name,
 enum physics_number { PHYSICS_TABLE(PHYSICS_ENUMERATOR) PHYSICS_COUNT };
 #undef PHYSICS_ENUMERATOR
 
 /* Every file that uses or defines such an object declares it in this way. */
 struct particles;
-#define PHYSICS_DECLARE(name, key, summary)                                                                  \
+#define PHYSICS_DECLARE(name, key, whose, summary)                                                           \
     extern const struct physics name##_physics;                                                              \
     extern const struct schema_table name##_schema;                                                          \
     extern const struct observable_table name##_observables;                                                 \
@@ -27,7 +32,16 @@ struct particles;
 PHYSICS_TABLE(PHYSICS_DECLARE)
 #undef PHYSICS_DECLARE
 
+/* True if physics k makes particles of its own. */
+static inline bool physics_has_particles(int k) {
+    enum { PHYSICS_GRAINS, PHYSICS_OWN };
+#define PHYSICS_PARTICLES(name, key, whose, summary) PHYSICS_##whose == PHYSICS_OWN,
+    static const bool own[] = {PHYSICS_TABLE(PHYSICS_PARTICLES)};
+#undef PHYSICS_PARTICLES
+    return own[k];
+}
+
 /* Doubles that the options of one physics may take in a scene. */
-enum { PHYSICS_OPTIONS_MAX = 32 };
+enum { PHYSICS_OPTIONS_MAX = 160 };
 
 #endif

@@ -400,13 +400,14 @@ static void test_kinds_lie_together(void **state) {
         kinds_of(p)[k] = fluid ? KIND_FLUID : KIND_GRAIN;
         radii[fluid][count[fluid]++] = p->state[k].radius;
     }
-    assert_true(classes_choose(&of_kind, &two, NULL, radii[0], count[0], &error));
-    assert_true(kinds_join_classes(&all, KIND_GRAIN, &of_kind, &two, &quarter, &error));
     assert_true(classes_choose(&of_kind, &one, NULL, radii[1], count[1], &error));
     assert_true(kinds_join_classes(&all, KIND_FLUID, &of_kind, &one, &quarter, &error));
+    assert_true(classes_choose(&of_kind, &two, NULL, radii[0], count[0], &error));
+    assert_true(kinds_join_classes(&all, KIND_GRAIN, &of_kind, &two, &quarter, &error));
     assert_int_equal(all.count, 3);
-    assert_true(all.kind[0] == KIND_GRAIN && all.kind[1] == KIND_GRAIN && all.kind[2] == KIND_FLUID);
-    assert_true(all.margin[0][2] == 0.26 && all.population[2] == count[1]);
+    assert_true(all.kind[0] == KIND_FLUID && all.kind[1] == KIND_GRAIN && all.kind[2] == KIND_GRAIN);
+    assert_true(all.margin[0][2] == 0.26 && all.population[0] == count[1]);
+    assert_true(all.margin[0][0] == 0.25 && all.margin[1][1] == 0.26); /* fluid rests */
     particles_classify(p, &all);
     uint32_t order[N];
     for (uint32_t k = 0; k < N; k++)
@@ -415,12 +416,12 @@ static void test_kinds_lie_together(void **state) {
     particles_reorder(p, order);
     struct kind_span grains = kinds_span(p, &all, KIND_GRAIN), fluid = kinds_span(p, &all, KIND_FLUID);
     struct kind_span none = kinds_span(p, &all, KIND_BOUNDARY);
-    assert_true(grains.first == 0 && grains.end == count[0]);
-    assert_true(fluid.first == count[0] && fluid.end == N);
+    assert_true(fluid.first == 0 && fluid.end == count[1]);
+    assert_true(grains.first == count[1] && grains.end == N);
     assert_true(none.first == none.end);
     for (size_t k = 0; k < N; k++) {
         size_t from = (size_t)(1000 - p->id[k]); /* where it lay */
-        int class = k >= count[0] ? 2 : p->state[k].radius > 0.5;
+        int class = k < count[1] ? 0 : p->state[k].radius > 0.5 ? 2 : 1;
         assert_int_equal(kinds_of(p)[k], from % 3 == 0 ? KIND_FLUID : KIND_GRAIN);
         assert_int_equal(p->size_class[k], class);
         if (k > 0 && p->size_class[k - 1] == class)

@@ -2,6 +2,7 @@
 /* Size classes from the radii on all ranks. Read particles/classes.h first. */
 #include "engine/classify.h"
 #include "core/memory.h"
+#include "particles/kinds.h"
 #include <math.h>
 
 /* A sample of the radii, for the choice of classes: the smallest and the largest radius of each of so many
@@ -19,10 +20,18 @@ static int radius_bin(double radius, double smallest, double largest) {
     return bin < 0 ? 0 : bin >= CLASS_BINS ? CLASS_BINS - 1 : bin;
 }
 
-static void radius_bins_fill(struct simulation *s, struct radius_bins *bins) {
+/* The kind of particle k; grains without a field of kinds. */
+static int kind_at(const uint8_t *kind, size_t k) {
+    return kind ? kind[k] : KIND_GRAIN;
+}
+
+static void radius_bins_fill(struct simulation *s, enum kind kind, struct radius_bins *bins) {
+    const uint8_t *kinds = kinds_of(s->particles);
     double bound[2] = {INFINITY, INFINITY}; /* smallest, minus largest */
     for (size_t k = 0; k < s->particles->owned; k++) {
         double radius = s->particles->state[k].radius;
+        if (kind_at(kinds, k) != (int)kind)
+            continue;
         bound[0] = fmin(bound[0], radius);
         bound[1] = fmin(bound[1], -radius);
     }
@@ -33,6 +42,8 @@ static void radius_bins_fill(struct simulation *s, struct radius_bins *bins) {
     }
     for (size_t k = 0; k < s->particles->owned; k++) {
         double radius = s->particles->state[k].radius;
+        if (kind_at(kinds, k) != (int)kind)
+            continue;
         int b = radius_bin(radius, bound[0], -bound[1]);
         bins->least[b] = fmin(bins->least[b], radius);
         bins->most[b] = fmax(bins->most[b], radius);
@@ -59,7 +70,7 @@ static size_t radius_sample(const struct radius_bins *bins, double total, double
 /* Input for the choice of classes: only functions of the radii and the box, so that a resume makes the same
  * choice. */
 static struct classes_options classes_wanted(const struct simulation *s, const struct radius_bins *bins,
-                                             double total) {
+                                             enum kind kind, double total) {
     struct classes_options options = s->scene->classes;
     const struct box *box = &s->scene->box;
     double solid = 0, space = 1;
@@ -70,6 +81,9 @@ static struct classes_options classes_wanted(const struct simulation *s, const s
     }
     for (int d = 0; d < box->dimension; d++)
         space *= box->edge[d];
+    if (kind != KIND_GRAIN)
+        options.method = CLASSES_ONE;
+    options.kind = (int)kind;
     options.fraction = solid / space;
     options.dimension = box->dimension;
     options.particles = total;
@@ -79,6 +93,7 @@ static struct classes_options classes_wanted(const struct simulation *s, const s
 /* Exact bounds and populations of the classes that were chosen from a sample. */
 static void classes_count(struct simulation *s) {
     struct size_classes *classes = &s->classes;
+    const uint8_t *kind = kinds_of(s->particles);
     double least[CLASS_MAX], most[CLASS_MAX];
     int64_t population[CLASS_MAX] = {0};
     for (int c = 0; c < classes->count; c++) {
@@ -87,7 +102,7 @@ static void classes_count(struct simulation *s) {
     }
     for (size_t k = 0; k < s->particles->owned; k++) {
         double radius = s->particles->state[k].radius;
-        int c = classes_of(classes, radius);
+        int c = kind ? kinds_class(classes, (enum kind)kind[k], radius) : classes_of(classes, radius);
         least[c] = fmin(least[c], radius);
         most[c] = fmax(most[c], radius);
         population[c]++;
@@ -106,20 +121,45 @@ static void classes_count(struct simulation *s) {
     classes_set_margins(classes, &s->scene->classes, &range);
 }
 
-bool classify_choose(struct simulation *s, struct error *error) {
+/* Chooses the classes of one kind; without particles of the kind `classes` has none. */
+static bool choose(struct simulation *s, enum kind kind, struct size_classes *classes, struct error *error) {
     struct radius_bins *bins = memory_allocate(1, sizeof *bins, "radius histogram");
-    radius_bins_fill(s, bins);
+    radius_bins_fill(s, kind, bins);
     double total = 0;
     for (int b = 0; b < CLASS_BINS; b++)
         total += bins->count[b];
     double *sample =
         memory_allocate((size_t)CLASS_BINS * (CLASS_SAMPLE + 4), sizeof *sample, "radius sample");
     size_t n = radius_sample(bins, total, sample);
-    struct classes_options options = classes_wanted(s, bins, total);
+    struct classes_options options = classes_wanted(s, bins, kind, total);
     struct classes_range range = interactions_range(&s->search.interactions);
-    bool good = classes_choose(&s->classes, &options, &range, sample, n, error);
+    bool good = classes_choose(classes, &options, &range, sample, n, error);
+    if (n == 0 && kinds_of(s->particles))
+        classes->count = 0;
+    for (int c = 0; c < classes->count; c++)
+        classes->kind[c] = (uint8_t)kind;
     memory_free(sample);
     memory_free(bins);
+    return good;
+}
+
+/* Chooses the classes of all kinds, and joins them. */
+static bool choose_kinds(struct simulation *s, struct error *error) {
+    struct classes_range range = interactions_range(&s->search.interactions);
+    s->classes = (struct size_classes){0};
+    for (int place = 0; place < KINDS; place++) {
+        struct size_classes own;
+        enum kind kind = kinds_at(place);
+        if (!choose(s, kind, &own, error) ||
+            (own.count > 0 &&
+             !kinds_join_classes(&s->classes, kind, &own, &s->scene->classes, &range, error)))
+            return false;
+    }
+    return s->classes.count > 0 || choose(s, KIND_GRAIN, &s->classes, error);
+}
+
+bool classify_choose(struct simulation *s, struct error *error) {
+    bool good = kinds_of(s->particles) ? choose_kinds(s, error) : choose(s, KIND_GRAIN, &s->classes, error);
     if (good)
         classes_count(s);
     s->classes_stale = false;

@@ -22,6 +22,8 @@ static void servo(const struct physics_context *context) {
 static void advance(const struct physics_context *context, int thread, size_t first, size_t last,
                     int size_class) {
     struct simulation *s = context->self;
+    if (s->classes.kind[size_class] != KIND_GRAIN)
+        return;
     double v2 = integrator_advance(s->particles, &s->grains.motion, first, last);
     double *largest = &s->grains.speed[thread][size_class];
     if (!isnan(*largest) && !(v2 <= *largest))

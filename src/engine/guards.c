@@ -2,6 +2,7 @@
 /* Guards: physical nonsense stops the run (or warns, once), naming particles, place and time. */
 #include "engine/guards.h"
 #include "engine/view.h"
+#include "particles/kinds.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -63,7 +64,10 @@ static void guard_overlap(struct simulation *s) {
 static size_t fastest_find(const struct simulation *s, double *speed) {
     size_t worst = 0;
     double most = -1;
+    const uint8_t *kind = kinds_of(s->particles);
     for (size_t k = 0; k < s->particles->owned; k++) {
+        if (kind && kind[k] != KIND_GRAIN)
+            continue;
         const double *v = s->particles->state[k].v;
         double v2 = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
         if (v2 > most) {
@@ -89,7 +93,10 @@ static void guard_speed(struct simulation *s) {
         guards_check_positions(s);
         return;
     }
-    double bound = s->classes.radius_min[0], speed;
+    int first = 0; /* class of grains */
+    while (first < s->classes.count - 1 && s->classes.kind[first] != KIND_GRAIN)
+        first++;
+    double bound = s->classes.radius_min[first], speed;
     if (s->scene->guards.speed == SCENE_GUARD_OFF || s->classes.count == 0 ||
         !(sqrt(fastest) * s->clock.dt > bound) || s->particles->owned == 0)
         return;

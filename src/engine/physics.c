@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The physics of a run: finds the physics that the scene asks for, and calls them. Read physics.h first. */
 #include "engine/physics.h"
+#include "particles/kinds.h"
 #include <math.h>
 
 /* An entry of the table of physics. */
@@ -9,7 +10,7 @@ struct physics_entry {
     void (*fields)(struct particles *particles);
 };
 
-#define PHYSICS_ENTRY(name, key, summary) {&name##_physics, name##_fields},
+#define PHYSICS_ENTRY(name, key, whose, summary) {&name##_physics, name##_fields},
 static const struct physics_entry entries[] = {PHYSICS_TABLE(PHYSICS_ENTRY)};
 
 const struct physics *physics_get(enum physics_number number) {
@@ -36,6 +37,8 @@ void physics_begin(struct physics_set *set, const struct physics *grains,
     for (int k = 0; k < PHYSICS_COUNT; k++) {
         if (scene->physics_given[k] == 0)
             continue;
+        if (physics_has_particles(k))
+            kinds_register(context->particles);
         entries[k].fields(context->particles);
         activate(set, entries[k].physics, scene->physics[k], context, interactions);
     }
@@ -54,6 +57,13 @@ void physics_free(struct physics_set *set) {
         if (set->active[k].context.self)
             set->active[k].row->destroy(set->active[k].context.self);
     set->count = 0;
+}
+
+bool physics_fill(const struct physics_set *set, const struct physics_share *share, struct error *error) {
+    for (int k = 0; k < set->count; k++)
+        if (set->active[k].row->fill && !set->active[k].row->fill(&set->active[k].context, share, error))
+            return false;
+    return true;
 }
 
 void physics_lists(struct physics_set *set, const struct interactions *interactions) {

@@ -41,6 +41,7 @@ struct physics_context {
     struct particles *particles;
     const struct size_classes *classes;
     const struct pairlist *list[PHYSICS_INTERACTIONS_MAX]; /* lists of the interactions, in their order */
+    const struct walls *walls;                             /* NULL: none */
     int threads;
     bool ordered; /* sums in an order that no layout changes */
 };
@@ -81,6 +82,14 @@ struct physics_pass {
     void (*share)(const struct physics_context *context, int thread);
 };
 
+/* The particles that a physics of its own particles makes (physics_table.h). */
+struct physics_share {
+    int64_t first_id; /* ids from this one on are free */
+    /* True for places (box-relative, wrapped) whose particles belong to this rank. */
+    bool (*mine)(void *context, const double x[3]);
+    void *context;
+};
+
 struct physics {
     const char *name;
     int interactions;
@@ -92,6 +101,11 @@ struct physics {
      * rebuild. NULL: no data. */
     void *(*create)(const struct physics_context *context);
     void (*destroy)(void *self);
+    /* Appends this rank's share of the physics' own particles, after the grains have been made, in a run that is
+     * not resumed; kinds (kinds.h) are registered. The same ids on any number of ranks. NULL: no particles.
+     * Collective. Errors may differ between ranks. */
+    bool (*fill)(const struct physics_context *context, const struct physics_share *share,
+                 struct error *error);
     /* Called after each rebuild, when the lists are new. NULL: nothing to do. */
     void (*rebuilt)(const struct physics_context *context);
     /* The largest time step, up to `most`, that is stable for the present state. NULL: any. Collective. */
@@ -125,6 +139,9 @@ const struct physics *physics_get(enum physics_number number);
 /* Creates the own data of all physics but grains, whose data are `self`. */
 void physics_create(struct physics_set *set, void *self);
 void physics_free(struct physics_set *set);
+
+/* Adds the particles of all physics. Collective; errors may differ between ranks. */
+bool physics_fill(const struct physics_set *set, const struct physics_share *share, struct error *error);
 
 /* Gives each physics its lists, after the interactions with their own lists are known
  * (interactions_divide). */

@@ -4,6 +4,7 @@
 #include "contact/material.h"
 #include "core/memory.h"
 #include "integrate/groups.h"
+#include "particles/kinds.h"
 #include "scene/scene_read.h"
 #include <math.h>
 #include <stdio.h>
@@ -132,7 +133,10 @@ static void apply_materials(struct simulation *s, const struct checkpoint_loaded
     int64_t changed = 0;
     for (int k = 0; k < loaded->materials; k++)
         place[k] = scene_material(s->scene, loaded->material[k].name);
+    const uint8_t *kind = kinds_of(p);
     for (size_t i = 0; i < p->owned; i++) {
+        if (kind && kind[i] != KIND_GRAIN)
+            continue;
         int then = written ? material[i] : first;
         changed += change_mass(p, i, &loaded->material[then], s->scene->material[place[then]].density);
         if (material)
@@ -152,8 +156,11 @@ static void apply_groups(struct simulation *s, const struct checkpoint_loaded *l
     int first = only(loaded->group, loaded->groups), place[INTEGRATOR_GROUPS_MAX] = {0};
     for (int k = 0; k < loaded->groups; k++)
         place[k] = group_find(s->scene, loaded->group[k].name);
+    const uint8_t *kind = kinds_of(p);
     for (size_t i = 0; group && i < p->owned; i++) {
         struct particle_state *state = &p->state[i];
+        if (kind && kind[i] != KIND_GRAIN)
+            continue;
         group[i] = (uint8_t)place[written ? group[i] : first];
         if (s->grains.motion.motion[group[i]].prescribed)
             state->inverse_mass = 0;

@@ -19,6 +19,7 @@
 #include "core/threads.h"
 #include "scene/scene_read.h"
 #include "integrate/integrator.h"
+#include "particles/kinds.h"
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
@@ -129,6 +130,24 @@ static void placed(void *context, const char *what, double part) {
     s->sources.placing_told = now;
 }
 
+/* Adds particles of other kinds than grains. */
+static bool particles_fill(struct simulation *s, struct error *error) {
+    const struct physics_share share = {.first_id = s->sources.next_id, .mine = mine, .context = s};
+    if (kinds_of(s->particles) == NULL)
+        return true;
+    physics_fill(&s->physics, &share, error);
+    if (!comm_agree(s->comm, error))
+        return false;
+    int64_t total = (int64_t)s->particles->owned, last = s->sources.next_id - 1;
+    for (size_t k = 0; k < s->particles->owned; k++)
+        last = s->particles->id[k] > last ? s->particles->id[k] : last;
+    comm_sum_int(s->comm, &total, 1);
+    comm_max_int(s->comm, &last, 1);
+    s->total = (uint64_t)total;
+    s->sources.next_id = last + 1;
+    return true;
+}
+
 static bool particles_make(struct simulation *s, struct error *error) {
     struct scene_share share = {.rank = s->comm->rank,
                                 .size = s->comm->size,
@@ -141,7 +160,7 @@ static bool particles_make(struct simulation *s, struct error *error) {
         return false;
     s->total = s->sources.census.particles;
     s->sources.next_id = s->sources.census.id_max + 1;
-    return true;
+    return particles_fill(s, error);
 }
 
 /* Checks that no cut-off reaches around a periodic box: to the particle itself, or twice to another
@@ -205,9 +224,11 @@ static bool run_begin(struct simulation *s, struct error *error) {
     s->timing.overlap_started = s->grains.sums.overlap_max;
     comm_max(s->comm, &s->timing.overlap_started, 1);
 #pragma omp parallel for schedule(static)
-    for (int b = 0; b < s->grains.list->block_count; b++)
-        integrator_stagger(s->particles, &s->grains.motion, s->grains.list->blocks[b].first_row,
-                           s->grains.list->blocks[b].last_row);
+    for (int b = 0; b < s->grains.list->block_count; b++) {
+        const struct pair_block *block = &s->grains.list->blocks[b];
+        if (s->classes.kind[block->size_class] == KIND_GRAIN)
+            integrator_stagger(s->particles, &s->grains.motion, block->first_row, block->last_row);
+    }
     return true;
 }
 
@@ -244,6 +265,7 @@ static void physics_start(struct simulation *s) {
                                       .ghosts = NULL,
                                       .particles = s->particles,
                                       .classes = &s->classes,
+                                      .walls = s->grains.walls,
                                       .threads = s->threads,
                                       .ordered = s->scene->reproducible};
     physics_begin(&s->physics, &grains_physics, &context, &s->search.interactions);

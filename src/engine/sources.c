@@ -8,6 +8,7 @@
 #include "contact/spin.h"
 #include "core/memory.h"
 #include "integrate/groups.h"
+#include "particles/kinds.h"
 #include "scene/placegrid.h"
 #include <assert.h>
 #include <math.h>
@@ -129,8 +130,11 @@ static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
     bool regions = deletions_due(s);
     size_t marked = 0, owned = particles->owned;
     uint8_t *remove = memory_allocate_zero(owned, 1, "particles to remove");
+    const uint8_t *kind = kinds_of(particles);
     for (size_t k = 0; k < owned; k++) {
         enum box_leave leave = BOX_KEEP;
+        if (kind && kind[k] != KIND_GRAIN)
+            continue;
         int side = side_left(&s->scene->box, particles->state[k].x, &leave);
         if (leave == BOX_ERROR)
             leave_error(s, k, side);

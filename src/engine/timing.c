@@ -5,6 +5,7 @@
 #include "engine/timing.h"
 #include "contact/material.h"
 #include "engine/guards.h"
+#include "particles/kinds.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -13,13 +14,13 @@
 enum { LOOK_EVERY = 500 };
 #define LOOK_PART 0.9
 
-/* The kinds of particles present: this rank's free particles, and the particles of insertions. Particles of
- * one material may differ in density, and are divided into kinds by powers of two of the density. At every
- * size a kind counts with its least density if that is the worst case, else with its largest density. */
-enum { DENSITIES = 16, KINDS = LAW_MATERIALS_MAX * DENSITIES };
-struct kinds {
-    double radius_min[KINDS], radius_max[KINDS];
-    double lightest[KINDS], heaviest[KINDS]; /* mass / radius^3 */
+/* The sorts of grains present: this rank's free particles, and the particles of insertions. Particles of
+ * one material may differ in density, and are divided into sorts by powers of two of the density. At every
+ * size a sort counts with its least density if that is the worst case, else with its largest density. */
+enum { DENSITIES = 16, SORTS = LAW_MATERIALS_MAX * DENSITIES };
+struct sorts {
+    double radius_min[SORTS], radius_max[SORTS];
+    double lightest[SORTS], heaviest[SORTS]; /* mass / radius^3 */
     double fixed[LAW_MATERIALS_MAX]; /* 1: particles with prescribed motion, or walls, of the material */
 };
 
@@ -27,57 +28,59 @@ static double cube(double x) {
     return x * x * x;
 }
 
-/* The kind of a particle whose material has this density. */
+/* The sort of a grain whose material has this density. */
 static int kind_of(int material, double density, double radius, double mass) {
     double power = floor(log2(mass / particles_sphere_mass(radius, density))) + DENSITIES / 2;
     return material * DENSITIES + (int)fmin(fmax(power, 0), DENSITIES - 1);
 }
 
-static void kinds_put(struct kinds *kinds, int kind, double radius, double mass) {
-    kinds->radius_min[kind] = fmin(kinds->radius_min[kind], radius);
-    kinds->radius_max[kind] = fmax(kinds->radius_max[kind], radius);
-    kinds->lightest[kind] = fmin(kinds->lightest[kind], mass / cube(radius));
-    kinds->heaviest[kind] = fmax(kinds->heaviest[kind], mass / cube(radius));
+static void sorts_put(struct sorts *sorts, int kind, double radius, double mass) {
+    sorts->radius_min[kind] = fmin(sorts->radius_min[kind], radius);
+    sorts->radius_max[kind] = fmax(sorts->radius_max[kind], radius);
+    sorts->lightest[kind] = fmin(sorts->lightest[kind], mass / cube(radius));
+    sorts->heaviest[kind] = fmax(sorts->heaviest[kind], mass / cube(radius));
 }
 
-/* Adds the kinds of an insertion. */
-static void kinds_insert(const struct simulation *s, struct kinds *kinds,
+/* Adds the sorts of an insertion. */
+static void sorts_insert(const struct simulation *s, struct sorts *sorts,
                          const struct insertion_options *options) {
     double radius[2], usual = s->scene->material[options->material].density;
     double density = options->density > 0 ? options->density : usual;
     sizes_bounds(&options->sizes, &radius[0], &radius[1]);
     for (int k = 0; k < 2; k++) {
         double mass = particles_sphere_mass(radius[k], density);
-        kinds_put(kinds, kind_of(options->material, usual, radius[k], mass), radius[k], mass);
+        sorts_put(sorts, kind_of(options->material, usual, radius[k], mass), radius[k], mass);
     }
 }
 
-static void kinds_collect(const struct simulation *s, struct kinds *kinds) {
-    *kinds = (struct kinds){0};
+static void sorts_collect(const struct simulation *s, struct sorts *sorts) {
+    *sorts = (struct sorts){0};
     if (s->scene->materials == 0) /* nothing touches */
         return;
-    for (int k = 0; k < KINDS; k++)
-        kinds->radius_min[k] = kinds->lightest[k] = INFINITY;
-    const uint8_t *number = material_numbers(s->particles);
+    for (int k = 0; k < SORTS; k++)
+        sorts->radius_min[k] = sorts->lightest[k] = INFINITY;
+    const uint8_t *number = material_numbers(s->particles), *sort = kinds_of(s->particles);
     for (size_t k = 0; k < s->particles->owned; k++) {
         const struct particle_state *p = &s->particles->state[k];
+        if (sort && sort[k] != KIND_GRAIN)
+            continue;
         int material = material_of(number, k);
         double density = s->scene->material[material].density;
         if (p->inverse_mass > 0)
-            kinds_put(kinds, kind_of(material, density, p->radius, 1 / p->inverse_mass), p->radius,
+            sorts_put(sorts, kind_of(material, density, p->radius, 1 / p->inverse_mass), p->radius,
                       1 / p->inverse_mass);
         else
-            kinds->fixed[material] = 1;
+            sorts->fixed[material] = 1;
     }
     for (int k = 0; k < s->scene->insertions; k++)
-        kinds_insert(s, kinds, &s->scene->insertion[k]);
+        sorts_insert(s, sorts, &s->scene->insertion[k]);
     for (int w = 0; w < s->scene->walls; w++)
-        kinds->fixed[s->scene->wall[w].material] = 1;
-    comm_min(s->comm, kinds->radius_min, KINDS);
-    comm_min(s->comm, kinds->lightest, KINDS);
-    comm_max(s->comm, kinds->radius_max, KINDS);
-    comm_max(s->comm, kinds->heaviest, KINDS);
-    comm_max(s->comm, kinds->fixed, LAW_MATERIALS_MAX);
+        sorts->fixed[s->scene->wall[w].material] = 1;
+    comm_min(s->comm, sorts->radius_min, SORTS);
+    comm_min(s->comm, sorts->lightest, SORTS);
+    comm_max(s->comm, sorts->radius_max, SORTS);
+    comm_max(s->comm, sorts->heaviest, SORTS);
+    comm_max(s->comm, sorts->fixed, LAW_MATERIALS_MAX);
 }
 
 /* The largest speed expected: from the scene, else the speed of the fastest particle now, or of a fall
@@ -90,8 +93,11 @@ static double speed_expected(const struct simulation *s) {
     for (int d = 0; d < 3; d++)
         if (!scene->box.periodic[d])
             fall += 2 * fabs(scene->gravity[d]) * scene->box.edge[d];
+    const uint8_t *kind = kinds_of(s->particles);
     for (size_t k = 0; k < s->particles->owned; k++) {
         const double *v = s->particles->state[k].v;
+        if (kind && kind[k] != KIND_GRAIN)
+            continue;
         fastest = fmax(fastest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
     }
     comm_max(s->comm, &fastest, 1);
@@ -126,21 +132,21 @@ static double overlap_expected(const struct simulation *s, const double *heavies
 }
 
 static void limits_find(struct simulation *s) {
-    struct kinds kinds;
-    struct timestep_kind kind[KINDS + LAW_MATERIALS_MAX];
-    double heaviest[KINDS + LAW_MATERIALS_MAX];
+    struct sorts sorts;
+    struct timestep_kind kind[SORTS + LAW_MATERIALS_MAX];
+    double heaviest[SORTS + LAW_MATERIALS_MAX];
     int n = 0;
-    kinds_collect(s, &kinds);
-    for (int k = 0; k < KINDS; k++)
-        if (kinds.radius_max[k] > 0) {
-            heaviest[n] = kinds.heaviest[k];
+    sorts_collect(s, &sorts);
+    for (int k = 0; k < SORTS; k++)
+        if (sorts.radius_max[k] > 0) {
+            heaviest[n] = sorts.heaviest[k];
             kind[n++] = (struct timestep_kind){.material = k / DENSITIES,
-                                               .radius_min = kinds.radius_min[k],
-                                               .radius_max = kinds.radius_max[k],
-                                               .mass_min = kinds.lightest[k] * cube(kinds.radius_min[k])};
+                                               .radius_min = sorts.radius_min[k],
+                                               .radius_max = sorts.radius_max[k],
+                                               .mass_min = sorts.lightest[k] * cube(sorts.radius_min[k])};
         }
     for (int m = 0; m < s->scene->materials; m++)
-        if (kinds.fixed[m] > 0) {
+        if (sorts.fixed[m] > 0) {
             heaviest[n] = 0;
             kind[n++] = (struct timestep_kind){.material = m, .wall = true};
         }
@@ -235,7 +241,10 @@ void timing_look(struct simulation *s) {
         struct integrator_context shift = s->grains.motion;
         dt_change(s, fmin(s->clock.dt_fraction, LOOK_PART) * stable);
         shift.dt = s->clock.dt - before; /* moves velocities to half a new step back */
-        integrator_stagger(s->particles, &shift, 0, s->particles->owned);
+        struct kind_span grains = {0, s->particles->owned};
+        if (kinds_of(s->particles))
+            grains = kinds_span(s->particles, &s->classes, KIND_GRAIN);
+        integrator_stagger(s->particles, &shift, grains.first, grains.end);
         if (s->comm->rank == 0)
             fprintf(stderr,
                     "scree: note: contacts have become stiffer: the time step is %.4g from step %llu on, "

@@ -7,6 +7,9 @@
 
 #include "fluid/weights.h"
 
+/* The body of a boundary particle that stands alone, in a closed pocket of fluid: its own place is the wall. */
+enum { BODY_NONE = 0 };
+
 /* The number of a wall as a body, and back. */
 static inline int64_t body_of_wall(int wall) {
     return -1 - wall;

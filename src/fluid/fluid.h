@@ -3,15 +3,20 @@
 #ifndef SCREE_FLUID_FLUID_H
 #define SCREE_FLUID_FLUID_H
 
-#include "fluid/kernel.h"
+#include "fluid/weights.h"
 #include "scene/region.h"
 
 enum fluid_equations { FLUID_STOKES, FLUID_NAVIER_STOKES };
 enum fluid_time { FLUID_STEADY, FLUID_TRANSIENT };
-enum fluid_arrangement { FLUID_CUBIC, FLUID_BODY_CENTRED, FLUID_HEXAGONAL };
+enum fluid_arrangement { FLUID_CUBIC };
 enum fluid_profile { FLUID_UNIFORM, FLUID_TAYLOR_GREEN };
 enum fluid_preconditioner { FLUID_BOOMERAMG, FLUID_GAMG };
 enum { FLUID_PETSC_MAX = 512 };
+
+struct fluid_kernel {
+    enum kernel_name name;
+    double support; /* support radius over spacing; NAN: fluid_support chooses */
+};
 
 /* The particles of the fluid. */
 struct fluid_fill {
@@ -26,17 +31,21 @@ struct fluid_drive {
 };
 
 struct fluid_walls {
-    double slip_length; /* length; 0: no slip */
+    int condition;      /* 1: slip */
+    double slip_length; /* length; of slip */
 };
 
 struct fluid_initial {
     enum fluid_profile profile;
-    double velocity[3]; /* UNIFORM: that of all; TAYLOR_GREEN: amplitude in velocity[0] */
+    double velocity[3]; /* UNIFORM */
+    double speed;       /* TAYLOR_GREEN */
 };
 
 struct fluid_solver {
     enum fluid_preconditioner preconditioner;
-    double tolerance; /* STEADY: change of the flow rate; TRANSIENT: of the pressure, relative residual */
+    double
+        tolerance; /* STEADY: change of the mean flow; TRANSIENT: relative residual of the pressure; NAN: the
+                         scheme's own */
     char petsc[FLUID_PETSC_MAX]; /* options handed on to PETSc */
 };
 
@@ -45,13 +54,20 @@ struct fluid_options {
     double spacing, density, viscosity; /* dynamic viscosity */
     enum fluid_equations equations;
     enum fluid_time time;
-    enum kernel_name kernel;
-    double support; /* support radius over spacing */
+    int motion;
+    enum weights_operators operators;
+    struct fluid_kernel kernel;
     struct fluid_fill fill;
     struct fluid_drive drive;
     struct fluid_walls walls;
     struct fluid_initial initial;
     struct fluid_solver solver;
 };
+
+/* The support radius, length. */
+double fluid_support(const struct fluid_options *options, int dimension);
+
+/* The slip length of walls and grains; 0: no slip. */
+double fluid_slip(const struct fluid_options *options);
 
 #endif

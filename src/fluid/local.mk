@@ -3,16 +3,29 @@ noinst_LTLIBRARIES += libfluid.la
 libfluid_la_SOURCES = \
 	src/fluid/body.c \
 	src/fluid/body.h \
+	src/fluid/fields.c \
+	src/fluid/fields.h \
+	src/fluid/fill.c \
+	src/fluid/fill.h \
+	src/fluid/fluid.c \
 	src/fluid/fluid.h \
+	src/fluid/fluid_rows.c \
 	src/fluid/kernel.c \
 	src/fluid/kernel.h \
 	src/fluid/mirror.c \
 	src/fluid/mirror.h \
+	src/fluid/nodes.c \
+	src/fluid/nodes.h \
 	src/fluid/operators.c \
 	src/fluid/operators.h \
+	src/fluid/physics.c \
+	src/fluid/regions.c \
+	src/fluid/regions.h \
+	src/fluid/state.h \
 	src/fluid/tensors.c \
 	src/fluid/tensors.h \
 	src/fluid/weights.c \
 	src/fluid/weights.h
 libfluid_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+PHYSICS_LIBS += libfluid.la
 FLUID_LIBS = libfluid.la $(PAIRS_LIBS)

@@ -61,16 +61,26 @@ static bool grain_foot(const struct build *build, size_t i, int64_t body, struct
     return isfinite(foot->distance);
 }
 
-static bool foot_make(const struct build *build, size_t i, int64_t body, struct weights_foot *foot) {
-    bool found = body >= 0;
+/* The foot at the place of the neighbour itself, `apart` from i. */
+static void own_foot(const double apart[3], struct weights_foot *foot) {
+    foot->distance = sqrt(apart[0] * apart[0] + apart[1] * apart[1] + apart[2] * apart[2]);
+    for (int d = 0; d < 3; d++)
+        foot->normal[d] = -apart[d] / foot->distance;
+}
+
+/* The foot of the row's particle on the body of an entry. */
+static bool foot_make(const struct build *build, size_t row, size_t entry, struct weights_foot *foot) {
+    size_t i = build->weights->first + row;
+    int64_t body = body_at(build, entry);
+    bool found = true;
+    double apart[3];
     *foot = (struct weights_foot){0};
-    if (body < 0 && build->input->wall) {
+    separation(build, i, build->weights->partner[entry], apart);
+    if (body < 0)
         build->input->wall(build->input->context, body_wall(body), build->input->rows->particles->state[i].x,
                            foot);
-        found = true;
-    } else if (body >= 0) {
-        found = grain_foot(build, i, body, foot);
-    }
+    else if (body == BODY_NONE || !(found = grain_foot(build, i, body, foot)))
+        own_foot(apart, foot);
     foot->body = body;
     foot->distance = fmax(foot->distance, WEIGHTS_NEAREST * build->input->spacing);
     return found;
@@ -87,7 +97,7 @@ static size_t row_fill(const struct build *build, size_t row) {
         bool found = true;
         if (first == e) {
             weights->wall_foot[own] = (uint32_t)at;
-            found = foot_make(build, i, body_at(build, e), &weights->foot[at++]);
+            found = foot_make(build, row, e, &weights->foot[at++]);
         } else {
             weights->wall_foot[own] = weights->wall_foot[before + (first - walls)];
         }
@@ -95,8 +105,6 @@ static size_t row_fill(const struct build *build, size_t row) {
         separation(build, i, weights->partner[e], apart);
         weights->mirror[own] = body_behind(foot, apart) / foot->distance;
         lost += !found;
-        if (!isfinite(weights->mirror[own]))
-            weights->mirror[own] = 1;
     }
     return lost;
 }

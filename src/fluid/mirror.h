@@ -18,8 +18,7 @@ struct mirror_input {
 };
 
 /* Fills mirror, wall_foot, foot and foot_start of weights that weights_make has made. Returns the number of
- * wall neighbours whose body was not found (a mistake of the program; their beta is 1). Opens its own
- * team. */
+ * wall neighbours whose grain was not found (a mistake of the program). Opens its own team. */
 size_t mirror_make(struct weights *weights, const struct mirror_input *input);
 
 #endif

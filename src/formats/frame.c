@@ -63,7 +63,7 @@ void frame_register_all(struct particles *particles) {
     material_register(particles);
     groups_register(particles);
     particles_count_images(particles);
-#define FIELDS_OF(name, key, summary) name##_fields(particles);
+#define FIELDS_OF(name, key, whose, summary) name##_fields(particles);
     PHYSICS_TABLE(FIELDS_OF)
 #undef FIELDS_OF
 }

@@ -3,6 +3,7 @@
 #include "integrate/groups.h"
 
 #include "particles/fields.h"
+#include "particles/kinds.h"
 
 #include <assert.h>
 
@@ -39,6 +40,9 @@ double groups_mass(const struct particles *particles, size_t i) {
     if (state->inverse_mass > 0)
         return 1 / state->inverse_mass;
     const double *of = groups_densities(particles);
+    const uint8_t *kind = kinds_of(particles);
+    if (kind && kind[i] != KIND_GRAIN)
+        return 0;
     assert(of);
     return particles_sphere_mass(state->radius, of[i]);
 }

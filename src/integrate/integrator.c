@@ -3,6 +3,7 @@
 #include "integrate/integrator.h"
 #include "contact/spin.h"
 #include "integrate/groups.h"
+#include "particles/kinds.h"
 #include <stddef.h>
 #include <string.h>
 
@@ -158,7 +159,8 @@ void integrator_full_step(const struct particles *particles, const struct integr
     struct integrator_pass pass = integrator_pass_of(particles, context, 0.5 * context->dt, omega != NULL);
     const double *force = pass.force + i * pass.stride;
     const struct particle_state *state = &pass.state[i];
-    bool free = integrator_motion_of(&pass, i) == NULL;
+    const uint8_t *kind = kinds_of(particles);
+    bool free = integrator_motion_of(&pass, i) == NULL && (kind == NULL || kind[i] == KIND_GRAIN);
     for (int c = 0; c < 3; c++)
         velocity[c] =
             state->v[c] + (free ? pass.dt[c] * (force[c] * state->inverse_mass) + pass.fall[c] : 0.0);

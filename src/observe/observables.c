@@ -11,7 +11,7 @@
 #include <math.h>
 #include <string.h>
 
-#define OBSERVABLES_OF(name, key, summary) &name##_observables,
+#define OBSERVABLES_OF(name, key, whose, summary) &name##_observables,
 static const struct observable_table *const of_physics[] = {PHYSICS_TABLE(OBSERVABLES_OF)};
 #undef OBSERVABLES_OF
 

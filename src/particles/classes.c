@@ -124,15 +124,21 @@ double classes_range_of(const struct size_classes *classes, const struct classes
     return most;
 }
 
+/* True if particles of neither class move: only grains, kind 0, do. */
+static bool both_rest(const struct size_classes *classes, int a, int b) {
+    return a < classes->count && b < classes->count && classes->kind[a] != 0 && classes->kind[b] != 0;
+}
+
 void classes_set_margins(struct size_classes *classes, const struct classes_options *options,
                          const struct classes_range *range) {
     int n = classes->count;
     for (int a = 0; a <= n; a++) {
         for (int b = 0; b <= n; b++) {
             int smaller = smaller_class(classes, a, b);
-            double skin = options->skin_given ? options->skin
-                          : smaller < n       ? options->skin_relative * classes->radius_min[smaller]
-                                              : 0;
+            double skin = both_rest(classes, a, b) ? 0
+                          : options->skin_given    ? options->skin
+                          : smaller < n            ? options->skin_relative * classes->radius_min[smaller]
+                                                   : 0;
             classes->skin[a][b] = skin;
             double reach = a < n   ? classes_range_of(classes, range, a, b)
                            : b < n ? classes_range_of(classes, range, b, a)

@@ -5,7 +5,8 @@
  * Classes are numbered from small to large: class c holds the radii in (cut[c-1], cut[c]]. Classes are the
  * same on every rank. If there are several kinds of particles, each kind has classes of its own, kind after
  * kind (kinds.h). The margin of a class pair is added to r_i + r_j: range (of the interactions) + skin. Walls
- * count as one more class, number `count`. */
+ * count as one more class, number `count`. Fluid and boundary particles do not move: among them the skin is
+ * 0. */
 #ifndef SCREE_PARTICLES_CLASSES_H
 #define SCREE_PARTICLES_CLASSES_H
 
@@ -49,7 +50,7 @@ struct size_classes {
     double radius_min[CLASS_MAX]; /* smallest and largest radius present, over all ranks, length unit */
     double radius_max[CLASS_MAX];
     uint64_t population[CLASS_MAX]; /* particles in the class, over all ranks */
-    uint8_t kind[CLASS_MAX];        /* kind of the particles of the class (kinds.h); not decreasing */
+    uint8_t kind[CLASS_MAX];        /* kind of the particles of the class (kinds.h), in the order of places */
     double skin[CLASS_MAX + 1][CLASS_MAX + 1];   /* symmetric; row and column `count` are walls */
     double margin[CLASS_MAX + 1][CLASS_MAX + 1]; /* range + skin */
 };

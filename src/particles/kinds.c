@@ -19,6 +19,24 @@ const char *kinds_name(enum kind kind) {
     return names[kind];
 }
 
+static const enum kind order_of_kinds[KINDS] = {KIND_FLUID, KIND_BOUNDARY, KIND_GRAIN};
+
+int kinds_place(enum kind kind) {
+    int place = 0;
+    while (order_of_kinds[place] != kind)
+        place++;
+    return place;
+}
+
+enum kind kinds_at(int place) {
+    return order_of_kinds[place];
+}
+
+/* The place of the kind of a class. */
+static int class_place(const struct size_classes *classes, int c) {
+    return kinds_place((enum kind)classes->kind[c]);
+}
+
 void kinds_register(struct particles *particles) {
     fields_register(particles, &kind_field);
 }
@@ -30,7 +48,7 @@ uint8_t *kinds_of(const struct particles *particles) {
 bool kinds_join_classes(struct size_classes *classes, enum kind kind, const struct size_classes *of_kind,
                         const struct classes_options *options, const struct classes_range *range,
                         struct error *error) {
-    assert(classes->count == 0 || classes->kind[classes->count - 1] < kind);
+    assert(classes->count == 0 || class_place(classes, classes->count - 1) < kinds_place(kind));
     if (classes->count + of_kind->count > CLASS_MAX)
         return error_set(error, ERROR_USER,
                          "classes: %d size classes of %s particles and %d of other kinds; together there may "
@@ -50,11 +68,12 @@ bool kinds_join_classes(struct size_classes *classes, enum kind kind, const stru
 
 /* The classes of a kind: first ... end-1. */
 static void class_range(const struct size_classes *classes, enum kind kind, int *first, int *end) {
+    int place = kinds_place(kind);
     *first = 0;
-    while (*first < classes->count && classes->kind[*first] < kind)
+    while (*first < classes->count && class_place(classes, *first) < place)
         ++*first;
     *end = *first;
-    while (*end < classes->count && classes->kind[*end] == kind)
+    while (*end < classes->count && class_place(classes, *end) == place)
         ++*end;
 }
 

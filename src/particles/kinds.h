@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Kinds: the physical sort of a particle. Grains are one kind; fluid and boundary particles will be others.
+/* Kinds: the physical sort of a particle: grains, or the points at which a fluid is computed, or the points
+ * behind its boundaries.
  *
  * Particles lie kind by kind, and class by class inside a kind: a size class is (kind, interval of radii),
  * numbered kind after kind and from small to large in each, and a rebuild orders particles by class
  * (kinds_sort). So the particles of a kind are one range (kinds_span), and a pass of a physics visits its
  * kind alone. A set with one kind has no field of kinds and pays nothing.
  *
- * An index wants classes from small to large (index.h): if radii of kinds overlap, a view has to show each
- * kind alone, or with classes of its own.
+ * The order of the kinds (kinds_place) is fluid, boundary, grain: an index wants classes from small to large
+ * (index.h), and grains are larger than the spacing of a fluid that resolves the flow around them.
  *
  * How to add a kind, in three steps:
  *   1. Add it to enum kind and its name to kinds.c.
@@ -25,6 +26,10 @@ enum kind { KIND_GRAIN, KIND_FLUID, KIND_BOUNDARY, KINDS };
 /* "grain", "fluid", "boundary". */
 const char *kinds_name(enum kind kind);
 
+/* The place of a kind in memory, 0 ... KINDS - 1, and the kind of a place. */
+int kinds_place(enum kind kind);
+enum kind kinds_at(int place);
+
 /* Registers the field `kind`, grain by default. For sets with more than one kind. */
 void kinds_register(struct particles *particles);
 
@@ -32,7 +37,7 @@ void kinds_register(struct particles *particles);
 uint8_t *kinds_of(const struct particles *particles);
 
 /* Adds the classes that were chosen for one kind behind those of the kinds before it, then sets skins and
- * margins of all. `classes` begins as {0}; kinds come in increasing order. False, with a user's error, where
+ * margins of all. `classes` begins as {0}; kinds come in the order of their places. False, with a user's error, where
  * all together are more than CLASS_MAX. */
 bool kinds_join_classes(struct size_classes *classes, enum kind kind, const struct size_classes *of_kind,
                         const struct classes_options *options, const struct classes_range *range,

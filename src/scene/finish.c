@@ -90,6 +90,12 @@ static bool finish_box(struct scene *scene, struct error *error) {
     return true;
 }
 
+static void finish_newton(struct scene *scene) {
+    for (int k = 0; k < PHYSICS_COUNT; k++)
+        if (scene->physics_given[k] && physics_has_particles(k))
+            scene->ghosts.newton = false;
+}
+
 static void finish_step(struct scene *scene) {
     if (isnan(scene->duration))
         scene->duration = -1;
@@ -363,6 +369,7 @@ bool finish_scene(struct scene *scene, struct error *error) {
         !finish_fields(scene, error))
         return false;
     finish_step(scene);
+    finish_newton(scene);
     scene->ghosts.reduced = scene->ghosts_name == SCENE_GHOSTS_REDUCED ||
                             (scene->ghosts_name == SCENE_GHOSTS_AUTO && scene->ghosts.newton);
     if (scene->reproducible)

@@ -217,7 +217,10 @@ static bool check_file(const struct scene *scene, const struct source_options *s
 }
 
 static bool check_sources(const struct scene *scene, struct error *error) {
-    if (scene->sources == 0 && scene->insertions == 0)
+    bool others = false;
+    for (int k = 0; k < PHYSICS_COUNT; k++)
+        others = others || (scene->physics_given[k] && physics_has_particles(k));
+    if (scene->sources == 0 && scene->insertions == 0 && !others)
         return scene_fail(scene, error, "particles",
                           "is missing; needed: a file or a generator (or insertions)");
     for (int s = 0; s < scene->sources; s++) {

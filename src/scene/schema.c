@@ -120,7 +120,7 @@ static void suggest_row(void *context, const struct schema_row *row, const char 
     size_t length = strlen(s->section);
     bool inside = strncmp(key, s->section, length) == 0;
     bool sibling = inside && !strpbrk(key + length, ".");
-    double score = distance + (sibling ? 0 : inside ? 0.9 : 1.5);
+    double score = distance + (sibling ? 0 : inside ? 0.9 : 2);
     if (score < s->score) {
         s->score = score;
         snprintf(s->nearest, SCHEMA_KEY_MAX, "%s", key);

@@ -305,7 +305,7 @@ static const struct schema_row root_rows[] = {
     {.key = "observables", .type = SCHEMA_SECTION, .sub = &schema_observables,
      .offset = offsetof(struct scene, output.observables),
      .help = "numbers about the run, a row at a time, in observables.csv"},
-#define PHYSICS_SECTION(name, section, summary)                                                              \
+#define PHYSICS_SECTION(name, section, whose, summary)                                                           \
     {.key = #section, .type = SCHEMA_SECTION, .sub = &name##_schema, .optional = true,                       \
      .offset = offsetof(struct scene, physics[PHYSICS_##name]),                                              \
      .count_offset = offsetof(struct scene, physics_given[PHYSICS_##name]), .help = summary},

@@ -1,0 +1,134 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* From nodes of the lattice to particles. Read fill.h first. */
+#include "fluid/fill.h"
+#include "core/memory.h"
+#include "fluid/body.h"
+#include "fluid/fields.h"
+#include "fluid/regions.h"
+#include "particles/fields.h"
+#include "particles/kinds.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Vortices of one wave an edge in x and y, and their pressure without viscosity. */
+static double taylor_green(const struct nodes *nodes, const struct fluid_options *options, const double x[3],
+                           double v[3]) {
+    double u = options->initial.speed, k = 2 * M_PI / nodes->box->edge[0];
+    v[0] = u * sin(k * x[0]) * cos(k * x[1]);
+    v[1] = -u * cos(k * x[0]) * sin(k * x[1]);
+    v[2] = 0;
+    return options->equations == FLUID_NAVIER_STOKES
+               ? options->density * u * u / 4 * (cos(2 * k * x[0]) + cos(2 * k * x[1]))
+               : 0;
+}
+
+/* The flow at the start; returns the pressure. */
+static double flow_at(const struct nodes *nodes, const struct fluid_options *options, const double x[3],
+                      double v[3]) {
+    if (options->initial.profile == FLUID_TAYLOR_GREEN)
+        return taylor_green(nodes, options, x, v);
+    memcpy(v, options->initial.velocity, 3 * sizeof *v);
+    return 0;
+}
+
+static int64_t body_at(const struct nodes *nodes, int64_t node) {
+    int32_t owner = nodes->owner[node];
+    return owner == REGIONS_NOBODY ? BODY_NONE
+           : owner < 0             ? body_of_wall(-1 - owner)
+                                   : nodes->grain[owner].id;
+}
+
+/* Appends the particle of a node. */
+static void append(const struct nodes *nodes, const struct physics_context *context, int64_t node, int64_t id,
+                   const double x[3]) {
+    struct particles *p = context->particles;
+    bool fluid = nodes->state[node] == NODES_FLUID;
+    size_t i = particles_append(p);
+    struct particle_state *state = &p->state[i];
+    memcpy(state->x, x, sizeof state->x);
+    state->radius = 0.5 * nodes->spacing;
+    p->id[i] = id;
+    kinds_of(p)[i] = fluid ? KIND_FLUID : KIND_BOUNDARY;
+    if (fluid) {
+        fluid_pressure(p)[i] = flow_at(nodes, context->options, x, state->v);
+        fluid_region(p)[i] = nodes->owner[node];
+    } else {
+        fluid_body(p)[i] = body_at(nodes, node);
+    }
+}
+
+/* A side of the fluid without a wall: a node within the support that is neither fluid nor solid. */
+static int64_t open_find(const struct nodes *nodes) {
+    int(*steps)[3];
+    size_t count = nodes_steps(nodes, &steps);
+    int64_t open = nodes->all;
+#pragma omp parallel for schedule(static) reduction(min : open)
+    for (int64_t node = 0; node < nodes->all; node++) {
+        if (nodes->state[node] != NODES_FLUID || node > open)
+            continue;
+        for (size_t k = 0; k < count; k++) {
+            int64_t next = nodes_neighbour(nodes, node, steps[k]);
+            if (next < 0 || nodes->state[next] == NODES_VOID)
+                open = node < open ? node : open;
+        }
+    }
+    memory_free(steps);
+    return open < nodes->all ? open : -1;
+}
+
+/* Refuses a lattice without fluid, or with a side that nothing bounds. */
+static bool suits(const struct nodes *nodes, const struct regions *regions,
+                  const struct physics_context *context, struct error *error) {
+    if (regions->count == 0)
+        return scene_fail(
+            context->scene, error, "fluid.fill",
+            "there is no fluid: no node of the lattice lies in the region, in the box, outside of "
+            "grains and before all walls");
+    int64_t open = open_find(nodes);
+    if (open < 0)
+        return true;
+    double x[3];
+    nodes_place(nodes, open, x);
+    for (int d = 0; d < 3; d++)
+        x[d] += context->box->origin[d];
+    return scene_fail(
+        context->scene, error, "fluid.fill",
+        "the fluid has an open side near (%g, %g, %g); needed there: a wall, a grain or a periodic "
+        "direction (free surfaces and open ends are not built yet)",
+        x[0], x[1], x[2]);
+}
+
+/* Taylor and Green's vortices need a square that repeats. */
+static bool flow_suits(const struct physics_context *context, struct error *error) {
+    const struct fluid_options *options = context->options;
+    const struct box *box = context->box;
+    return options->initial.profile != FLUID_TAYLOR_GREEN ||
+           (box->periodic[0] && box->periodic[1] &&
+            fabs(box->edge[0] - box->edge[1]) <= 1e-9 * box->edge[0]) ||
+           scene_fail(context->scene, error, "fluid.initial.flow",
+                      "taylor_green needs a box that is periodic in x and y and as long in x as in y");
+}
+
+bool fill_run(const struct physics_context *context, const struct physics_share *share, struct error *error) {
+    struct nodes nodes = {0};
+    struct regions regions = {0};
+    bool good = flow_suits(context, error) && nodes_make(&nodes, context, error);
+    if (good)
+        regions = regions_find(&nodes);
+    good = good && suits(&nodes, &regions, context, error);
+    for (int64_t node = 0; good && node < nodes.all; node++) {
+        double x[3];
+        bool deep = nodes.state[node] == NODES_SOLID && nodes.depth[node] >= nodes.support;
+        if (nodes.state[node] == NODES_VOID || deep)
+            continue;
+        nodes_place(&nodes, node, x);
+        if (share->mine(share->context, x))
+            append(&nodes, context, node, share->first_id + node, x);
+    }
+    if (good && regions.pocket > 0 && context->comm->rank == 0)
+        fprintf(stderr, "scree: note: %lld of %lld nodes of the fluid lie in closed pockets, and are solid\n",
+                (long long)regions.pocket, (long long)(regions.pocket + regions.fluid));
+    nodes_free(&nodes);
+    return good;
+}

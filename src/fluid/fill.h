@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The particles of a fluid at the start: on a lattice, fluid particles where the region is free of grains and walls,
+ * boundary particles in grains and behind walls, up to the support below the surface. */
+#ifndef SCREE_FLUID_FILL_H
+#define SCREE_FLUID_FILL_H
+
+#include "engine/physics.h"
+
+/* As `fill` of struct physics. */
+bool fill_run(const struct physics_context *context, const struct physics_share *share, struct error *error);
+
+#endif

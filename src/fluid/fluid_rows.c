@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The section of a fluid in a scene. */
+#include "fluid/fluid.h"
+#include "physics_table.h"
+#include "scene/scene.h"
+#include "scene/schema_rows.h"
+#include "scene/schema_particles.h"
+
+/* One row a key, packed to the line: */
+/* clang-format off */
+static const struct schema_name equations_names[] = {
+    {"stokes", FLUID_STOKES, "no inertia"},
+    {"navier_stokes", FLUID_NAVIER_STOKES, "with inertia"},
+    {0}};
+static const struct schema_name time_names[] = {
+    {"steady", FLUID_STEADY, "the flow that no longer changes, solved for directly"},
+    {"transient", FLUID_TRANSIENT, "step after step"},
+    {0}};
+static const struct schema_name motion_names[] = {{"fixed", 0, "the particles stay, and the fluid flows through them"}, {0}};
+static const struct schema_name operators_names[] = {
+    {"corrected", WEIGHTS_CORRECTED, "of second order on any arrangement"},
+    {"standard", WEIGHTS_STANDARD, "without corrections: for comparison, on lattices"},
+    {0}};
+static const struct schema_name kernel_names[] = {
+    {"wendland_c2", KERNEL_WENDLAND_C2, NULL}, {"wendland_c4", KERNEL_WENDLAND_C4, NULL},
+    {"wendland_c6", KERNEL_WENDLAND_C6, NULL}, {"quintic", KERNEL_QUINTIC, "spline"}, {0}};
+static const struct schema_name arrangement_names[] = {{"cubic", FLUID_CUBIC, "simple cubic, in two dimensions square"}, {0}};
+static const struct schema_name profile_names[] = {
+    {"uniform", FLUID_UNIFORM, "the same velocity everywhere"},
+    {"taylor_green", FLUID_TAYLOR_GREEN, "vortices of a periodic box, one wave an edge: u = U sin kx cos ky, v = -U cos kx sin ky"},
+    {0}};
+static const struct schema_name wall_names[] = {
+    {"no_slip", 0, "the fluid sticks to walls and grains"}, {"slip", 1, "Navier's condition, with a slip length"}, {0}};
+static const struct schema_name preconditioner_names[] = {
+    {"boomeramg", FLUID_BOOMERAMG, "algebraic multigrid of hypre"},
+    {"gamg", FLUID_GAMG, "algebraic multigrid of PETSc itself"},
+    {0}};
+
+static const struct schema_row kernel_rows[] = {
+    {.key = "name", .type = SCHEMA_NAME, .names = kernel_names, .fallback = "wendland_c2",
+     AT(struct fluid_kernel, name), .help = "the smoothing kernel"},
+    {.key = "support", .type = SCHEMA_REAL, .range = "(1.42, 6]", AT(struct fluid_kernel, support),
+     .help = "support radius over spacing; left out: 2.2 on a lattice (in two dimensions 2.3), 2.8 (3.1) with jitter",
+     .example = "2.2"},
+};
+static const struct schema_table kernel_table = TABLE(kernel_rows);
+
+static const struct schema_row fill_rows[] = {
+    {.key = "region", .type = SCHEMA_SECTION, .sub = &schema_region, .offset = offsetof(struct fluid_fill, region),
+     .help = "where there is fluid, less grains and what lies behind walls"},
+    {.key = "arrangement", .type = SCHEMA_NAME, .names = arrangement_names, .fallback = "cubic",
+     AT(struct fluid_fill, arrangement), .help = "the lattice"},
+    {.key = "jitter", .type = SCHEMA_REAL, .range = "[0, 0.8]", .fallback = "0", AT(struct fluid_fill, jitter),
+     .help = "displaces each particle at random, by up to half of this times the spacing in each direction"},
+    {.key = "offset", .type = SCHEMA_VECTOR, .unit = "m", .fallback = "[0, 0, 0]", AT(struct fluid_fill, offset),
+     .help = "shifts the lattice; without it, its cells begin at the lower corner of the box"},
+};
+static const struct schema_table fill_table = TABLE(fill_rows);
+
+static const struct schema_row drive_rows[] = {
+    {.key = "body_force", .type = SCHEMA_VECTOR, .unit = "N/m3", .fallback = "[0, 0, 0]",
+     AT(struct fluid_drive, body_force),
+     .help = "force on a volume of fluid: in a periodic direction minus the mean gradient of pressure",
+     .example = "[0, 0, 1000 Pa/m]"},
+};
+static const struct schema_table drive_table = TABLE(drive_rows);
+
+static const struct schema_row walls_rows[] = {
+    {.key = "velocity", .type = SCHEMA_NAME, .names = wall_names, .fallback = "no_slip", AT(struct fluid_walls, condition),
+     .help = "the condition at walls and grains"},
+    {.key = "slip_length", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "velocity=slip", .required = true,
+     AT(struct fluid_walls, slip_length), .help = "depth behind the wall at which the velocity would reach that of the wall",
+     .example = "1 um"},
+};
+static const struct schema_table walls_table = TABLE(walls_rows);
+
+static const struct schema_row initial_rows[] = {
+    {.key = "flow", .type = SCHEMA_NAME, .names = profile_names, .fallback = "uniform", AT(struct fluid_initial, profile),
+     .help = "the flow at the start"},
+    {.key = "velocity", .type = SCHEMA_VECTOR, .unit = "m/s", .fallback = "[0, 0, 0]", .when = "flow=uniform",
+     AT(struct fluid_initial, velocity), .help = "its velocity"},
+    {.key = "speed", .type = SCHEMA_REAL, .unit = "m/s", .required = true, .when = "flow=taylor_green",
+     AT(struct fluid_initial, speed), .help = "largest speed", .example = "1"},
+};
+static const struct schema_table initial_table = TABLE(initial_rows);
+
+static const struct schema_row solver_rows[] = {
+    {.key = "preconditioner", .type = SCHEMA_NAME, .names = preconditioner_names, .fallback = "boomeramg",
+     AT(struct fluid_solver, preconditioner), .help = "of the pressure, and of the velocity where steps are long"},
+    {.key = "tolerance", .type = SCHEMA_REAL, .range = "(0, 1)", AT(struct fluid_solver, tolerance),
+     .help = "steady: change of the mean flow at which it is solved, else of 1e-3; transient: relative residual of the "
+             "pressure, else 1e-5"},
+    {.key = "petsc", .type = SCHEMA_TEXT, .fallback = "", AT(struct fluid_solver, petsc),
+     .help = "options for PETSc, as on a command line; prefixes fluid_u_, fluid_p_, fluid_s_",
+     .example = "-fluid_p_ksp_monitor"},
+};
+static const struct schema_table solver_table = TABLE(solver_rows);
+
+static const struct schema_row section[] = {
+    {.key = "spacing", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .required = true,
+     AT(struct fluid_options, spacing), .help = "distance of neighbours on the lattice of fluid particles", .example = "60 um"},
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "(0, inf)", .required = true,
+     AT(struct fluid_options, density), .help = "mass of a volume", .example = "997.561"},
+    {.key = "viscosity", .type = SCHEMA_REAL, .unit = "Pa s", .range = "(0, inf)", .required = true,
+     AT(struct fluid_options, viscosity), .help = "dynamic viscosity", .example = "8.887e-4"},
+    {.key = "equations", .type = SCHEMA_NAME, .names = equations_names, .fallback = "navier_stokes",
+     AT(struct fluid_options, equations), .help = "what is solved"},
+    {.key = "time", .type = SCHEMA_NAME, .names = time_names, .fallback = "transient", AT(struct fluid_options, time),
+     .help = "a flow in time, or the steady one (of stokes)"},
+    {.key = "motion", .type = SCHEMA_NAME, .names = motion_names, .fallback = "fixed", AT(struct fluid_options, motion),
+     .help = "whether the particles move"},
+    {.key = "operators", .type = SCHEMA_NAME, .names = operators_names, .fallback = "corrected",
+     AT(struct fluid_options, operators), .help = "gradient, divergence and Laplacian"},
+    {.key = "kernel", .type = SCHEMA_SECTION, .sub = &kernel_table, .main = "name",
+     .offset = offsetof(struct fluid_options, kernel), .help = "the kernel and its support"},
+    {.key = "fill", .type = SCHEMA_SECTION, .sub = &fill_table, .offset = offsetof(struct fluid_options, fill),
+     .help = "where the particles of the fluid are"},
+    {.key = "drive", .type = SCHEMA_SECTION, .sub = &drive_table, .offset = offsetof(struct fluid_options, drive),
+     .help = "what drives the flow, besides moving walls"},
+    {.key = "walls", .type = SCHEMA_SECTION, .sub = &walls_table, .main = "velocity",
+     .offset = offsetof(struct fluid_options, walls), .help = "conditions at walls and grains"},
+    {.key = "initial", .type = SCHEMA_SECTION, .sub = &initial_table, .main = "flow",
+     .offset = offsetof(struct fluid_options, initial), .help = "the fluid at the start"},
+    {.key = "solver", .type = SCHEMA_SECTION, .sub = &solver_table, .offset = offsetof(struct fluid_options, solver),
+     .help = "linear algebra, by PETSc"},
+};
+const struct schema_table fluid_schema = TABLE(section);
+
+/* clang-format on */
+
+_Static_assert(sizeof(struct fluid_options) <= PHYSICS_OPTIONS_MAX * sizeof(double), "room in struct scene");

@@ -1,0 +1,275 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The nodes of the lattice: where they are, and what each is. Read nodes.h first. */
+#include "fluid/nodes.h"
+#include "core/memory.h"
+#include "core/random.h"
+#include "particles/kinds.h"
+#include <math.h>
+#include <string.h>
+
+static const double same = 1e-6; /* part of a spacing by which lengths may differ from whole numbers of it */
+
+/* The numbers of a node in the three directions. */
+static void split(const struct nodes *nodes, int64_t node, int64_t at[3]) {
+    at[0] = node % nodes->count[0];
+    at[1] = node / nodes->count[0] % nodes->count[1];
+    at[2] = node / nodes->count[0] / nodes->count[1];
+}
+
+/* The place that a node has, not wrapped. */
+static void place_at(const struct nodes *nodes, const int64_t at[3], double x[3]) {
+    for (int d = 0; d < 3; d++)
+        x[d] = nodes->first[d] + (double)at[d] * nodes->spacing;
+}
+
+/* The displacement of a node. */
+static void displace(const struct nodes *nodes, int64_t node, double x[3]) {
+    struct random_sequence random = random_sequence(nodes->seed, RANDOM_POSITION, (uint64_t)node);
+    for (int d = 0; d < nodes->dimension && nodes->jitter > 0; d++)
+        x[d] += nodes->jitter * nodes->spacing * (random_uniform(&random) - 0.5);
+}
+
+void nodes_place(const struct nodes *nodes, int64_t node, double x[3]) {
+    int64_t at[3];
+    split(nodes, node, at);
+    place_at(nodes, at, x);
+    displace(nodes, node, x);
+    for (int d = 0; d < nodes->dimension; d++)
+        if (nodes->box->periodic[d]) {
+            double edge = nodes->box->edge[d];
+            x[d] -= edge * floor(x[d] / edge);
+            x[d] = x[d] < edge ? x[d] : 0;
+        }
+}
+
+int64_t nodes_neighbour(const struct nodes *nodes, int64_t node, const int step[3]) {
+    int64_t at[3];
+    split(nodes, node, at);
+    for (int d = 0; d < 3; d++) {
+        at[d] += step[d];
+        if (nodes->box->periodic[d])
+            at[d] = (at[d] % nodes->count[d] + nodes->count[d]) % nodes->count[d];
+        else if (at[d] < 0 || at[d] >= nodes->count[d])
+            return -1;
+    }
+    return at[0] + nodes->count[0] * (at[1] + nodes->count[1] * at[2]);
+}
+
+size_t nodes_steps(const struct nodes *nodes, int (**steps)[3]) {
+    int far = (int)ceil(nodes->support / nodes->spacing), flat = nodes->dimension == 2 ? 0 : far;
+    size_t count = 0, room = (size_t)(2 * far + 1) * (size_t)(2 * far + 1) * (size_t)(2 * flat + 1);
+    double reach = nodes->support / nodes->spacing;
+    *steps = memory_allocate(room, sizeof **steps, "neighbours on the lattice");
+    for (int z = -flat; z <= flat; z++)
+        for (int y = -far; y <= far; y++)
+            for (int x = -far; x <= far; x++) {
+                int square = x * x + y * y + z * z;
+                if (square == 0 || square >= reach * reach)
+                    continue;
+                int *step = (*steps)[count++];
+                step[0] = x;
+                step[1] = y;
+                step[2] = z;
+            }
+    return count;
+}
+
+/* Lays the lattice: how many nodes, and where the first one is. */
+static bool lay(struct nodes *nodes, const struct physics_context *context,
+                const struct fluid_options *options, struct error *error) {
+    const struct box *box = context->box;
+    int64_t margin = (int64_t)ceil(nodes->support / nodes->spacing);
+    nodes->all = 1;
+    for (int d = 0; d < 3; d++) {
+        double spacings = box->edge[d] / nodes->spacing;
+        nodes->count[d] = llround(spacings);
+        nodes->first[d] = 0.5 * nodes->spacing + options->fill.offset[d];
+        if (d == 2 && nodes->dimension == 2) {
+            nodes->count[d] = 1;
+            nodes->first[d] = 0.5 * box->edge[d];
+        } else if (!box->periodic[d]) {
+            nodes->count[d] = (int64_t)ceil(spacings - same) + 2 * margin;
+            nodes->first[d] -= (double)margin * nodes->spacing;
+        } else if (fabs(spacings - (double)nodes->count[d]) > same * spacings || nodes->count[d] < 1) {
+            double more = fmax((double)nodes->count[d], 1);
+            return scene_fail(context->scene, error, "fluid.spacing",
+                              "%g does not divide the periodic %c edge, %g; the nearest that does is %.15g",
+                              nodes->spacing, 'x' + d, box->edge[d], box->edge[d] / more);
+        }
+        if (box->periodic[d] && box->edge[d] <= 2 * nodes->support)
+            return scene_fail(context->scene, error, "fluid.spacing",
+                              "the periodic %c edge, %g, must be longer than two support radii, %g", 'x' + d,
+                              box->edge[d], 2 * nodes->support);
+        nodes->all *= nodes->count[d];
+    }
+    return true;
+}
+
+/* Gathers the grains of all ranks on every rank. */
+static void gather(struct nodes *nodes, const struct physics_context *context) {
+    const struct particles *p = context->particles;
+    const uint8_t *kind = kinds_of(p);
+    struct nodes_grain *mine = memory_allocate(p->owned, sizeof *mine, "grains in a fluid");
+    size_t count = 0;
+    void *all = NULL;
+    for (size_t k = 0; k < p->owned; k++)
+        if (kind == NULL || kind[k] == KIND_GRAIN) {
+            memcpy(mine[count].x, p->state[k].x, sizeof mine[count].x);
+            mine[count].radius = p->state[k].radius;
+            mine[count++].id = p->id[k];
+        }
+    int64_t total = (int64_t)count;
+    comm_sum_int(context->comm, &total, 1);
+    comm_gather_varying(context->comm, mine, count * sizeof *mine, &all, NULL);
+    memory_free(mine);
+    nodes->grains = (size_t)total;
+    nodes->grain = memory_allocate(nodes->grains, sizeof *nodes->grain, "grains in a fluid");
+    if (all)
+        memcpy(nodes->grain, all, nodes->grains * sizeof *nodes->grain);
+    memory_free(all);
+    comm_broadcast(context->comm, nodes->grain, nodes->grains * sizeof *nodes->grain);
+}
+
+/* A node becomes solid, or goes on as the part of the body in which it lies deepest. */
+static void claim(struct nodes *nodes, int64_t node, int32_t owner, double depth) {
+    if (nodes->state[node] == NODES_SOLID && !((float)depth > nodes->depth[node]))
+        return;
+    nodes->state[node] = NODES_SOLID;
+    nodes->owner[node] = owner;
+    nodes->depth[node] = (float)depth;
+}
+
+static void claim_if_inside(struct nodes *nodes, int32_t number, const int64_t at[3]) {
+    const struct nodes_grain *grain = &nodes->grain[number];
+    int64_t wrapped[3];
+    double x[3], square = 0;
+    for (int d = 0; d < 3; d++) {
+        wrapped[d] = at[d];
+        if (nodes->box->periodic[d])
+            wrapped[d] = (at[d] % nodes->count[d] + nodes->count[d]) % nodes->count[d];
+        else if (at[d] < 0 || at[d] >= nodes->count[d])
+            return;
+    }
+    int64_t node = wrapped[0] + nodes->count[0] * (wrapped[1] + nodes->count[1] * wrapped[2]);
+    place_at(nodes, at, x);
+    displace(nodes, node, x);
+    for (int d = 0; d < nodes->dimension; d++)
+        square += (x[d] - grain->x[d]) * (x[d] - grain->x[d]);
+    if (square <= grain->radius * grain->radius)
+        claim(nodes, node, number, grain->radius - sqrt(square));
+}
+
+/* Marks the nodes in a grain; places of nodes are not wrapped here, so that a grain reaches across the box. */
+static void grain_mark(struct nodes *nodes, int32_t number) {
+    const struct nodes_grain *grain = &nodes->grain[number];
+    int64_t from[3], to[3], at[3];
+    double reach = grain->radius + nodes->jitter * nodes->spacing;
+    for (int d = 0; d < 3; d++) {
+        bool flat = d >= nodes->dimension;
+        from[d] = flat ? 0 : (int64_t)floor((grain->x[d] - reach - nodes->first[d]) / nodes->spacing);
+        to[d] = flat ? 0 : (int64_t)ceil((grain->x[d] + reach - nodes->first[d]) / nodes->spacing);
+    }
+    for (at[2] = from[2]; at[2] <= to[2]; at[2]++)
+        for (at[1] = from[1]; at[1] <= to[1]; at[1]++)
+            for (at[0] = from[0]; at[0] <= to[0]; at[0]++)
+                claim_if_inside(nodes, number, at);
+}
+
+/* Marks the nodes behind a wall. */
+static void wall_mark(struct nodes *nodes, const struct walls *walls, int wall) {
+#pragma omp parallel for schedule(static)
+    for (int64_t node = 0; node < nodes->all; node++) {
+        struct wall_foot foot;
+        int64_t at[3];
+        double x[3];
+        split(nodes, node, at);
+        place_at(nodes, at, x);
+        displace(nodes, node, x);
+        walls_foot(walls, wall, x, &foot);
+        if (foot.distance <= 0)
+            claim(nodes, node, -1 - wall, -foot.distance);
+    }
+}
+
+/* Marks the nodes in the region and in the box as fluid. */
+static void region_mark(struct nodes *nodes, const struct fluid_options *options) {
+    const struct box *box = nodes->box;
+    struct region_space space = {.dimension = nodes->dimension, .plane = box->origin[2] + 0.5 * box->edge[2]};
+    struct region region = options->fill.region;
+    double length = sqrt(region.axis[0] * region.axis[0] + region.axis[1] * region.axis[1] +
+                         region.axis[2] * region.axis[2]);
+    for (int d = 0; d < 3 && length > 0; d++)
+        region.axis[d] /= length;
+#pragma omp parallel for schedule(static)
+    for (int64_t node = 0; node < nodes->all; node++) {
+        double x[3], user[3];
+        bool inside = true;
+        nodes_place(nodes, node, x);
+        for (int d = 0; d < 3; d++) {
+            inside = inside && x[d] >= 0 && x[d] <= box->edge[d];
+            user[d] = x[d] + box->origin[d];
+        }
+        nodes->state[node] = inside && region_contains(&region, &space, user, 0) ? NODES_FLUID : NODES_VOID;
+    }
+}
+
+static bool walls_suit(const struct physics_context *context, struct error *error) {
+    for (int w = 0; w < context->scene->walls; w++) {
+        char key[64];
+        snprintf(key, sizeof key, "walls[%d].shape", w);
+        if (!walls_one_sided(context->walls, w))
+            return scene_fail(
+                context->scene, error, key,
+                "wall '%s' has no solid side, which a fluid needs; allowed beside `fluid`: planes "
+                "and cylinders without length (meshes and tubes of finite length are not built yet)",
+                context->scene->wall[w].name);
+    }
+    return true;
+}
+
+/* Grains must be large enough for the spacing to see the flow around them. */
+static bool grains_suit(const struct nodes *nodes, const struct physics_context *context,
+                        struct error *error) {
+    const double least = 4;
+    for (size_t k = 0; k < nodes->grains; k++)
+        if (2 * nodes->grain[k].radius < least * nodes->spacing)
+            return scene_fail(context->scene, error, "fluid.spacing",
+                              "%g is too coarse for grain %lld of diameter %g; needed are %g spacings a "
+                              "diameter or more",
+                              nodes->spacing, (long long)nodes->grain[k].id, 2 * nodes->grain[k].radius,
+                              least);
+    return true;
+}
+
+bool nodes_make(struct nodes *nodes, const struct physics_context *context, struct error *error) {
+    const struct fluid_options *options = context->options;
+    *nodes = (struct nodes){.dimension = context->box->dimension,
+                            .spacing = options->spacing,
+                            .support = fluid_support(options, context->box->dimension),
+                            .jitter = options->fill.jitter,
+                            .box = context->box,
+                            .seed = context->scene->seed};
+    if (!walls_suit(context, error) || !lay(nodes, context, options, error))
+        return false;
+    gather(nodes, context);
+    if (!grains_suit(nodes, context, error))
+        return false;
+    size_t all = (size_t)nodes->all;
+    nodes->state = memory_allocate_zero(all, sizeof *nodes->state, "lattice of the fluid");
+    nodes->owner = memory_allocate_zero(all, sizeof *nodes->owner, "lattice of the fluid");
+    nodes->depth = memory_allocate_zero(all, sizeof *nodes->depth, "lattice of the fluid");
+    region_mark(nodes, options);
+    for (size_t k = 0; k < nodes->grains; k++)
+        grain_mark(nodes, (int32_t)k);
+    for (int w = 0; w < context->scene->walls; w++)
+        wall_mark(nodes, context->walls, w);
+    return true;
+}
+
+void nodes_free(struct nodes *nodes) {
+    memory_free(nodes->state);
+    memory_free(nodes->owner);
+    memory_free(nodes->depth);
+    memory_free(nodes->grain);
+    *nodes = (struct nodes){0};
+}
