@@ -3,6 +3,7 @@ noinst_LTLIBRARIES += libengine.la
 libengine_la_SOURCES = \
 	src/engine/classify.c \
 	src/engine/classify.h \
+	src/engine/clock.h \
 	src/engine/decide.c \
 	src/engine/decide.h \
 	src/engine/folder.c \

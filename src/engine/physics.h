@@ -21,6 +21,7 @@
 #define SCREE_ENGINE_PHYSICS_H
 
 #include "comm/ghosts.h"
+#include "engine/clock.h"
 #include "formats/restart.h"
 #include "pairs/interaction.h"
 #include "particles/fields.h"
@@ -42,6 +43,7 @@ struct physics_context {
     const struct size_classes *classes;
     const struct pairlist *list[PHYSICS_INTERACTIONS_MAX]; /* lists of the interactions, in their order */
     const struct walls *walls;                             /* NULL: none */
+    const struct clock *clock; /* number, time and length of the step; the length may change between steps */
     int threads;
     bool ordered; /* sums in an order that no layout changes */
 };

@@ -266,6 +266,7 @@ static void physics_start(struct simulation *s) {
                                       .particles = s->particles,
                                       .classes = &s->classes,
                                       .walls = s->grains.walls,
+                                      .clock = &s->clock,
                                       .threads = s->threads,
                                       .ordered = s->scene->reproducible};
     physics_begin(&s->physics, &grains_physics, &context, &s->search.interactions);

@@ -47,14 +47,6 @@ struct tuning {
     double start, seconds[TUNING_VARIANTS_MAX];
 };
 
-/* Steps and time: time = time_base + (step - step_base) dt. */
-struct clock {
-    uint64_t step; /* steps done */
-    uint64_t step_base;
-    double time, time_base, dt;
-    double dt_fraction; /* dt as a fraction of the stable step; 0: the scene gives dt */
-};
-
 /* The stable step, and the data from which it was found (timing.h). */
 struct timing {
     struct timestep_limits limits;
