@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libfluid.la
 libfluid_la_SOURCES = \
+	src/fluid/assembly.c \
+	src/fluid/assembly.h \
 	src/fluid/body.c \
 	src/fluid/body.h \
 	src/fluid/fields.c \
 	src/fluid/fields.h \
 	src/fluid/fill.c \
 	src/fluid/fill.h \
+	src/fluid/flow.c \
+	src/fluid/flow.h \
 	src/fluid/fluid.c \
 	src/fluid/fluid.h \
 	src/fluid/fluid_rows.c \
@@ -14,18 +18,26 @@ libfluid_la_SOURCES = \
 	src/fluid/kernel.h \
 	src/fluid/mirror.c \
 	src/fluid/mirror.h \
+	src/fluid/momentum.c \
+	src/fluid/momentum.h \
 	src/fluid/nodes.c \
 	src/fluid/nodes.h \
 	src/fluid/operators.c \
 	src/fluid/operators.h \
 	src/fluid/physics.c \
+	src/fluid/pressure.c \
+	src/fluid/pressure.h \
+	src/fluid/projection.c \
+	src/fluid/projection.h \
 	src/fluid/regions.c \
 	src/fluid/regions.h \
+	src/fluid/residual.c \
+	src/fluid/residual.h \
 	src/fluid/state.h \
 	src/fluid/tensors.c \
 	src/fluid/tensors.h \
 	src/fluid/weights.c \
 	src/fluid/weights.h
 libfluid_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
-PHYSICS_LIBS += libfluid.la
-FLUID_LIBS = libfluid.la $(PAIRS_LIBS)
+PHYSICS_LIBS += libfluid.la libsolve.la
+FLUID_LIBS = libfluid.la $(SOLVE_LIBS)

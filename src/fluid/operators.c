@@ -64,10 +64,7 @@ void operators_divergence(const struct weights *weights, struct operators_values
     }
 }
 
-/* The difference f_j - f_i of the velocity at a wall neighbour: normal part no penetration, tangential part
- * with the slip of the walls. */
-static void mirror_difference(const struct weights *weights, size_t wall, const double *own,
-                              double difference[3]) {
+void operators_mirror(const struct weights *weights, size_t wall, const double *own, double difference[3]) {
     const double *normal = weights->foot[weights->wall_foot[wall]].normal;
     double relative[3], across = 0, along = weights_tangential_factor(weights, wall),
                         straight = 1 + weights->mirror[wall];
@@ -92,7 +89,7 @@ void operators_laplacian_velocity(const struct weights *weights, struct operator
                 sum[d] += weights->scalar[e] * (other[d] - own[d]);
         }
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
-            mirror_difference(weights, k, own, difference);
+            operators_mirror(weights, k, own, difference);
             for (int d = 0; d < 3; d++)
                 sum[d] += weights->scalar[e] * difference[d];
         }
@@ -113,7 +110,7 @@ void operators_advection(const struct weights *weights, struct operators_values 
             for (size_t d = 0; d < dimension; d++)
                 along += own[d] * weights->vector[e * dimension + d];
             if (e >= walls)
-                mirror_difference(weights, wall++, own, difference);
+                operators_mirror(weights, wall++, own, difference);
             for (int d = 0; d < 3; d++)
                 sum[d] += along * (e >= walls ? difference[d] : partner_at(weights, u, e)[d] - own[d]);
         }

@@ -30,4 +30,8 @@ void operators_laplacian_velocity(const struct weights *weights, struct operator
 /* out[row] = (u . grad) u, mirrored. */
 void operators_advection(const struct weights *weights, struct operators_values u, double (*out)[3]);
 
+/* The difference u_j - u_i of the velocity at a wall entry: no penetration along the normal, the slip of the
+ * walls across. Any thread. */
+void operators_mirror(const struct weights *weights, size_t wall, const double *own, double difference[3]);
+
 #endif

@@ -104,3 +104,8 @@ check_PROGRAMS += tests/mpi/test_solve
 tests_mpi_test_solve_SOURCES = tests/mpi/test_solve.c tests/mpi/team.c tests/mpi/team.h
 tests_mpi_test_solve_CPPFLAGS = $(MPI_TEST_FLAGS)
 tests_mpi_test_solve_LDADD = $(SOLVE_LIBS) $(TEST_LIBS) $(MPI_LIBS)
+
+check_PROGRAMS += tests/mpi/test_projection
+tests_mpi_test_projection_SOURCES = tests/mpi/test_projection.c tests/mpi/team.c tests/mpi/team.h
+tests_mpi_test_projection_CPPFLAGS = $(MPI_TEST_FLAGS)
+tests_mpi_test_projection_LDADD = $(FLUID_LIBS) $(TEST_LIBS) $(MPI_LIBS)

@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Patterns and values of the fluid's matrices. Read assembly.h first. */
+#include "fluid/assembly.h"
+#include "core/memory.h"
+
+#include <omp.h>
+#include <string.h>
+
+/* A fluid neighbour in the order of columns. */
+struct link {
+    int64_t column;
+    size_t entry; /* of the weights; SIZE_MAX: the row's own */
+};
+
+static size_t fluid_entries(const struct weights *weights, size_t row) {
+    return weights_walls(weights, row) - weights->start[row];
+}
+
+/* Sorts the columns of a row into `link`, and returns how many links there are: neighbours and one. */
+static size_t sort_links(const struct flow *flow, size_t row, struct link *link) {
+    const struct weights *weights = flow->weights;
+    size_t count = 0;
+    for (size_t e = weights->start[row]; e <= weights_walls(weights, row); e++) {
+        bool own = e == weights_walls(weights, row);
+        size_t particle = own ? weights->first + row : pair_partner(weights->partner[e]), at = count++;
+        int64_t column = flow->row[particle];
+        for (; at > 0 && link[at - 1].column > column; at--)
+            link[at] = link[at - 1];
+        link[at] = (struct link){column, own ? SIZE_MAX : e};
+    }
+    return count;
+}
+
+static size_t longest_row(const struct weights *weights) {
+    size_t longest = 0;
+    for (size_t row = 0; row < weights->rows; row++)
+        longest = fluid_entries(weights, row) > longest ? fluid_entries(weights, row) : longest;
+    return longest;
+}
+
+/* Goes through the rows: counts their columns into start[row + 1], or fills. */
+static void scan_rows(struct assembly *assembly, const struct flow *flow, size_t longest, bool fill) {
+    const struct weights *weights = flow->weights;
+#pragma omp parallel
+    {
+        struct link *link = memory_allocate(longest + 1, sizeof *link, "columns of a row");
+#pragma omp for schedule(static)
+        for (size_t row = 0; row < weights->rows; row++) {
+            size_t count = sort_links(flow, row, link);
+            int32_t at = fill ? assembly->start[row] : 0;
+            for (size_t k = 0; k < count; k++) {
+                at += k > 0 && link[k].column != link[k - 1].column;
+                if (!fill)
+                    continue;
+                assembly->column[at] = (int32_t)link[k].column;
+                if (link[k].entry == SIZE_MAX)
+                    assembly->diagonal[row] = at;
+                else
+                    assembly->place[link[k].entry] = at;
+            }
+            if (!fill)
+                assembly->start[row + 1] = at + 1;
+        }
+        memory_free(link);
+    }
+}
+
+bool assembly_make(struct assembly *assembly, const struct flow *flow, struct error *error) {
+    const struct weights *weights = flow->weights;
+    int64_t rows = (int64_t)weights->rows, entries = (int64_t)(weights->start[weights->rows] + weights->rows);
+    comm_sum_int(flow->comm, &rows, 1);
+    comm_max_int(flow->comm, &entries, 1);
+    if (rows >= INT32_MAX || entries >= INT32_MAX)
+        return error_set(
+            error, ERROR_USER,
+            "%lld fluid particles with %lld entries of a matrix on one rank are more than PETSc's "
+            "integers of 32 bits can count: take more ranks, or a coarser spacing",
+            (long long)rows, (long long)entries);
+    size_t n = weights->rows, longest = longest_row(weights);
+    assembly->rows = (int32_t)n;
+    assembly->start = memory_resize(assembly->start, n + 1, sizeof *assembly->start, "matrix");
+    assembly->diagonal = memory_resize(assembly->diagonal, n, sizeof *assembly->diagonal, "matrix");
+    assembly->place = memory_resize(assembly->place, weights->start[n], sizeof *assembly->place, "matrix");
+    assembly->start[0] = 0;
+    scan_rows(assembly, flow, longest, false);
+    for (size_t row = 0; row < n; row++)
+        assembly->start[row + 1] += assembly->start[row];
+    size_t used = (size_t)assembly->start[n];
+    assembly->column = memory_resize(assembly->column, used, sizeof *assembly->column, "matrix");
+    assembly->value = memory_resize(assembly->value, used, sizeof *assembly->value, "matrix");
+    scan_rows(assembly, flow, longest, true);
+    return true;
+}
+
+void assembly_free(struct assembly *assembly) {
+    memory_free(assembly->start);
+    memory_free(assembly->column);
+    memory_free(assembly->place);
+    memory_free(assembly->diagonal);
+    memory_free(assembly->value);
+    *assembly = (struct assembly){0};
+}
+
+struct solve_rows assembly_rows(const struct assembly *assembly) {
+    return (struct solve_rows){assembly->rows, assembly->start, assembly->column, assembly->value};
+}
+
+double assembly_wall_factor(const struct weights *weights, size_t wall, int component) {
+    double straight = 1 + weights->mirror[wall];
+    if (!(weights->slip > 0))
+        return straight;
+    double n = weights->foot[weights->wall_foot[wall]].normal[component],
+           along = weights_tangential_factor(weights, wall);
+    return along + (straight - along) * n * n;
+}
+
+/* Adds -factor w_ij (f_j - f_i) over the fluid neighbours of a row to the cleared values; returns the sum of
+ * w_ij. */
+static void add_neighbours(struct assembly *assembly, const struct weights *weights, size_t row,
+                           double factor) {
+    double *value = assembly->value, sum = 0;
+    memset(value + assembly->start[row], 0,
+           (size_t)(assembly->start[row + 1] - assembly->start[row]) * sizeof *value);
+    for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++) {
+        value[assembly->place[e]] -= factor * weights->scalar[e];
+        sum += weights->scalar[e];
+    }
+    value[assembly->diagonal[row]] += factor * sum;
+}
+
+void assembly_momentum(struct assembly *assembly, const struct weights *weights, double inertia,
+                       double viscous, int component) {
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++) {
+        double sum = 0;
+        size_t e = weights_walls(weights, row);
+        add_neighbours(assembly, weights, row, viscous);
+        for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++)
+            sum += weights->scalar[e] * assembly_wall_factor(weights, k, component);
+        assembly->value[assembly->diagonal[row]] += inertia + viscous * sum;
+    }
+}
+
+void assembly_pressure(struct assembly *assembly, const struct weights *weights) {
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++)
+        add_neighbours(assembly, weights, row, 1);
+}

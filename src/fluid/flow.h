@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The state of a flow on rows of weights, as the schemes (projection.h, steady.h) see it: plain arrays by
+ * particle number, owned particles and copies, and a way to bring copies up to date. Nothing here knows scenes
+ * or physics; flow_fields.c fills a flow from the fields of a set of particles, tests fill it by hand. */
+#ifndef SCREE_FLUID_FLOW_H
+#define SCREE_FLUID_FLOW_H
+
+#include "comm/comm.h"
+#include "fluid/operators.h"
+
+/* The arrays whose copies a scheme brings up to date. */
+enum flow_array { FLOW_VELOCITY, FLOW_PRESSURE, FLOW_PREDICTED, FLOW_INCREMENT, FLOW_ROW };
+
+/* All borrowed. Values of fluid particles alone are used. */
+struct flow {
+    const struct comm *comm;
+    const struct weights *weights;
+    double *velocity; /* u, length/time: 3 components, velocity_stride doubles from one to the next */
+    size_t velocity_stride;
+    double *pressure;         /* p, pressure, without that of the driving force */
+    double *predicted;        /* 3 components: u* of a step; scratch of the coupled solver */
+    double *increment;        /* phi of a step; scratch */
+    double *advection_before; /* 3 components: (u . grad) u of the step before; copies have none */
+    int64_t *row;             /* global number of a fluid particle's row (flow_number) */
+    int regions;              /* connected regions of the fluid on all ranks, >= 1 */
+    const int32_t *region;    /* by row of the weights; NULL with one region */
+    /* Sends an array's values to the copies. NULL: there are none. Collective. */
+    void (*forward)(const struct flow *flow, enum flow_array array);
+    const void *context;
+};
+
+/* Numbers the rows over all ranks, rank after rank, in the copies too. Returns their number. Collective. */
+int64_t flow_number(const struct flow *flow);
+
+/* Brings the copies of an array up to date. Collective. */
+void flow_forward(const struct flow *flow, enum flow_array array);
+
+/* The arrays as operators see them. */
+struct operators_values flow_velocity(const struct flow *flow);
+struct operators_values flow_pressure(const struct flow *flow);
+struct operators_values flow_predicted(const struct flow *flow);
+struct operators_values flow_increment(const struct flow *flow);
+
+/* The velocity of a row's particle. */
+static inline double *flow_velocity_of(const struct flow *flow, size_t row) {
+    return flow->velocity + (flow->weights->first + row) * flow->velocity_stride;
+}
+
+/* The mean velocity over the volume of the fluid, and that volume; `value` is by particle number. Collective. */
+void flow_mean(const struct flow *flow, struct operators_values value, double mean[3], double *volume);
+
+#endif

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Makes and solves the Poisson equation of the pressure. Read pressure.h first. */
+#include "fluid/pressure.h"
+#include "core/memory.h"
+#include "fluid/residual.h"
+
+bool pressure_make(struct pressure *pressure, struct solve *solve, struct assembly *assembly,
+                   const struct flow *flow, const struct solve_options *options, struct error *error) {
+    const struct weights *weights = flow->weights;
+    assembly_pressure(assembly, weights);
+    struct solve_rows rows = assembly_rows(assembly);
+    pressure->side = memory_allocate(weights->rows, sizeof(double), "pressure");
+    pressure->solution = memory_allocate_zero(weights->rows, sizeof(double), "pressure");
+    pressure->system = solve_create(solve, &rows, options, error);
+    if (pressure->system == NULL)
+        return false;
+    if (flow->regions > SOLVE_REGIONS_MAX)
+        return error_set(error, ERROR_USER,
+                         "the fluid is in %d regions that are not connected; at most %d are allowed",
+                         flow->regions, SOLVE_REGIONS_MAX);
+    solve_null_space(pressure->system, flow->regions, flow->region);
+    return true;
+}
+
+void pressure_free(struct pressure *pressure) {
+    solve_destroy(&pressure->system);
+    memory_free(pressure->side);
+    memory_free(pressure->solution);
+    *pressure = (struct pressure){0};
+}
+
+bool pressure_solve(struct pressure *pressure, const struct flow *flow, const double *divergence,
+                    double factor, struct error *error) {
+    const struct weights *weights = flow->weights;
+    for (size_t row = 0; row < weights->rows; row++)
+        pressure->side[row] = -factor * divergence[row];
+    solve_solve(pressure->system, pressure->side, pressure->solution, false);
+    for (size_t row = 0; row < weights->rows; row++)
+        flow->increment[weights->first + row] = pressure->solution[row];
+    return residual_check(solve_report(pressure->system), "pressure", error);
+}
