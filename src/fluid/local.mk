@@ -14,6 +14,8 @@ libfluid_la_SOURCES = \
 	src/fluid/fluid.c \
 	src/fluid/fluid.h \
 	src/fluid/fluid_rows.c \
+	src/fluid/forces.c \
+	src/fluid/forces.h \
 	src/fluid/kernel.c \
 	src/fluid/kernel.h \
 	src/fluid/mirror.c \
@@ -34,6 +36,8 @@ libfluid_la_SOURCES = \
 	src/fluid/residual.c \
 	src/fluid/residual.h \
 	src/fluid/state.h \
+	src/fluid/steady.c \
+	src/fluid/steady.h \
 	src/fluid/tensors.c \
 	src/fluid/tensors.h \
 	src/fluid/weights.c \

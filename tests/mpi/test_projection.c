@@ -9,8 +9,10 @@
 #include <cmocka.h>
 
 #include "core/memory.h"
+#include "fluid/forces.h"
 #include "fluid/mirror.h"
 #include "fluid/projection.h"
+#include "fluid/steady.h"
 #include "particles/kinds.h"
 #include "team.h"
 
@@ -286,6 +288,43 @@ static void walls_slip(void **state) {
     team_finish(team);
 }
 
+/* The parabola, solved for at once: the same flow as after a long march; what the walls take is what the force
+ * gives. A box without walls has no steady flow. */
+static void steady_flow_is_found(void **state) {
+    struct team *team = *state;
+    struct square s;
+    const double force[3] = {1, 0, 0};
+    for (int walls = 0; walls < 2; walls++) {
+        struct error error = {0};
+        struct steady_report report = {0};
+        if (square_make(&s, team, 32, walls, KERNEL_WENDLAND_C2, 2.3, 0)) {
+            struct steady_options options = {1, s.spacing, 1e-4, 200, "boomeramg"};
+            flow_number(&s.flow);
+            struct steady *steady = steady_create(s.solve, &s.flow, &options, &error);
+            team_expect(team, (steady != NULL) == walls, "walls %d: %s", walls, error.text);
+            if (steady != NULL) {
+                team_expect(team, steady_solve(steady, &s.flow, force, &report, &error), "%s", error.text);
+                double gap = profile_error(&s, 100, 0), sum[2] = {0};
+                size_t feet = s.weights.foot_start[s.weights.rows];
+                struct forces_part *part = memory_allocate(feet, sizeof *part, "test");
+                forces_feet(&s.flow, 1, part);
+                for (size_t f = 0; f < feet; f++)
+                    for (int d = 0; d < 2; d++)
+                        sum[d] += part[f].viscous[d] + part[f].pressure[d];
+                memory_free(part);
+                print_message("steady: error %.3g, %d iterations, residual %.2g, force %.6g %.3g\n", gap,
+                              report.iterations, report.residual, sum[0], sum[1]);
+                team_expect(team, gap < 4e-3 && report.iterations <= 50, "error %g", gap);
+                team_expect(team, fabs(sum[0] - 1) < 1e-3 && fabs(sum[1]) < 1e-3, "force %g %g", sum[0],
+                            sum[1]);
+                steady_destroy(&steady);
+            }
+        }
+        square_free(&s);
+    }
+    team_finish(team);
+}
+
 int main(int argc, char **argv) {
     struct team team;
     team_start(&team, &argc, &argv);
@@ -294,6 +333,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(steps_are_of_second_order, &team),
         cmocka_unit_test_prestate(poiseuille_starts, &team),
         cmocka_unit_test_prestate(walls_slip, &team),
+        cmocka_unit_test_prestate(steady_flow_is_found, &team),
     };
     int failed = cmocka_run_group_tests(tests, NULL, NULL);
     return team_stop(&team) + failed;

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The force of the fluid on the bodies that bound it: the momentum that leaves the fluid through its wall
+ * neighbours. On a lattice the exchanges between fluid particles cancel in pairs, so the forces on all bodies
+ * add up to that on the fluid:
+ *
+ *   F_g = sum over fluid i of V_i sum over j of body g of [mu w_ij (1 + beta_ij) (u_i - u_w) + 2 p_i b_ij]
+ *
+ * With a slip length (1 + beta)(u_i - u_w) is what the mirror gives (operators_mirror). p lacks the pressure
+ * whose mean gradient drives the flow. */
+#ifndef SCREE_FLUID_FORCES_H
+#define SCREE_FLUID_FORCES_H
+
+#include "fluid/flow.h"
+
+/* The force at one foot, in two parts. */
+struct forces_part {
+    double viscous[3], pressure[3];
+};
+
+/* part[foot] = the force on the body of the foot, over the neighbours of its row; feet lie at x_i - d_i n.
+ * `viscosity` is dynamic. Copies need not be up to date. Opens its own team. */
+void forces_feet(const struct flow *flow, double viscosity, struct forces_part *part);
+
+#endif

@@ -1,0 +1,291 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The coupled solver of steady Stokes flow. Read steady.h first.
+ *
+ * A vector of the solver holds this rank's velocities, component after component, then its pressures. In the
+ * solver's units p is p spacing / mu, momentum is multiplied by spacing^2 / mu and continuity by the spacing. */
+#include "fluid/steady.h"
+#include "core/memory.h"
+#include "fluid/assembly.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { EVERY = 10, RESTART = 30 };
+
+/* The momentum's residual, as a part of the force, that is small enough. */
+#define RESIDUAL_ENOUGH 1e-3
+
+struct steady {
+    struct steady_options options;
+    const struct flow *flow; /* during a solve */
+    struct solve_system *velocity[3], *coupled;
+    int systems;
+    size_t rows, unknowns;
+    double (*vector)[3], *scalar; /* [rows]: results of operators */
+    double *still;                /* [unknowns]: the operator's value of a fluid at rest: walls that move */
+    double *side, *solution, *product; /* [unknowns] */
+    double flow_before[3];             /* mean velocity ten iterations ago */
+    double change, residual;
+};
+
+/* Spreads a vector of the solver into the arrays of the flow, copies included. */
+static void spread(const struct steady *steady, const double *x) {
+    const struct flow *flow = steady->flow;
+    size_t n = steady->rows, dimension = (size_t)flow->weights->dimension;
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < n; row++) {
+        size_t i = flow->weights->first + row;
+        for (size_t d = 0; d < 3; d++)
+            flow->predicted[3 * i + d] = d < dimension ? x[d * n + row] : 0;
+        flow->increment[i] = x[dimension * n + row];
+    }
+    flow_forward(flow, FLOW_PREDICTED);
+    flow_forward(flow, FLOW_INCREMENT);
+}
+
+/* y = the operator's value, walls that move included. */
+static void apply(struct steady *steady, const double *x, double *y) {
+    const struct weights *weights = steady->flow->weights;
+    size_t n = steady->rows, dimension = (size_t)weights->dimension;
+    double dx = steady->options.spacing;
+    spread(steady, x);
+    operators_divergence(weights, flow_predicted(steady->flow), y + dimension * n);
+    operators_gradient(weights, flow_increment(steady->flow), steady->vector);
+    for (size_t row = 0; row < n; row++) {
+        for (size_t d = 0; d < dimension; d++)
+            y[d * n + row] = dx * steady->vector[row][d];
+        y[dimension * n + row] *= -dx;
+    }
+    operators_laplacian_velocity(weights, flow_predicted(steady->flow), steady->vector);
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < n; row++)
+        for (size_t d = 0; d < dimension; d++)
+            y[d * n + row] -= dx * dx * steady->vector[row][d];
+}
+
+static void multiply(void *context, const double *x, double *y) {
+    struct steady *steady = context;
+    apply(steady, x, y);
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < steady->unknowns; k++)
+        y[k] -= steady->still[k];
+}
+
+/* Subtracts the mean over each region of the fluid. */
+static void subtract_means(const struct flow *flow, double *value) {
+    size_t n = flow->weights->rows, regions = (size_t)flow->regions;
+    double *sum = memory_allocate_zero(2 * regions, sizeof *sum, "means over regions");
+    for (size_t row = 0; row < n; row++) {
+        size_t region = flow->region != NULL ? (size_t)flow->region[row] : 0;
+        sum[region] += value[row];
+        sum[regions + region] += 1;
+    }
+    comm_sum(flow->comm, sum, 2 * flow->regions);
+    for (size_t row = 0; row < n; row++) {
+        size_t region = flow->region != NULL ? (size_t)flow->region[row] : 0;
+        value[row] -= sum[region] / sum[regions + region];
+    }
+    memory_free(sum);
+}
+
+static void precondition(void *context, const double *r, double *z) {
+    struct steady *steady = context;
+    const struct flow *flow = steady->flow;
+    size_t n = steady->rows, dimension = (size_t)flow->weights->dimension;
+    double *pressure = z + dimension * n;
+    for (size_t row = 0; row < n; row++)
+        pressure[row] = -r[dimension * n + row];
+    subtract_means(flow, pressure);
+    for (size_t row = 0; row < n; row++)
+        flow->increment[flow->weights->first + row] = pressure[row];
+    flow_forward(flow, FLOW_INCREMENT);
+    operators_gradient(flow->weights, flow_increment(flow), steady->vector);
+    for (size_t d = 0; d < dimension; d++) {
+        for (size_t row = 0; row < n; row++)
+            steady->scalar[row] = r[d * n + row] - steady->options.spacing * steady->vector[row][d];
+        solve_cycle(steady->velocity[steady->systems > 1 ? d : 0], steady->scalar, z + d * n);
+    }
+}
+
+/* The mean velocity over the volume of the fluid. */
+static void mean_flow(const struct steady *steady, const double *x, double mean[3]) {
+    const struct weights *weights = steady->flow->weights;
+    double sum[4] = {0};
+    for (size_t row = 0; row < steady->rows; row++) {
+        for (int d = 0; d < weights->dimension; d++)
+            sum[d] += weights->volume[row] * x[(size_t)d * steady->rows + row];
+        sum[3] += weights->volume[row];
+    }
+    comm_sum(steady->flow->comm, sum, 4);
+    for (int d = 0; d < 3; d++)
+        mean[d] = sum[d] / sum[3];
+}
+
+/* |b - A x| / |b| of the momentum, and of the divergence its size. */
+static double momentum_residual(struct steady *steady, const double *x, double *divergence) {
+    size_t momentum = (size_t)steady->flow->weights->dimension * steady->rows;
+    double sum[4] = {0, 0, 0, (double)steady->rows};
+    multiply(steady, x, steady->product);
+    for (size_t k = 0; k < steady->unknowns; k++) {
+        double gap = steady->side[k] - steady->product[k];
+        sum[k < momentum ? 0 : 2] += gap * gap;
+        sum[1] += k < momentum ? steady->side[k] * steady->side[k] : 0;
+    }
+    comm_sum(steady->flow->comm, sum, 4);
+    *divergence = sqrt(sum[2] / sum[3]);
+    return sum[1] > 0 ? sqrt(sum[0] / sum[1]) : 0;
+}
+
+static double length(const double v[3]) {
+    return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+}
+
+static bool enough(void *context, int iteration, const double *x, double residual) {
+    struct steady *steady = context;
+    double mean[3], difference[3], divergence;
+    (void)iteration, (void)residual;
+    mean_flow(steady, x, mean);
+    for (int d = 0; d < 3; d++) {
+        difference[d] = mean[d] - steady->flow_before[d];
+        steady->flow_before[d] = mean[d];
+    }
+    steady->change = length(mean) > 0 ? length(difference) / length(mean) : 1;
+    steady->residual = momentum_residual(steady, x, &divergence);
+    return steady->change <= steady->options.tolerance && steady->residual <= RESIDUAL_ENOUGH;
+}
+
+/* True if walls or grains hold the fluid. */
+static bool is_held(const struct flow *flow) {
+    int64_t walls = (int64_t)flow->weights->wall_start[flow->weights->rows];
+    comm_sum_int(flow->comm, &walls, 1);
+    return walls > 0;
+}
+
+static bool make_systems(struct steady *steady, struct solve *solve, const struct flow *flow,
+                         struct error *error) {
+    struct assembly assembly = {0};
+    double dx = steady->options.spacing;
+    struct solve_options options = solve_options_regular("fluid_u_");
+    options.preconditioner = steady->options.preconditioner;
+    bool good = assembly_make(&assembly, flow, error);
+    steady->systems = flow->weights->slip > 0 ? flow->weights->dimension : 1;
+    for (int s = 0; good && s < steady->systems; s++) {
+        assembly_momentum(&assembly, flow->weights, 0, dx * dx, s);
+        struct solve_rows rows = assembly_rows(&assembly);
+        steady->velocity[s] = solve_create(solve, &rows, &options, error);
+        good = steady->velocity[s] != NULL;
+    }
+    assembly_free(&assembly);
+    struct solve_free work = {(int32_t)steady->unknowns, steady, multiply, precondition, enough, EVERY};
+    options = solve_options_regular("fluid_s_");
+    options.method = "gmres";
+    options.restart = RESTART;
+    options.tolerance = 1e-10;
+    options.iterations = steady->options.iterations;
+    if (good)
+        steady->coupled = solve_create_free(solve, &work, &options, error);
+    return good && steady->coupled != NULL;
+}
+
+struct steady *steady_create(struct solve *solve, const struct flow *flow,
+                             const struct steady_options *options, struct error *error) {
+    if (!is_held(flow)) {
+        error_set(error, ERROR_USER,
+                  "no wall and no grain holds the fluid, so it has no steady flow (fluid.time)");
+        return NULL;
+    }
+    struct steady *steady = memory_allocate_zero(1, sizeof *steady, "steady flow");
+    size_t n = flow->weights->rows, unknowns = ((size_t)flow->weights->dimension + 1) * n;
+    steady->options = *options;
+    steady->flow = flow;
+    steady->rows = n;
+    steady->unknowns = unknowns;
+    steady->vector = memory_allocate(n, sizeof *steady->vector, "steady flow");
+    steady->scalar = memory_allocate(n, sizeof(double), "steady flow");
+    steady->still = memory_allocate(unknowns, sizeof(double), "steady flow");
+    steady->side = memory_allocate(unknowns, sizeof(double), "steady flow");
+    steady->solution = memory_allocate(unknowns, sizeof(double), "steady flow");
+    steady->product = memory_allocate(unknowns, sizeof(double), "steady flow");
+    if (!make_systems(steady, solve, flow, error))
+        steady_destroy(&steady);
+    return steady;
+}
+
+void steady_destroy(struct steady **steady) {
+    struct steady *s = *steady;
+    if (s == NULL)
+        return;
+    solve_destroy(&s->coupled);
+    for (int k = 0; k < s->systems; k++)
+        solve_destroy(&s->velocity[k]);
+    memory_free(s->vector);
+    memory_free(s->scalar);
+    memory_free(s->still);
+    memory_free(s->side);
+    memory_free(s->solution);
+    memory_free(s->product);
+    memory_free(s);
+    *steady = NULL;
+}
+
+/* Right-hand side and first guess. */
+static void fill_side(struct steady *steady, const double force[3]) {
+    const struct flow *flow = steady->flow;
+    size_t n = steady->rows, dimension = (size_t)flow->weights->dimension;
+    double dx = steady->options.spacing, viscosity = steady->options.viscosity;
+    memset(steady->solution, 0, steady->unknowns * sizeof(double));
+    apply(steady, steady->solution, steady->still);
+    for (size_t row = 0; row < n; row++) {
+        for (size_t d = 0; d < dimension; d++) {
+            steady->side[d * n + row] = dx * dx / viscosity * force[d] - steady->still[d * n + row];
+            steady->solution[d * n + row] = flow_velocity_of(flow, row)[d];
+        }
+        steady->side[dimension * n + row] = -steady->still[dimension * n + row];
+        steady->solution[dimension * n + row] = flow->pressure[flow->weights->first + row] * dx / viscosity;
+    }
+    subtract_means(flow, steady->side + dimension * n);
+}
+
+/* Puts the solution into the flow. */
+static void take(struct steady *steady) {
+    const struct flow *flow = steady->flow;
+    size_t n = steady->rows, dimension = (size_t)flow->weights->dimension;
+    double scale = steady->options.viscosity / steady->options.spacing;
+    subtract_means(flow, steady->solution + dimension * n);
+    for (size_t row = 0; row < n; row++) {
+        for (size_t d = 0; d < dimension; d++)
+            flow_velocity_of(flow, row)[d] = steady->solution[d * n + row];
+        flow->pressure[flow->weights->first + row] = scale * steady->solution[dimension * n + row];
+    }
+    flow_forward(flow, FLOW_VELOCITY);
+    flow_forward(flow, FLOW_PRESSURE);
+}
+
+bool steady_solve(struct steady *steady, const struct flow *flow, const double force[3],
+                  struct steady_report *report, struct error *error) {
+    double mean[3], divergence;
+    steady->flow = flow;
+    memset(steady->flow_before, 0, sizeof steady->flow_before);
+    fill_side(steady, force);
+    bool converged = solve_solve(steady->coupled, steady->side, steady->solution, true);
+    const struct solve_report *coupled = solve_report(steady->coupled),
+                              *velocity = solve_report(steady->velocity[0]);
+    steady->residual = momentum_residual(steady, steady->solution, &divergence);
+    mean_flow(steady, steady->solution, mean);
+    *report = (struct steady_report){.iterations = coupled->iterations,
+                                     .converged = converged,
+                                     .change = steady->change,
+                                     .residual = steady->residual,
+                                     .divergence = divergence / fmax(length(mean), 1e-300),
+                                     .seconds_set_up = velocity->seconds_set_up,
+                                     .seconds_solve = coupled->seconds_solve};
+    take(steady);
+    if (converged)
+        return true;
+    return error_set(
+        error, ERROR_PHYSICS,
+        "the steady flow did not converge in %d iterations (%s): over the last ten the mean flow "
+        "changed by %.2g of itself, and the momentum's residual is %.2g of the force; a larger "
+        "fluid.solver.tolerance or a finer spacing may help",
+        coupled->iterations, coupled->reason, steady->change, steady->residual);
+}
