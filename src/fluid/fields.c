@@ -5,12 +5,22 @@
 #include "particles/fields.h"
 #include "particles/kinds.h"
 #include "physics_table.h"
+#include <math.h>
 
 /* clang-format off */
 #define OF_FLUID .kinds = 1u << KIND_FLUID, .needed_for = "fluid"
 static const struct field
-    pressure = {.name = "pressure", .type = FIELD_DOUBLE, .components = 1, .use = FIELD_TRAVELS | FIELD_OUTPUT,
+    pressure = {.name = "pressure", .type = FIELD_DOUBLE, .components = 1, .use = FIELD_GHOST | FIELD_TRAVELS | FIELD_OUTPUT,
                 .unit = "Pa", OF_FLUID, .help = "pressure of the fluid, of mean 0 and without what drives the flow"},
+    divergence = {.name = "divergence", .type = FIELD_DOUBLE, .components = 1, .use = FIELD_OUTPUT | FIELD_ASKED,
+                  .unit = "s-1", OF_FLUID, .help = "divergence of the velocity, as the scheme computes it"},
+    advection = {.name = "fluid_advection", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS, .unit = "m s-2",
+                 OF_FLUID, .help = "(u . grad) u of the step before"},
+    predicted = {.name = "fluid_predicted", .type = FIELD_DOUBLE, .components = 3, .unit = "m s-1", OF_FLUID,
+                 .help = "velocity within a step, before the pressure makes it free of divergence"},
+    increment = {.name = "fluid_increment", .type = FIELD_DOUBLE, .components = 1, .unit = "Pa", OF_FLUID,
+                 .help = "change of the pressure in a step"},
+    row = {.name = "fluid_row", .type = FIELD_INT64, .components = 1, OF_FLUID, .help = "row of the matrices"},
     region = {.name = "fluid_region", .type = FIELD_INT32, .components = 1,
               .use = FIELD_TRAVELS | FIELD_OUTPUT | FIELD_ASKED | FIELD_FIXED, OF_FLUID,
               .help = "number of the connected region of fluid, from the largest one, 0, on"},
@@ -22,12 +32,33 @@ static const struct field
 
 void fluid_fields(struct particles *particles) {
     fields_register(particles, &pressure);
+    fields_register(particles, &divergence);
+    fields_register(particles, &advection);
+    fields_register(particles, &predicted);
+    fields_register(particles, &increment);
+    fields_register(particles, &row);
     fields_register(particles, &region);
     fields_register(particles, &body);
 }
 
+int fluid_handle(const struct particles *particles, enum flow_array array) {
+    static const struct field *const fields[] = {[FLOW_PRESSURE] = &pressure,
+                                                 [FLOW_PREDICTED] = &predicted,
+                                                 [FLOW_INCREMENT] = &increment,
+                                                 [FLOW_ROW] = &row};
+    return array == FLOW_VELOCITY ? FIELD_VELOCITY : fields_handle(particles, fields[array]);
+}
+
 double *fluid_pressure(const struct particles *particles) {
     return fields_values(particles, &pressure);
+}
+
+double *fluid_divergence(const struct particles *particles) {
+    return fields_values(particles, &divergence);
+}
+
+double *fluid_advection(const struct particles *particles) {
+    return fields_values(particles, &advection);
 }
 
 int32_t *fluid_region(const struct particles *particles) {
@@ -38,4 +69,88 @@ int64_t *fluid_body(const struct particles *particles) {
     return fields_values(particles, &body);
 }
 
-const struct observable_table fluid_observables = {NULL, 0};
+static bool known(const struct output_view *view) {
+    return fluid_pressure(view->particles) != NULL;
+}
+
+/* The volume of a fluid particle of the lattice; 0 of other particles. */
+static double volume_of(const struct output_view *view, size_t i) {
+    const uint8_t *kind = kinds_of(view->particles);
+    double edge = 2 * view->particles->state[i].radius;
+    if (kind == NULL || kind[i] != KIND_FLUID)
+        return 0;
+    return view->box->dimension == 2 ? edge * edge : edge * edge * edge;
+}
+
+static double box_volume(const struct output_view *view) {
+    double volume = 1;
+    for (int d = 0; d < view->box->dimension; d++)
+        volume *= view->box->edge[d];
+    return volume;
+}
+
+static void take_velocity(const struct observable_context *context, struct observable_item *item,
+                          double *part) {
+    (void)item;
+    for (size_t i = 0; i < context->view->particles->owned; i++)
+        for (int d = 0; d < 3; d++)
+            part[d] += volume_of(context->view, i) * context->view->particles->state[i].v[d];
+}
+
+static void divide_velocity(const struct output_view *view, const struct observable_item *item,
+                            double *part) {
+    (void)item;
+    for (int d = 0; d < 3; d++)
+        part[d] /= box_volume(view);
+}
+
+static void take_porosity(const struct observable_context *context, struct observable_item *item,
+                          double *part) {
+    (void)item;
+    for (size_t i = 0; i < context->view->particles->owned; i++)
+        part[0] += volume_of(context->view, i) / box_volume(context->view);
+}
+
+/* Half of the square of the velocity: times the density of the fluid the energy. */
+static void take_square(const struct observable_context *context, struct observable_item *item,
+                        double *part) {
+    (void)item;
+    for (size_t i = 0; i < context->view->particles->owned; i++) {
+        const double *v = context->view->particles->state[i].v;
+        part[0] += 0.5 * volume_of(context->view, i) * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    part[0] /= box_volume(context->view);
+}
+
+static void take_speed(const struct observable_context *context, struct observable_item *item, double *part) {
+    (void)item;
+    for (size_t i = 0; i < context->view->particles->owned; i++) {
+        const double *v = context->view->particles->state[i].v;
+        if (volume_of(context->view, i) > 0)
+            part[0] = fmax(part[0], sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
+    }
+}
+
+static void take_divergence(const struct observable_context *context, struct observable_item *item,
+                            double *part) {
+    const double *value = fluid_divergence(context->view->particles);
+    (void)item;
+    for (size_t i = 0; value && i < context->view->particles->owned; i++)
+        if (volume_of(context->view, i) > 0)
+            part[0] = fmax(part[0], fabs(value[i]));
+}
+
+#define INFO(word, unit, text, components)                                                                   \
+    .info = {"fluid_" word, "fluid", unit, text, OBSERVABLE_OF_ALL, components, unit}, .parts = components,  \
+    .relevant = known
+static const struct observable_kind kinds[] = {
+    {INFO("velocity", "m/s",
+          "superficial velocity: sum of velocity x volume of the fluid over the volume of the box", 3),
+     .of_rank = take_velocity, .finish = divide_velocity},
+    {INFO("porosity", "1", "volume of the fluid over that of the box", 1), .of_rank = take_porosity},
+    {INFO("energy", "m2/s2", "kinetic energy over the fluid's density and the volume of the box", 1),
+     .of_rank = take_square},
+    {INFO("speed", "m/s", "largest speed", 1), .of_rank = take_speed, .combine = OBSERVABLE_MAX},
+    {INFO("divergence", "1/s", "largest divergence of the velocity", 1), .of_rank = take_divergence,
+     .combine = OBSERVABLE_MAX}};
+const struct observable_table fluid_observables = {kinds, 5};

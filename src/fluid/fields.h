@@ -3,10 +3,18 @@
 #ifndef SCREE_FLUID_FIELDS_H
 #define SCREE_FLUID_FIELDS_H
 
+#include "fluid/flow.h"
 #include "particles/particles.h"
 
-/* Pressure; of the fluid particles. */
+/* The handle of an array of a flow. */
+int fluid_handle(const struct particles *particles, enum flow_array array);
+
+/* Pressure, and divergence of the velocity, which is made before output; of the fluid particles. */
 double *fluid_pressure(const struct particles *particles);
+double *fluid_divergence(const struct particles *particles);
+
+/* (u . grad) u of the step before, three components; of the fluid particles. */
+double *fluid_advection(const struct particles *particles);
 
 /* Number of the connected region, 0 ...; of the fluid particles. */
 int32_t *fluid_region(const struct particles *particles);

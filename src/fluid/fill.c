@@ -7,6 +7,7 @@
 #include "fluid/regions.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
+#include "solve/solve.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -110,10 +111,29 @@ static bool flow_suits(const struct physics_context *context, struct error *erro
                       "taylor_green needs a box that is periodic in x and y and as long in x as in y");
 }
 
+static bool solver_there(const struct physics_context *context, struct error *error) {
+    return solve_available() || scene_fail(context->scene, error, "fluid",
+                                           "this program was built without PETSc, which solves the equations "
+                                           "of a fluid; install it (Debian: "
+                                           "libpetsc-real-dev) and configure again");
+}
+
+/* Combinations of keys. */
+static bool options_suit(const struct physics_context *context, struct error *error) {
+    const struct fluid_options *options = context->options;
+    if (options->time == FLUID_STEADY && options->equations != FLUID_STOKES)
+        return scene_fail(
+            context->scene, error, "fluid.time",
+            "steady goes with equations: stokes alone; for the steady flow of navier_stokes run a "
+            "transient one until it no longer changes");
+    return true;
+}
+
 bool fill_run(const struct physics_context *context, const struct physics_share *share, struct error *error) {
     struct nodes nodes = {0};
     struct regions regions = {0};
-    bool good = flow_suits(context, error) && nodes_make(&nodes, context, error);
+    bool good = solver_there(context, error) && options_suit(context, error) && flow_suits(context, error) &&
+                nodes_make(&nodes, context, error);
     if (good)
         regions = regions_find(&nodes);
     good = good && suits(&nodes, &regions, context, error);

@@ -11,6 +11,8 @@ libfluid_la_SOURCES = \
 	src/fluid/fill.h \
 	src/fluid/flow.c \
 	src/fluid/flow.h \
+	src/fluid/flow_fields.c \
+	src/fluid/flow_fields.h \
 	src/fluid/fluid.c \
 	src/fluid/fluid.h \
 	src/fluid/fluid_rows.c \
@@ -18,6 +20,8 @@ libfluid_la_SOURCES = \
 	src/fluid/forces.h \
 	src/fluid/kernel.c \
 	src/fluid/kernel.h \
+	src/fluid/march.c \
+	src/fluid/march.h \
 	src/fluid/mirror.c \
 	src/fluid/mirror.h \
 	src/fluid/momentum.c \

@@ -4,17 +4,23 @@
 #define SCREE_FLUID_STATE_H
 
 #include "fluid/fluid.h"
-
-struct flow;
+#include "fluid/projection.h"
 
 struct fluid {
     const struct fluid_options *options; /* borrowed */
     double support;                      /* radius, length */
     double volume;                       /* of a particle on the lattice, length^dimension; 0: they differ */
-    struct pair_rows pairs;              /* of all owned particles; empty again once weights are made */
     struct weights weights;
-    double rows[2]; /* of all ranks: fluid particles, those with singular tensors */
-    size_t lost;    /* wall neighbours without a body */
+    double rows[2];  /* of all ranks: fluid particles, those with singular tensors */
+    size_t lost;     /* wall neighbours without a body */
+    uint64_t layout; /* checksum of the particles for which the matrices were made; 0: none */
+    int regions;     /* connected regions */
+    struct flow flow;
+    struct solve *solve;           /* NULL: not begun */
+    struct projection *projection; /* NULL: no matrices yet */
+    struct projection_past past;
+    uint64_t done;      /* the last step that was made */
+    struct error error; /* until the guard takes it */
 };
 
 #endif

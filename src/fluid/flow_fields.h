@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* A flow (flow.h) on the fields of a set of particles. */
+#ifndef SCREE_FLUID_FLOW_FIELDS_H
+#define SCREE_FLUID_FLOW_FIELDS_H
+
+#include "engine/physics.h"
+#include "fluid/flow.h"
+
+/* Fills a flow with the present arrays of the particles; `flow->context` borrows the context. Again after each
+ * rebuild. The fields are those of fluid_fields. */
+void flow_fields_take(struct flow *flow, const struct physics_context *context, const struct weights *weights,
+                      int regions);
+
+#endif

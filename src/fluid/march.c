@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* From rebuilds and steps of the engine to the flow: weights, matrices, steps. Read march.h and flow.h first. */
+#include "fluid/march.h"
+#include "contact/spin.h"
+#include "core/checksum.h"
+#include "core/memory.h"
+#include "fluid/fields.h"
+#include "fluid/flow_fields.h"
+#include "fluid/mirror.h"
+#include "fluid/state.h"
+#include "particles/fields.h"
+#include "particles/kinds.h"
+#include "walls/wall.h"
+#include <math.h>
+#include <string.h>
+
+/* Largest motion in a step, in spacings. */
+#define COURANT 0.5
+
+static void wall_foot(const void *context, int wall, const double x[3], struct weights_foot *foot) {
+    struct wall_foot found;
+    walls_foot(context, wall, x, &found);
+    foot->distance = found.distance;
+    memcpy(foot->normal, found.normal, sizeof foot->normal);
+    memcpy(foot->velocity, found.velocity, sizeof foot->velocity);
+}
+
+static void weights_of(const struct physics_context *context, struct fluid *fluid) {
+    struct particles *p = context->particles;
+    struct kind_span span = kinds_span(p, context->classes, KIND_FLUID);
+    struct pair_rows pairs = {0};
+    pair_rows_build(&pairs, context->list[0], p->owned);
+    const struct weights_input input = {.particles = p,
+                                        .kind = kinds_of(p),
+                                        .first = span.first,
+                                        .end = span.end,
+                                        .pairs = &pairs,
+                                        .shift = (const double(*)[4])context->list[0]->shift,
+                                        .dimension = context->box->dimension};
+    const struct weights_options options = {
+        .kernel = kernel_make(fluid->options->kernel.name, fluid->support, context->box->dimension),
+        .operators = fluid->options->operators,
+        .spacing = fluid->options->spacing,
+        .volume = fluid->volume,
+        .slip = fluid_slip(fluid->options)};
+    const struct mirror_input mirror = {.rows = &input,
+                                        .body = fluid_body(p),
+                                        .spin = (const double(*)[4])spin_of(p),
+                                        .spacing = fluid->options->spacing,
+                                        .wall = wall_foot,
+                                        .context = context->walls};
+    weights_make(&fluid->weights, &input, &options);
+    fluid->lost = mirror_make(&fluid->weights, &mirror);
+    pair_rows_free(&pairs);
+    fluid->rows[0] = (double)fluid->weights.rows;
+    fluid->rows[1] = (double)fluid->weights.poor;
+    comm_sum(context->comm, fluid->rows, 2);
+}
+
+/* A number that changes if the particles of this rank, or their order, do. */
+static uint64_t layout_of(const struct particles *p) {
+    uint64_t sum = p->owned + 1;
+    for (size_t k = 0; k < p->owned + p->ghosts; k++)
+        sum = checksum_row(sum, &p->id[k], sizeof p->id[k]);
+    return sum ? sum : 1;
+}
+
+static int regions_of(const struct physics_context *context, const struct fluid *fluid) {
+    const int32_t *region = fluid_region(context->particles);
+    int64_t most = 0;
+    for (size_t row = 0; row < fluid->weights.rows; row++)
+        most = region[fluid->weights.first + row] > most ? region[fluid->weights.first + row] : most;
+    comm_max_int(context->comm, &most, 1);
+    return (int)most + 1;
+}
+
+void march_rebuilt(const struct physics_context *context) {
+    struct fluid *fluid = context->self;
+    uint64_t layout = layout_of(context->particles);
+    int64_t changed = layout != fluid->layout;
+    comm_max_int(context->comm, &changed, 1);
+    if (changed) {
+        projection_destroy(&fluid->projection);
+        weights_of(context, fluid);
+        fluid->regions = regions_of(context, fluid);
+    }
+    fluid->layout = layout;
+    flow_fields_take(&fluid->flow, context, &fluid->weights, fluid->regions);
+    flow_forward(&fluid->flow, FLOW_VELOCITY);
+    flow_forward(&fluid->flow, FLOW_PRESSURE);
+    if (changed)
+        flow_number(&fluid->flow);
+    else
+        flow_forward(&fluid->flow, FLOW_ROW);
+}
+
+/* Makes matrices and solvers where there are none. */
+static bool prepare(const struct physics_context *context, struct fluid *fluid) {
+    const struct fluid_options *options = fluid->options;
+    const struct projection_options wanted = {
+        .density = options->density,
+        .viscosity = options->viscosity,
+        .spacing = options->spacing,
+        .dt = context->clock->dt,
+        .advection = options->equations == FLUID_NAVIER_STOKES,
+        .preconditioner = options->solver.preconditioner == FLUID_GAMG ? "gamg" : "boomeramg",
+        .tolerance_velocity = 1e-8,
+        .tolerance_pressure = isnan(options->solver.tolerance) ? 1e-5 : options->solver.tolerance};
+    if (fluid->solve == NULL)
+        fluid->solve = solve_begin(context->comm, options->solver.petsc, &fluid->error);
+    if (fluid->solve != NULL && fluid->projection == NULL)
+        fluid->projection = projection_create(fluid->solve, &fluid->flow, &wanted, &fluid->error);
+    return fluid->projection != NULL;
+}
+
+/* Walls that slide within themselves have new velocities; one that comes nearer or goes away is refused. */
+static void walls_follow(const struct physics_context *context, struct fluid *fluid) {
+    const struct weights *weights = &fluid->weights;
+    const double same = 1e-6 * fluid->options->spacing;
+    size_t moved = 0;
+    if (context->walls == NULL || !walls_move(context->walls))
+        return;
+#pragma omp parallel for schedule(static) reduction(+ : moved)
+    for (size_t row = 0; row < weights->rows; row++)
+        for (size_t k = weights->foot_start[row]; k < weights->foot_start[row + 1]; k++) {
+            struct weights_foot *foot = &weights->foot[k];
+            struct wall_foot now;
+            if (foot->body >= 0)
+                continue;
+            walls_foot(context->walls, body_wall(foot->body),
+                       context->particles->state[weights->first + row].x, &now);
+            moved += fabs(now.distance - foot->distance) > same;
+            memcpy(foot->velocity, now.velocity, sizeof foot->velocity);
+        }
+    double all = (double)moved;
+    comm_sum(context->comm, &all, 1);
+    if (all > 0)
+        error_set(
+            &fluid->error, ERROR_USER,
+            "fluid: a wall moves towards the fluid or away from it; allowed are walls that slide within "
+            "themselves, as a lid does");
+}
+
+void march_step(const struct physics_context *context) {
+    struct fluid *fluid = context->self;
+    if (context->clock->step == fluid->done || fluid->error.kind != ERROR_NONE)
+        return;
+    fluid->done = context->clock->step;
+    walls_follow(context, fluid);
+    if (fluid->error.kind == ERROR_NONE && prepare(context, fluid))
+        projection_step(fluid->projection, &fluid->flow, &fluid->past, context->clock->dt,
+                        fluid->options->drive.body_force, &fluid->error);
+}
+
+void march_look(const struct physics_context *context) {
+    struct fluid *fluid = context->self;
+    double *divergence = fluid_divergence(context->particles);
+    operators_divergence(&fluid->weights, flow_velocity(&fluid->flow), divergence + fluid->weights.first);
+}
+
+double march_limit(const struct physics_context *context, double most) {
+    const struct fluid *fluid = context->self;
+    const uint8_t *kind = kinds_of(context->particles);
+    double square = 0;
+    if (fluid->options->equations == FLUID_STOKES)
+        return most;
+    for (size_t k = 0; k < context->particles->owned; k++) {
+        const double *v = context->particles->state[k].v;
+        if (kind[k] == KIND_FLUID)
+            square = fmax(square, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    comm_max(context->comm, &square, 1);
+    return square > 0 ? fmin(most, COURANT * fluid->options->spacing / sqrt(square)) : most;
+}
+
+void march_end(void *self) {
+    struct fluid *fluid = self;
+    projection_destroy(&fluid->projection);
+    if (fluid->solve)
+        solve_end(&fluid->solve, NULL, 0);
+    weights_free(&fluid->weights);
+    memory_free(fluid);
+}
