@@ -17,9 +17,10 @@ section() {
 
 ## Particle updates per core and second
 
-Written by \`examples/pupcs/run.sh\`: the scenarios of Eibl and Rüde's Table 1 with one process's share on each core, millions of particle updates per
-core and second. \`sparse\` and \`large\` are for timing only (a contact lasts 5 steps and more than 15); in \`sparse-physical\` one lasts 20. waLBerla: medians of
-its pe engine with soft contacts on two ranks of a machine like this one, where its next-neighbour synchronisation is wrong in \`large\`.
+\`examples/pupcs/run.sh\` writes this section. The scenarios are those of Eibl and Rüde's Table 1, with the share of one process on each core; the
+table has millions of particle updates per core and second. \`sparse\` and \`large\` are for timing only (a contact lasts 5 steps, and more than 15
+steps); in \`sparse-physical\` a contact lasts 20 steps. The columns of waLBerla are medians of its pe engine with soft contacts on two ranks of a
+machine of the same kind; in \`large\` the results of waLBerla's next-neighbour synchronisation are wrong.
 
 | scenario | ranks x threads | neighbours | shadow | shadow / neighbours | waLBerla, neighbours | shadow | ratio |
 |---|---|---|---|---|---|---|---|

@@ -51,9 +51,9 @@ section() {
 
 ## The size of the largest particle
 
-Written by \`examples/pupcs/sizes.sh\`, after section 4.3 of Eibl and Rüde: one sphere of growing radius in a periodic cube of edge 80 full of spheres of
-radius 0.4, in subdomains of an edge that is given; millions of particle updates per core and second. Many ranks share few cores here, so messages
-cost more than they would on a core each.
+\`examples/pupcs/sizes.sh\` writes this section, after section 4.3 of Eibl and Rüde: one sphere of growing radius is in a periodic cube of edge 80 full
+of spheres of radius 0.4, divided into subdomains of the given edge. The table has millions of particle updates per core and second. Many ranks
+share few cores here, so messages cost more than with one core for each rank.
 
 ![particle updates against the radius of the largest particle](images/scaling-sizes.svg)
 

@@ -53,9 +53,10 @@ section() {
 
 ## Reduced ghosts
 
-Written by \`examples/scaling/ghosts.sh\`: $large spheres of radius R in a tenth of a periodic cube, $small of radius 1 between them, at rest
-on $ranks ranks, newton on. With full ghosts a small sphere is copied to all ranks within the reach of a large one, with reduced ghosts within that
-of its like; what geometry predicts is what lies within that distance of a subdomain. Large spheres travel alike in both.
+\`examples/scaling/ghosts.sh\` writes this section. The scene has $large spheres of radius R in a tenth of a periodic cube and $small spheres of radius 1
+between these spheres, at rest on $ranks ranks, newton on. With full ghosts all ranks within the reach of a large sphere get a copy of a small sphere;
+with reduced ghosts only ranks within the reach of small spheres do. The geometric prediction is the number of spheres within this distance of a
+subdomain. The copies of large spheres are the same in both.
 
 | R | ghosts | copies of small spheres | by geometry | ratio | kB a step for them | by geometry | copies of large ones | kB a step in all |
 |---|---|---|---|---|---|---|---|---|

@@ -48,11 +48,12 @@ head_section() {
     cat <<END
 # Scaling
 
-This page is written by \`examples/scaling/run.sh\`, which makes all the runs below; [examples/scaling](../examples/scaling/README.md)
-says what each is. Made on $(origin); $(awk 'match($0, /"cores": [0-9]+/) { n = substr($0, RSTART + 9, RLENGTH - 9) + 0; m = n > m ? n : m } END { print m }' "$columns/all") cores.
+\`examples/scaling/run.sh\` makes all the runs below and writes this page; [examples/scaling](../examples/scaling/README.md)
+describes the runs. Made on $(origin); $(awk 'match($0, /"cores": [0-9]+/) { n = substr($0, RSTART + 9, RLENGTH - 9) + 0; m = n > m ? n : m } END { print m }' "$columns/all") cores.
 
-PUpCS: particle updates per core and second, steps x particles / (seconds x cores in use), as Eibl and Rüde (Parallel Computing 80
-(2018) 36-48) define it; with more ranks x threads than cores, the cores count. Of several runs the one with the median time is shown.
+PUpCS means particle updates per core and second: steps x particles / (seconds x cores in use), as defined by Eibl and Rüde (Parallel Computing 80
+(2018) 36-48); with more ranks x threads than cores, the divisor is the number of cores. Of several runs the tables show the run with the median
+time.
 END
 }
 speed_section() {
@@ -60,8 +61,8 @@ speed_section() {
 
 ## Weak and strong
 
-An agitated gas with friction (\`scene.yaml\`). Weak: a like share for each core, so a perfect code keeps its PUpCS. Strong: one gas for
-all. Efficiency: PUpCS over that of 1x1.
+The scene is an agitated gas with friction (\`scene.yaml\`). Weak: each thread of each rank has an equal share, so a perfect code keeps its PUpCS.
+Strong: all layouts have the same gas. Efficiency: PUpCS divided by the PUpCS of 1x1. The last column is the share of communication and waiting.
 
 | ranks x threads | spheres | seconds | ns a sphere, step and core | M PUpCS | efficiency | imbalance | for other ranks |
 |---|---|---|---|---|---|---|---|
@@ -83,7 +84,8 @@ hybrid_section() {
 
 ## Threads against ranks
 
-The bidisperse benchmark with R = 10 (\`examples/bench\`), seconds of each stage, medians of the runs, mean over ranks.
+The scene is the bidisperse benchmark with R = 10 (\`examples/bench\`). The table has the seconds of each stage, medians of the runs, means over
+ranks.
 
 | stage | 1x1 | threads | ranks | speed-up, threads | speed-up, ranks | threads / ranks |
 |---|---|---|---|---|---|---|
@@ -106,25 +108,25 @@ ranks_section() {
 
 ## Messages, bytes and memory of a rank
 
-Weak scaling with small shares, many ranks on few cores: times mean nothing here, counts do. All are means over ranks, of what a rank
-sends. Memory is what the program counts of itself: held at the end, and the most at any time, which here is set-up; then the largest resident
-set, MPI and libraries included.
+The runs are weak scaling with small shares and many ranks on few cores, so only the counts have a meaning, the times do not. All counts are means
+over ranks of the messages and bytes that a rank sends. Memory is the memory that the program counts: the memory held at the end, and the most at
+any time, which here is the set-up. The last column is the largest resident set, MPI and libraries included.
 END
-    ranks_rows scene brick 10 'The gas, a cube of 10 x 10 x 10 for each rank, bricks; a rank has 7 neighbours on 2 x 2 x 2 ranks and 26 from 3 x 3 x 3 on, and no message goes to one who needs no copy:'
-    ranks_rows scene bisection 10 'The same by bisection (a division of equal numbers of particles; faces do not meet their like, so there are more neighbours):'
-    ranks_rows boulders brick 8 'A boulder of 1.6 subdomain edges across for each 27 ranks, in a row of blocks of 3 x 3 x 3; it must be known beyond the neighbours of its owner, and copies spread as shadows:'
+    ranks_rows scene brick 10 'The gas, a cube of 10 x 10 x 10 for each rank, bricks; a rank has 7 neighbours on 2 x 2 x 2 ranks and 26 from 3 x 3 x 3 on, and a rank that needs no copy gets no message:'
+    ranks_rows scene bisection 10 'The same gas, divided by bisection (subdomains with equal numbers of particles; their faces do not match, so there are more neighbours):'
+    ranks_rows boulders brick 8 'A boulder of 1.6 subdomain edges across for each 27 ranks, in a row of blocks of 3 x 3 x 3; ranks beyond the neighbours of its owner need copies, and copies spread as shadows:'
     cat <<END
 
-A step sends one message to each rank that holds copies, and gets one back with forces. Once the box is longer than the reach in each
-direction, the number of ranks plays no part any more.
+In a step the owner sends one message to each rank that holds copies, and gets one message with forces back. If the box is clearly longer than the
+reach in each direction, the counts do not depend on the number of ranks.
 END
     picture ranks 'messages and bytes of a rank against the number of ranks'
     rows=$(tables table=copies form=page)
     [ "$(echo "$rows" | wc -l)" -gt 1 ] || return 0
     cat <<END
 
-Copies follow the geometry of the share: what lies within the reach h of a cube of edge L, outside of it, fills 6 L² h + 3 pi L h² + 4/3 pi h³
-(h = 1.086: a radius, the largest radius and the skin). On 27 ranks:
+Copies follow the geometry of the share: the space outside a cube of edge L within the reach h of the cube has the volume
+6 L² h + 3 pi L h² + 4/3 pi h³ (h = 1.086: a radius, the largest radius and the skin). On 27 ranks:
 
 | edge of the share | spheres a rank | copies a rank | by geometry | difference |
 |---|---|---|---|---|
@@ -134,30 +136,33 @@ END
 lengths_section() {
     cat <<END
 
-## What has the length of the rank count
+## Data with the length of the rank count
 
-**In the step: nothing.** A step is one message to and from each rank of the plan (\`src/comm/ghosts.c\`, \`exchange.c\`) and one non-blocking
-reduction of 2 x classes + 4 numbers (\`src/engine/step.c\`). \`grep -n 'comm->size\\|->ranks' src/comm/*.c\` shows all places that see the rank count:
+**A step has no such data.** A step has one message to and from each rank of the plan (\`src/comm/ghosts.c\`, \`exchange.c\`) and one non-blocking
+reduction of 2 x classes + 4 numbers (\`src/engine/decide.c\`). \`grep -n 'comm->size\\|->ranks' src/comm/*.c\` shows the places in `src/comm` that read the rank count:
 
-| where | when | what |
+| file | time | data |
 |---|---|---|
-| \`domain.c\`, bricks | set-up | a loop over the rank count that looks for its factors; faces of the grid, about 24 cbrt(P) bytes |
+| \`domain.c\`, bricks | set-up | a loop over the rank count for its factors; faces of the grid, about 24 cbrt(P) bytes |
+| \`domain_grid.c\`, bricks | set-up | loads of all bricks of a grid that is tried: 8 bytes a rank, on every rank, not kept |
 | \`domain_tree.c\` | set-up, division | the cut tree of a bisection: 16 bytes a rank, on every rank, kept |
 | \`balance_zoltan.c\` | division of a bisection | corners, places and order of all subdomains, 84 bytes a rank, and what Zoltan takes |
 | \`comm.c\` (\`comm_gather_varying\`) | text dumps | 8 bytes a rank and a loop over ranks, on rank 0 |
 | \`observe/report.c\` | end of the run | copies, messages and bytes of all ranks: 24 bytes a rank, on every rank |
 | \`formats/checkpoint.c\` | checkpoints | a row of each rank in the file; a resume on as many ranks reads 8 bytes a rank |
-| \`formats/dump.c\` | text dumps | rank after rank is written by rank 0 |
-| \`scene/source.c\` | set-up | every rank walks through all particles of the scene and keeps its own: time and 32 bytes a particle of the whole scene |
+| \`formats/dump.c\` | text dumps | rank 0 writes the rows of one rank after another |
+| \`scene/scene_particles.c\` | set-up | every rank goes through all particles of the scene and keeps its own particles: time and 32 bytes a particle of the whole scene |
 
-Sorting by rank (\`groups.c\`), which each rebuild does four times, follows the items and the ranks that occur among them.
+Each rebuild sorts items by rank four times (\`groups.c\`); the time of a sorting depends on the number of items and of the ranks that occur among the
+items.
 
 END
     has lengths || return 0
     cat <<END
 
-Measured on one process with made-up rank counts (\`bench_ranks\`): milliseconds to make a domain with its neighbours, its size; seconds to
-make a cut tree from all corners; nanoseconds to find the owner of a position; milliseconds of one sorting by rank.
+The following times and sizes were measured on one process with pretended rank counts (\`bench_ranks\`): the milliseconds to make a domain with its
+neighbours, and the size of the domain; the seconds to make a cut tree from all corners; the nanoseconds to find the owner of a position; the
+milliseconds of one sorting by rank.
 
 | ranks | bricks, ms | kB | bisection, ms | tree, kB | division, s | owner in bricks, ns | owner in the tree, ns | sorting, ms |
 |---|---|---|---|---|---|---|---|---|
@@ -171,8 +176,9 @@ model_section() {
 
     T(P) = n w + (m + m'/k) a + (b + b'/k) S(n) / B + (1 + 3/k) 2 ceil(log2 P) a + 4 g(P) / k
 
-n spheres a rank, w the work of one; m messages and b bytes of a step, m' and b' of a rebuild, one in k steps; a the latency of a message, B
-the bandwidth of a rank, S(n) the growth of the shell of copies with the share; g(P) one sorting by rank, measured above, which does not grow.
+Here n is the number of spheres of a rank, w the work of one sphere; m and b are the messages and bytes of a step, m' and b' those of a rebuild, with
+one rebuild in k steps; a is the latency of a message, B the bandwidth of a rank, S(n) the growth of the shell of copies with the share, and g(P)
+the time of one sorting by rank, measured above, which does not grow.
 
 | input | value | from |
 |---|---|---|
@@ -182,15 +188,16 @@ END
 
 Assumptions:
 
-1. Weak scaling: every rank has the same share, and its neighbourhood is that of the largest run above; so m, b do not depend on P, as measured
-   from 27 ranks on. The load is even. A layer of ranks that wait for a slower one is not in the model, nor are the noise of the system and jams in
-   the network.
-2. The network gives each message a latency of $(awk -v a="$latency" 'BEGIN { print 1e6 * a }') us and each rank $(awk -v b="$bandwidth" 'BEGIN { print b / 1e9 }') GB/s: 64 ranks that
-   share a link of 200 Gbit/s, all of whose messages leave the node. Packing is in the work.
-3. A reduction takes twice the depth of a binary tree. One a step (is a rebuild due?), and three a rebuild (migration, copies, exact
+1. Scaling is weak: every rank has the same share, and its neighbourhood is that of the largest run above; so m and b do not depend on P, as
+   measured from 27 ranks on. The load is even. The model leaves out ranks that wait for a slower rank, the noise of the system, and jams in the
+   network.
+2. The network gives each message a latency of $(awk -v a="$latency" 'BEGIN { print 1e6 * a }') us and each rank $(awk -v b="$bandwidth" 'BEGIN { print b / 1e9 }') GB/s: 64 ranks
+   share a link of 200 Gbit/s, and all messages leave the node. The work includes packing.
+3. A reduction takes twice the depth of a binary tree. A step has one reduction (is a rebuild due?), and a rebuild three (migration, copies, exact
    displacements).
-4. Nothing overlaps, although values travel while inner particles are worked on, and the reduction while pairs with copies are.
-5. Bricks. A bisection adds its tree to the memory, and the division above, which each rank makes again when loads have become uneven.
+4. Nothing overlaps. (In the program values travel during the work on inner particles, and the reduction runs during the work on pairs with copies.)
+5. The domain is bricks. A bisection adds its tree to the memory, and the time of the division above, which each rank repeats when loads have become
+   uneven.
 
 | spheres a rank | ranks | work, ms | messages, ms | bytes, ms | reductions, ms | sorting by rank, ms | step, ms | efficiency |
 |---|---|---|---|---|---|---|---|---|
@@ -201,15 +208,15 @@ END
     picture model 'parts of a step against the number of ranks, as modelled'
     cat <<END
 
-Memory of a rank, MB: particles, copies, pairs and histories; what sorting by rank takes while it works; the tree of a bisection; the report
-at the end. MPI's own is not counted.
+The next table has the memory of a rank in MB: particles, copies, pairs and histories; the temporary memory of sorting by rank; the tree of a
+bisection; the report at the end. The memory of MPI is not counted.
 
 | spheres a rank | ranks | particles | sorting | tree | report |
 |---|---|---|---|---|---|
 $(model memory page 0)
 
-What does not scale is the **set-up** from a scene's sources, as every rank walks through all particles, so that ids, places and random
-numbers depend on nothing but the scene. A resume reads from a checkpoint only a rank's own part.
+The **set-up** from the sources of a scene does not scale, because every rank goes through all particles, so that ids, places and random
+numbers depend on the scene alone. In a resume a rank reads only its own part of a checkpoint.
 
 | spheres a rank | ranks | spheres | walk, s | GB a rank |
 |---|---|---|---|---|
