@@ -139,7 +139,7 @@ lengths_section() {
 ## Data with the length of the rank count
 
 **A step has no such data.** A step has one message to and from each rank of the plan (\`src/comm/ghosts.c\`, \`exchange.c\`) and one non-blocking
-reduction of 2 x classes + 4 numbers (\`src/engine/decide.c\`). \`grep -n 'comm->size\\|->ranks' src/comm/*.c\` shows the places in `src/comm` that read the rank count:
+reduction of 2 x classes + 4 numbers (\`src/engine/decide.c\`). \`grep -n 'comm->size\\|->ranks' src/comm/*.c\` shows the places in \`src/comm\` that read the rank count:
 
 | file | time | data |
 |---|---|---|
