@@ -50,6 +50,35 @@ warns() { # GUARD FLAG...: one warning, and the run goes on to its end
 check 'speed may warn, once' warns speed --set 'particles.sources[0].velocity=[0, 2000, 0]'
 check 'energy may warn, once' warns energy --set step.force=true --set step.dt=0.04 --set guards.overlap=off \
     --set guards.speed=off --set material_pairs[0].restitution=1
+# A spring that takes all of the slip is longer than friction loads it: energy of that law, no fault of the step
+cat >slide.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [400, 10, 40]}
+gravity: [0, 0, -10]
+step: {dt: 5e-4, count: 2000}
+integrator: velocity_verlet
+contact: {law: hooke, damping: coefficient, end: overlap, lammps_history: true}
+materials: [{name: stone, density: 1}]
+material_pairs: [{k_n: 10000, k_t: 10000, gamma_n: 10, gamma_t: 100, friction: 0.1}]
+walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}]
+particles: {from: single, position: [3, 5, 1.01], radius: 1, velocity: [20, 0, 0]}
+observables: {every: 100, list: [{name: energy}]}
+EOS
+own=(--set 'contact={law: hooke, sliding: total, end: overlap}' --set integrator=synchronised_verlet --set)
+slides() { # DIR FLAG...: to the end, though the spring holds more than half of the energy in play
+    run_scene 1 slide.yaml "$@" || return 1
+    awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) { sub(/\[.*/, "", $k); at[$k] = k } next }
+        { kinetic = $at["energy_kinetic"]; spring = $at["energy_elastic_tangential"]; if (kinetic > most) most = kinetic; if (spring > wound) wound = spring }
+        END { print "  the spring holds up to " wound ", kinetic energy is up to " most; exit !(wound > 0.5 * most) }' "$1/observables.csv"
+}
+explodes() { # DIR FLAG...: the same law, a step far above the stable one
+    on 1 "$scree" run slide.yaml -o "$@" --quiet --set step.force=true --set step.dt=0.04 --set guards.overlap=off --set guards.speed=off >said 2>&1
+    [ $? = 3 ] && holds said 'guards.energy: energy has grown'
+}
+check "a spring that LAMMPS's law winds up is no growth" slides lammps
+check 'nor is one of sliding: total' slides total "${own[@]}" 'material_pairs=[{restitution: 0.05, k_n: 10000, k_t: 10000, friction: 0.1}]'
+check "under LAMMPS's law true growth stops a run" explodes lammps-hot --set material_pairs[0].gamma_n=0 --set material_pairs[0].gamma_t=10
+check 'under sliding: total, too' explodes total-hot "${own[@]}" 'material_pairs=[{restitution: 1, k_n: 10000, k_t: 10000, friction: 0.1}]'
 came() { # particles that come bring energy
     run_scene 1 scene.yaml came --set guards.energy=stop --set gravity='[0, 0, -10]' --set step.count=2000 \
         --set 'insertions=[{region: {shape: box, lower: [0, 0, 8], upper: [10, 10, 10]}, sizes: 0.3, rate: 20, count: 25, velocity: [0, 0, -1]}]'
