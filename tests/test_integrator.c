@@ -130,6 +130,32 @@ static void test_prescribed(void **state) {
     particles_destroy(&p);
 }
 
+/* Energies of a range: those of the full-step velocities of its free particles. */
+static void test_energies(void **state) {
+    (void)state;
+    struct particles *p = spheres(4, WITH_SPIN);
+    struct integrator_context context = context_for(0.1, 3);
+    double energy[2] = {0.0, 0.0}, v[3], w[3];
+    context.gravity[2] = -1.0;
+    for (size_t k = 0; k < 4; k++) {
+        p->state[k].v[1] = (double)k;
+        spin_of(p)[k][2] = 2.0;
+        force_of(p, k)[0] = force_of(p, k)[5] = 3.0;
+    }
+    p->state[2].inverse_mass = 0.0;
+    integrator_energies(p, &context, 1, 4, energy);
+    double kinetic = 0.0, rotational = 0.0;
+    for (size_t k = 1; k < 4; k += 2) { /* mass 2, inertia 0.8 */
+        integrator_full_step(p, &context, k, v, w);
+        kinetic += v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        rotational += 0.4 * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    }
+    assert_near(energy[0], kinetic, 1e-12);
+    assert_near(energy[1], rotational, 1e-12);
+    assert_true(kinetic > 10.0 && rotational > 3.2);
+    particles_destroy(&p);
+}
+
 /* In 2D nothing moves in z, whatever pulls. */
 static void test_two_dimensions(void **state) {
     (void)state;
@@ -211,9 +237,9 @@ static void test_order(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_names),          cmocka_unit_test(test_constant_force),
-        cmocka_unit_test(test_ranges),         cmocka_unit_test(test_prescribed),
-        cmocka_unit_test(test_two_dimensions), cmocka_unit_test(test_order)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_names),    cmocka_unit_test(test_constant_force),
+                                       cmocka_unit_test(test_ranges),   cmocka_unit_test(test_prescribed),
+                                       cmocka_unit_test(test_energies), cmocka_unit_test(test_two_dimensions),
+                                       cmocka_unit_test(test_order)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

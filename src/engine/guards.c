@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Guards: physical nonsense stops the run (or warns, once), naming particles, place and time. */
 #include "engine/guards.h"
-#include "engine/view.h"
+#include "core/memory.h"
 #include "particles/kinds.h"
 #include <math.h>
 #include <stdio.h>
@@ -9,6 +9,9 @@
 
 /* Steps between two checks of the balance of energies. */
 enum { ENERGY_EVERY = 20, ENERGY_EVERY_AUTO = 100 };
+
+/* Particles whose energies one thread adds up at a time. */
+enum { ENERGY_CHUNK = 4096 };
 
 /* By default a run stops if the energy gained without cause exceeds this factor times guards.energy_bound:
  * such a gain is no drift, but energy that grows without bound. */
@@ -172,10 +175,6 @@ void guards_check_images(struct simulation *s) {
 
 bool guards_prepare(struct simulation *s, struct error *error) {
     const struct scene *scene = s->scene;
-    struct observables_options options = {.count = 1, .request = {{.name = "energy"}}};
-    struct output_run run = {
-        .directory = "", .scene = "", .materials = scene->materials, .material = scene->material};
-    struct output_view view = simulation_view(s);
     char place[SCENE_PATH_MAX];
     if (scene->guards.energy == SCENE_GUARD_OFF)
         return true;
@@ -189,60 +188,88 @@ bool guards_prepare(struct simulation *s, struct error *error) {
                        "balance; allowed here: auto, off",
                        scene_place(scene, "guards.energy", place, sizeof place), scene->group[g].name);
     s->grains.sums_each_step = s->grains.sums_each_step || !s->guards.energy.mechanical;
-    if (!observables_create(&s->guards.energy.observables, &options, &view, &run, error))
-        return false;
+    s->guards.energy.wanted = true;
     if (s->clock.step == 0) /* a resumed run has no sums before its first step */
         guards_check_energy(s);
     return true;
 }
 
-void guards_destroy(struct simulation *s) {
-    if (s->guards.energy.observables)
-        observables_destroy(&s->guards.energy.observables);
-}
-
 bool guards_energy_due(const struct simulation *s, uint64_t step) {
     const struct guard_energy *energy = &s->guards.energy;
-    return energy->observables && step % (energy->mechanical ? ENERGY_EVERY_AUTO : ENERGY_EVERY) == 0;
+    return energy->wanted && step % (energy->mechanical ? ENERGY_EVERY_AUTO : ENERGY_EVERY) == 0;
+}
+
+/* Energies of all grains, in this order. */
+enum { KINETIC, ROTATIONAL, GRAVITY, ELASTIC_NORMAL, ELASTIC_TANGENTIAL, TAKEN, WORK, ENERGIES };
+
+/* Energy of the free grains among the owned particles [first, last) in gravity; across periodic sides particles
+ * go on. */
+static double gravity_of(const struct simulation *s, size_t first, size_t last) {
+    int32_t(*const image)[3] = particles_images(s->particles);
+    const uint8_t *kind = kinds_of(s->particles);
+    const double *g = s->grains.motion.gravity;
+    double sum = 0;
+    if (g[0] == 0 && g[1] == 0 && g[2] == 0)
+        return 0;
+    for (size_t k = first; k < last; k++) {
+        const struct particle_state *p = &s->particles->state[k];
+        bool counts = p->inverse_mass > 0 && (kind == NULL || kind[k] == KIND_GRAIN);
+        for (int d = 0; counts && d < 3; d++)
+            sum -= g[d] / p->inverse_mass *
+                   (p->x[d] + s->scene->box.origin[d] + (image ? image[k][d] * s->scene->box.edge[d] : 0));
+    }
+    return sum;
+}
+
+/* Sums over all ranks. Particles go chunk by chunk, the chunks in order, whatever the number of threads. */
+static void energies_find(const struct simulation *s, double energy[ENERGIES]) {
+    size_t owned = s->particles->owned, chunks = owned / ENERGY_CHUNK + 1;
+    double(*part)[3] = memory_allocate_zero(chunks, sizeof *part, "energies");
+#pragma omp parallel for schedule(static)
+    for (size_t c = 0; c < chunks; c++) {
+        size_t first = c * ENERGY_CHUNK, last = first + ENERGY_CHUNK < owned ? first + ENERGY_CHUNK : owned;
+        integrator_energies(s->particles, &s->grains.motion, first, last, part[c]);
+        part[c][GRAVITY] = gravity_of(s, first, last);
+    }
+    memset(energy, 0, ENERGIES * sizeof *energy);
+    for (size_t c = 0; c < chunks; c++)
+        for (int k = KINETIC; k <= GRAVITY; k++)
+            energy[k] += part[c][k];
+    memory_free(part);
+    energy[ELASTIC_NORMAL] = s->grains.sums.elastic_normal;
+    energy[ELASTIC_TANGENTIAL] = s->grains.sums.elastic_tangential;
+    energy[TAKEN] = s->grains.taken;
+    energy[WORK] = s->grains.walls ? walls_work(s->grains.walls) : 0;
+    comm_sum(s->comm, energy, ENERGIES);
 }
 
 /* Measures the balance, and the energy in play: the largest value that any form of energy has reached.
  * Potential energy is left out, as its zero is arbitrary. */
-static bool energy_measure(struct simulation *s, double *balance, double *in_play) {
-    struct observables *observables = s->guards.energy.observables;
-    struct output_view view = simulation_view(s);
-    struct error error = {0};
+static void energy_measure(const struct simulation *s, double *balance, double *in_play) {
     const struct law_options *law = &s->grains.law.options;
-    bool mechanical = s->guards.energy.mechanical,
-         total = law->sliding == LAW_SLIDING_TOTAL || law->lammps_history;
-    double left_out = 0;
-    *in_play = 0;
-    if (!observables_write(observables, &view, &error)) {
-        s->error = error;
-        return false;
+    double energy[ENERGIES];
+    energies_find(s, energy);
+    double dissipated = energy[TAKEN] - energy[ELASTIC_TANGENTIAL];
+    if (s->guards.energy.mechanical) {
+        dissipated = 0; /* not summed at each step */
+        if (law->sliding == LAW_SLIDING_TOTAL || law->lammps_history)
+            energy[ELASTIC_TANGENTIAL] =
+                0; /* springs that take all of the slip are longer than friction loads
+                                               them */
     }
-    for (int c = 0; c < observables_columns(observables); c++) {
-        const char *name = observables_column_name(observables, c);
-        double value = observables_values(observables)[c];
-        if (strcmp(name, "energy_balance") == 0)
-            *balance = value;
-        else if (mechanical && strcmp(name, "energy_dissipated") == 0)
-            left_out += value; /* not summed at each step */
-        else if (mechanical && total && strcmp(name, "energy_elastic_tangential") == 0)
-            left_out += value; /* springs that take all of the slip are longer than friction loads them */
-        else if (strcmp(name, "energy_gravity") != 0)
-            *in_play = fmax(*in_play, fabs(value));
-    }
-    *balance -= left_out;
-    return true;
+    double mechanical =
+        energy[KINETIC] + energy[ROTATIONAL] + energy[ELASTIC_NORMAL] + energy[ELASTIC_TANGENTIAL];
+    *balance = mechanical + energy[GRAVITY] + dissipated - energy[WORK];
+    *in_play = fmax(fabs(dissipated), fabs(energy[WORK]));
+    for (int k = KINETIC; k <= ELASTIC_TANGENTIAL; k++)
+        *in_play = k == GRAVITY ? *in_play : fmax(*in_play, fabs(energy[k]));
 }
 
 void guards_check_energy(struct simulation *s) {
     struct guard_energy *energy = &s->guards.energy;
-    double balance = 0, in_play, speed;
+    double balance, in_play, speed;
     uint64_t changes = s->sources.inserted + s->sources.deleted;
-    if (!energy_measure(s, &balance, &in_play))
-        return;
+    energy_measure(s, &balance, &in_play);
     energy->in_play = fmax(energy->in_play, in_play);
     if (!energy->begun || changes != energy->changes || s->sources.last_step > energy->step) {
         energy->gained += energy->begun ? balance - energy->last : 0; /* energy of particles that came */

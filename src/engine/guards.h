@@ -5,12 +5,10 @@
 #define SCREE_ENGINE_GUARDS_H
 
 #include "engine/state.h"
-#include "observe/observables.h"
 
 /* Prepares the guard of energies, if the scene asks for it; refuses scenes that the guard cannot judge. The
  * simulation is complete except for the first forces. */
 bool guards_prepare(struct simulation *simulation, struct error *error);
-void guards_destroy(struct simulation *simulation);
 
 /* Stops or warns, as the scene says, if contacts have become too stiff for the time step (`text`). Called on
  * all ranks alike. */

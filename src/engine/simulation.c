@@ -320,7 +320,6 @@ void simulation_destroy(struct simulation **simulation) {
     if (s == NULL)
         return;
     team_end(&s->team);
-    guards_destroy(s);
     force_loop_destroy(&s->grains.loop);
     walls_destroy(&s->grains.walls);
     sweep_destroy(&s->search.sweep);

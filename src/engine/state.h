@@ -29,9 +29,9 @@ struct step_signals {
     bool error;      /* a rank has an error */
 };
 
-/* The guard of energies (guards.c). The energies are those of the observables. */
+/* The guard of energies (guards.c). */
 struct guard_energy {
-    struct observables *observables; /* NULL: the scene does not ask for the guard */
+    bool wanted;     /* the scene asks for the guard */
     bool mechanical; /* only kinetic, elastic and potential energy, which cannot grow: no sums at each
                         step */
     bool begun;

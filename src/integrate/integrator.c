@@ -154,19 +154,42 @@ void integrator_stagger(struct particles *particles, const struct integrator_con
         integrator_kick(pass, i);
 }
 
-void integrator_full_step(const struct particles *particles, const struct integrator_context *context,
-                          size_t i, double velocity[3], double omega[3]) {
-    struct integrator_pass pass = integrator_pass_of(particles, context, 0.5 * context->dt, omega != NULL);
-    const double *force = pass.force + i * pass.stride;
-    const struct particle_state *state = &pass.state[i];
-    const uint8_t *kind = kinds_of(particles);
-    bool free = integrator_motion_of(&pass, i) == NULL && (kind == NULL || kind[i] == KIND_GRAIN);
+/* As integrator_full_step, of a particle that moves by itself if `grain`; omega may be NULL. */
+static inline void full_step(const struct integrator_pass *pass, size_t i, bool grain, double velocity[3],
+                             double *omega) {
+    const double *force = pass->force + i * pass->stride;
+    const struct particle_state *state = &pass->state[i];
+    bool free = grain && integrator_motion_of(pass, i) == NULL;
     for (int c = 0; c < 3; c++)
         velocity[c] =
-            state->v[c] + (free ? pass.dt[c] * (force[c] * state->inverse_mass) + pass.fall[c] : 0.0);
+            state->v[c] + (free ? pass->dt[c] * (force[c] * state->inverse_mass) + pass->fall[c] : 0.0);
     if (omega == NULL)
         return;
     for (int c = 0; c < 3; c++)
-        omega[c] =
-            pass.omega[i][c] + (free ? pass.dt[0] * (force[4 + c] * integrator_inverse_inertia(state)) : 0.0);
+        omega[c] = pass->omega[i][c] +
+                   (free ? pass->dt[0] * (force[4 + c] * integrator_inverse_inertia(state)) : 0.0);
+}
+
+void integrator_full_step(const struct particles *particles, const struct integrator_context *context,
+                          size_t i, double velocity[3], double omega[3]) {
+    const struct integrator_pass pass =
+        integrator_pass_of(particles, context, 0.5 * context->dt, omega != NULL);
+    const uint8_t *kind = kinds_of(particles);
+    full_step(&pass, i, kind == NULL || kind[i] == KIND_GRAIN, velocity, omega);
+}
+
+void integrator_energies(const struct particles *particles, const struct integrator_context *context,
+                         size_t first, size_t last, double energy[2]) {
+    const struct integrator_pass pass = integrator_pass_of(particles, context, 0.5 * context->dt, true);
+    const uint8_t *kind = kinds_of(particles);
+    for (size_t i = first; i < last; i++) {
+        const struct particle_state *state = &pass.state[i];
+        double v[3], w[3] = {0.0, 0.0, 0.0};
+        if (!(state->inverse_mass > 0.0) || (kind && kind[i] != KIND_GRAIN))
+            continue;
+        full_step(&pass, i, true, v, pass.omega ? w : NULL);
+        double mass = 1.0 / state->inverse_mass;
+        energy[0] += 0.5 * mass * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        energy[1] += 0.2 * mass * state->radius * state->radius * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+    }
 }

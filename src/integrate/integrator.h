@@ -61,4 +61,9 @@ void integrator_stagger(struct particles *particles, const struct integrator_con
 void integrator_full_step(const struct particles *particles, const struct integrator_context *context,
                           size_t i, double velocity[3], double omega[3]);
 
+/* Adds the kinetic energy, and the energy of rotation, of the free grains among the owned particles [first, last)
+ * to energy[0] and energy[1]; at the full step. Any thread. */
+void integrator_energies(const struct particles *particles, const struct integrator_context *context,
+                         size_t first, size_t last, double energy[2]);
+
 #endif
