@@ -106,6 +106,7 @@ static void table_head(FILE *table, const struct timers *timers) {
     for (int k = 0; k < timers->stages; k++)
         fprintf(table, ",%s[s]", timers->stage[k].name);
     fprintf(table, "\n");
+    fflush(table);
 }
 
 static void table_row(FILE *table, const struct report *r) {

@@ -109,6 +109,32 @@ means() {
 }
 check 'columns can be judged by their means' means
 
+# No step beyond the stable one is tried, so none is advised: here contacts of the start allow a quarter of what contacts to come would
+cat >crystal.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [7.8, 7.8, 7.8], periodic: true}
+threads: 1
+step: {fraction: 0.45, contacts: 1, rebuild_every: 10}
+duration: 0.5
+contact: {law: hertz}
+materials: [{name: soft, density: 1, young: 1e4, poisson: 0.3}]
+material_pairs: [{restitution: 0.9, friction: 0.4}]
+particles: {from: file, file: crystal.txt, format: table}
+EOS
+awk 'BEGIN { srand(1); print "x y z vx vy vz radius"; for (k = 0; k < 64; k++) print k % 4 * 1.95, int(k / 4) % 4 * 1.95, int(k / 16) * 1.95,
+    0.02 * rand() - 0.01, 0.02 * rand() - 0.01, 0.02 * rand() - 0.01, 1 }' >crystal.txt
+stable_alone() {
+    local stable
+    stable=$("$scree" check crystal.yaml | sed -n 's/^  stable  *\([0-9.e+-]*\) .*/\1/p')
+    on 1 "$scree" ablate crystal.yaml --error -o stable --samples 2 --repeat 1 >said 2>told || { cat said told; return 1; }
+    awk -F, -v stable="$stable" 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+        { part = $at["dt_of_stable"]; if (!(part <= 0.95)) { print "  " $2 ": " part " of its stable step"; bad = 1 } }
+        $1 == "step" || $1 == "combined" { part = $at["dt"] / stable; if (part > most) most = part; if ($NF != "\"done\"") { print "  " $2 ": " $NF; bad = 1 } }
+        END { print "  steps up to " most " of the stable one, " stable; exit bad || !(most > 0.8 && most <= 0.95) }' stable/speed_error.csv &&
+        awk '/^advice: .* of the stable step/ { n++; match($0, /\([0-9.e+-]* of the stable/); if (!(substr($0, RSTART + 1) + 0 <= 0.95)) bad = 1 } END { exit bad || !n }' said || { cat said; return 1; }
+}
+check 'no step beyond the stable one is tried or advised' stable_alone
+
 refuses() { # WORDS FLAG...
     local words=$1
     shift
@@ -156,15 +182,16 @@ takes_signals() {
     [ "$(cat /proc/"$1"/comm 2>/dev/null)" = "$(basename "$scree")" ] &&
         [ $((0x0$(awk '/^SigCgt/ { print $2 }' /proc/"$1"/status) >> 14 & 1)) = 1 ]
 }
-# ended DIR FLAG...: SIGTERM while the first run goes on; the program says so and goes no further
+# ended DIR FILE FLAG...: SIGTERM while the first run goes on and, if a file is named, once it holds a line; the program says so and
+# goes no further
 ended() {
-    local dir=$1 starter program status k
-    shift
+    local dir=$1 file=$2 starter program status k
+    shift 2
     timeout "$limit" "$scree" ablate scene.yaml -o "$dir" "$@" >said 2>told &
     starter=$!
     for k in $(seq 300); do
         program=$(awk '{ print $1 }' /proc/$starter/task/$starter/children 2>/dev/null)
-        [ -n "$program" ] && takes_signals "$program" && break
+        [ -n "$program" ] && takes_signals "$program" && { [ -z "$file" ] || [ -s "$file" ]; } && break
         sleep 0.1
     done
     kill -TERM "$program" || { cat told; return 1; }
@@ -172,7 +199,7 @@ ended() {
     status=$?
     [ $status = 143 ] && holds told 'scree: ended by signal 15' && lacks said advice || { echo "  status $status"; cat told; return 1; }
 }
-check 'a signal ends a table of times, with status 143' ended ended-table --threads 1 --index brute,linkcell --steps 100000000
+check 'a signal ends a table of times, with status 143' ended ended-table ended-table/ablate.csv --threads 1 --index brute,linkcell --steps 100000000
 check 'what was written is kept' grep -q '^index,newton,ranks' ended-table/ablate.csv
-check 'a signal ends a study, with status 143' ended ended-study --error --duration 100000 --samples 2
+check 'a signal ends a study, with status 143' ended ended-study '' --error --duration 100000 --samples 2
 finish
