@@ -17,6 +17,9 @@
 /* Largest motion in a step, in spacings. */
 #define COURANT 0.5
 
+/* Time of a step in which nothing but the steady flow is looked for, in units of the scene. */
+#define STEADY_STEP 1.0
+
 static void wall_foot(const void *context, int wall, const double x[3], struct weights_foot *foot) {
     struct wall_foot found;
     walls_foot(context, wall, x, &found);
@@ -81,6 +84,7 @@ void march_rebuilt(const struct physics_context *context) {
     comm_max_int(context->comm, &changed, 1);
     if (changed) {
         projection_destroy(&fluid->projection);
+        steady_destroy(&fluid->steady);
         weights_of(context, fluid);
         fluid->regions = regions_of(context, fluid);
     }
@@ -94,23 +98,53 @@ void march_rebuilt(const struct physics_context *context) {
         flow_forward(&fluid->flow, FLOW_ROW);
 }
 
-/* Makes matrices and solvers where there are none. */
-static bool prepare(const struct physics_context *context, struct fluid *fluid) {
-    const struct fluid_options *options = fluid->options;
-    const struct projection_options wanted = {
-        .density = options->density,
-        .viscosity = options->viscosity,
-        .spacing = options->spacing,
-        .dt = context->clock->dt,
-        .advection = options->equations == FLUID_NAVIER_STOKES,
-        .preconditioner = options->solver.preconditioner == FLUID_GAMG ? "gamg" : "boomeramg",
-        .tolerance_velocity = 1e-8,
-        .tolerance_pressure = isnan(options->solver.tolerance) ? 1e-5 : options->solver.tolerance};
+static const char *preconditioner_of(const struct fluid_options *options) {
+    return options->solver.preconditioner == FLUID_GAMG ? "gamg" : "boomeramg";
+}
+
+static double tolerance_of(const struct fluid_options *options, double usual) {
+    return isnan(options->solver.tolerance) ? usual : options->solver.tolerance;
+}
+
+static bool begin(const struct physics_context *context, struct fluid *fluid) {
     if (fluid->solve == NULL)
-        fluid->solve = solve_begin(context->comm, options->solver.petsc, &fluid->error);
-    if (fluid->solve != NULL && fluid->projection == NULL)
+        fluid->solve = solve_begin(context->comm, fluid->options->solver.petsc, &fluid->error);
+    return fluid->solve != NULL;
+}
+
+/* A step in time; matrices and solvers are made where there are none. */
+static void step_transient(const struct physics_context *context, struct fluid *fluid) {
+    const struct fluid_options *options = fluid->options;
+    const struct projection_options wanted = {.density = options->density,
+                                              .viscosity = options->viscosity,
+                                              .spacing = options->spacing,
+                                              .dt = context->clock->dt,
+                                              .advection = options->equations == FLUID_NAVIER_STOKES,
+                                              .preconditioner = preconditioner_of(options),
+                                              .tolerance_velocity = 1e-8,
+                                              .tolerance_pressure = tolerance_of(options, 1e-5)};
+    if (fluid->projection == NULL)
         fluid->projection = projection_create(fluid->solve, &fluid->flow, &wanted, &fluid->error);
-    return fluid->projection != NULL;
+    if (fluid->projection != NULL)
+        projection_step(fluid->projection, &fluid->flow, &fluid->past, context->clock->dt,
+                        options->drive.body_force, &fluid->error);
+}
+
+/* The steady flow at once, in the first step; the steps after it leave it as it is. */
+static void step_steady(struct fluid *fluid) {
+    const struct fluid_options *options = fluid->options;
+    const struct steady_options wanted = {.viscosity = options->viscosity,
+                                          .spacing = options->spacing,
+                                          .tolerance = tolerance_of(options, 1e-3),
+                                          .iterations = 1000,
+                                          .preconditioner = preconditioner_of(options)};
+    if (fluid->solved)
+        return;
+    if (fluid->steady == NULL)
+        fluid->steady = steady_create(fluid->solve, &fluid->flow, &wanted, &fluid->error);
+    if (fluid->steady != NULL)
+        fluid->solved = steady_solve(fluid->steady, &fluid->flow, options->drive.body_force, &fluid->report,
+                                     &fluid->error);
 }
 
 /* Walls that slide within themselves have new velocities; one that comes nearer or goes away is refused. */
@@ -147,9 +181,12 @@ void march_step(const struct physics_context *context) {
         return;
     fluid->done = context->clock->step;
     walls_follow(context, fluid);
-    if (fluid->error.kind == ERROR_NONE && prepare(context, fluid))
-        projection_step(fluid->projection, &fluid->flow, &fluid->past, context->clock->dt,
-                        fluid->options->drive.body_force, &fluid->error);
+    if (fluid->error.kind != ERROR_NONE || !begin(context, fluid))
+        return;
+    if (fluid->options->time == FLUID_STEADY)
+        step_steady(fluid);
+    else
+        step_transient(context, fluid);
 }
 
 void march_look(const struct physics_context *context) {
@@ -162,6 +199,8 @@ double march_limit(const struct physics_context *context, double most) {
     const struct fluid *fluid = context->self;
     const uint8_t *kind = kinds_of(context->particles);
     double square = 0;
+    if (fluid->options->time == FLUID_STEADY)
+        return fmin(most, STEADY_STEP);
     if (fluid->options->equations == FLUID_STOKES)
         return most;
     for (size_t k = 0; k < context->particles->owned; k++) {
@@ -176,6 +215,7 @@ double march_limit(const struct physics_context *context, double most) {
 void march_end(void *self) {
     struct fluid *fluid = self;
     projection_destroy(&fluid->projection);
+    steady_destroy(&fluid->steady);
     if (fluid->solve)
         solve_end(&fluid->solve, NULL, 0);
     weights_free(&fluid->weights);

@@ -15,7 +15,8 @@ void march_step(const struct physics_context *context);
 /* Before output: the divergence. Collective. */
 void march_look(const struct physics_context *context);
 
-/* Half a spacing in a step at the largest speed; no limit without inertia. Collective. */
+/* Half a spacing in a step at the largest speed; no limit without inertia, and 1 where the flow is
+ * steady, as the time of its only step has no meaning. Collective. */
 double march_limit(const struct physics_context *context, double most);
 
 /* Ends the linear algebra. Collective. */

@@ -5,6 +5,7 @@
 
 #include "fluid/fluid.h"
 #include "fluid/projection.h"
+#include "fluid/steady.h"
 
 struct fluid {
     const struct fluid_options *options; /* borrowed */
@@ -19,6 +20,9 @@ struct fluid {
     struct solve *solve;           /* NULL: not begun */
     struct projection *projection; /* NULL: no matrices yet */
     struct projection_past past;
+    struct steady *steady; /* of a steady flow; NULL: no matrices yet */
+    struct steady_report report;
+    bool solved; /* the steady flow is there */
     uint64_t done;      /* the last step that was made */
     struct error error; /* until the guard takes it */
 };
