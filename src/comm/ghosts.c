@@ -295,8 +295,11 @@ void ghosts_forward_end(struct ghosts *ghosts, struct particles *particles) {
 }
 
 void ghosts_reverse(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields) {
-    if (!ghosts->options.newton)
-        return;
+    if (ghosts->options.newton)
+        ghosts_sum(ghosts, particles, fields);
+}
+
+void ghosts_sum(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields) {
     plan_ready(ghosts, particles);
     size_t each = fields_packed_bytes(particles, fields);
     plan_exchange(ghosts, each);

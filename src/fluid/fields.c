@@ -14,6 +14,8 @@ static const struct field
                 .unit = "Pa", OF_FLUID, .help = "pressure of the fluid, of mean 0 and without what drives the flow"},
     divergence = {.name = "divergence", .type = FIELD_DOUBLE, .components = 1, .use = FIELD_OUTPUT | FIELD_ASKED,
                   .unit = "s-1", OF_FLUID, .help = "divergence of the velocity, as the scheme computes it"},
+    drag = {.name = "drag", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_OUTPUT | FIELD_ASKED, .unit = "N",
+            .kinds = 1u << KIND_GRAIN, .needed_for = "fluid", .help = "force of the fluid on a grain"},
     advection = {.name = "fluid_advection", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS, .unit = "m s-2",
                  OF_FLUID, .help = "(u . grad) u of the step before"},
     predicted = {.name = "fluid_predicted", .type = FIELD_DOUBLE, .components = 3, .unit = "m s-1", OF_FLUID,
@@ -33,6 +35,7 @@ static const struct field
 void fluid_fields(struct particles *particles) {
     fields_register(particles, &pressure);
     fields_register(particles, &divergence);
+    fields_register(particles, &drag);
     fields_register(particles, &advection);
     fields_register(particles, &predicted);
     fields_register(particles, &increment);
@@ -55,6 +58,14 @@ double *fluid_pressure(const struct particles *particles) {
 
 double *fluid_divergence(const struct particles *particles) {
     return fields_values(particles, &divergence);
+}
+
+double *fluid_drag(const struct particles *particles) {
+    return fields_values(particles, &drag);
+}
+
+int fluid_drag_handle(const struct particles *particles) {
+    return fields_handle(particles, &drag);
 }
 
 double *fluid_advection(const struct particles *particles) {
@@ -140,6 +151,15 @@ static void take_divergence(const struct observable_context *context, struct obs
             part[0] = fmax(part[0], fabs(value[i]));
 }
 
+static void take_drag(const struct observable_context *context, struct observable_item *item, double *part) {
+    const double *value = fluid_drag(context->view->particles);
+    const uint8_t *kind = kinds_of(context->view->particles);
+    for (size_t i = 0; value && i < context->view->particles->owned; i++)
+        for (int d = 0; d < 3 && kind[i] == KIND_GRAIN && observables_item_counts(context->view, item, i);
+             d++)
+            part[d] += value[3 * i + (size_t)d];
+}
+
 #define INFO(word, unit, text, components)                                                                   \
     .info = {"fluid_" word, "fluid", unit, text, OBSERVABLE_OF_ALL, components, unit}, .parts = components,  \
     .relevant = known
@@ -150,7 +170,12 @@ static const struct observable_kind kinds[] = {
     {INFO("porosity", "1", "volume of the fluid over that of the box", 1), .of_rank = take_porosity},
     {INFO("energy", "m2/s2", "kinetic energy over the fluid's density and the volume of the box", 1),
      .of_rank = take_square},
+    {.info = {"fluid_drag", "fluid", "N", "force of the fluid on grains", OBSERVABLE_OF_ALL_OR_REGION, 3,
+              "N/m"},
+     .parts = 3,
+     .relevant = known,
+     .of_rank = take_drag},
     {INFO("speed", "m/s", "largest speed", 1), .of_rank = take_speed, .combine = OBSERVABLE_MAX},
     {INFO("divergence", "1/s", "largest divergence of the velocity", 1), .of_rank = take_divergence,
      .combine = OBSERVABLE_MAX}};
-const struct observable_table fluid_observables = {kinds, 5};
+const struct observable_table fluid_observables = {kinds, sizeof kinds / sizeof kinds[0]};

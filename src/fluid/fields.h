@@ -13,6 +13,10 @@ int fluid_handle(const struct particles *particles, enum flow_array array);
 double *fluid_pressure(const struct particles *particles);
 double *fluid_divergence(const struct particles *particles);
 
+/* Force of the fluid on a grain, three components, made before output; of the grains. */
+double *fluid_drag(const struct particles *particles);
+int fluid_drag_handle(const struct particles *particles);
+
 /* (u . grad) u of the step before, three components; of the fluid particles. */
 double *fluid_advection(const struct particles *particles);
 

@@ -5,6 +5,8 @@ libfluid_la_SOURCES = \
 	src/fluid/assembly.h \
 	src/fluid/body.c \
 	src/fluid/body.h \
+	src/fluid/drag.c \
+	src/fluid/drag.h \
 	src/fluid/fields.c \
 	src/fluid/fields.h \
 	src/fluid/fill.c \

@@ -4,6 +4,7 @@
 #include "contact/spin.h"
 #include "core/checksum.h"
 #include "core/memory.h"
+#include "fluid/drag.h"
 #include "fluid/fields.h"
 #include "fluid/flow_fields.h"
 #include "fluid/mirror.h"
@@ -193,6 +194,7 @@ void march_look(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     double *divergence = fluid_divergence(context->particles);
     operators_divergence(&fluid->weights, flow_velocity(&fluid->flow), divergence + fluid->weights.first);
+    drag_on_grains(context, &fluid->flow, fluid->options->viscosity);
 }
 
 double march_limit(const struct physics_context *context, double most) {

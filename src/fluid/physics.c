@@ -58,10 +58,10 @@ static const struct physics_pass passes[] = {{.name = "flow",
                                               .reads = "velocity pressure fluid_advection",
                                               .writes = "velocity pressure fluid_advection",
                                               .whole = march_step},
-                                             {.name = "divergence",
+                                             {.name = "look",
                                               .stage = PASS_LOOK,
-                                              .reads = "velocity",
-                                              .writes = "divergence",
+                                              .reads = "velocity pressure",
+                                              .writes = "divergence drag",
                                               .whole = march_look}};
 
 const struct physics fluid_physics = {.name = "fluid",

@@ -22,7 +22,7 @@ struct fluid {
     struct projection_past past;
     struct steady *steady; /* of a steady flow; NULL: no matrices yet */
     struct steady_report report;
-    bool solved; /* the steady flow is there */
+    bool solved;        /* the steady flow is there */
     uint64_t done;      /* the last step that was made */
     struct error error; /* until the guard takes it */
 };
