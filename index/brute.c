@@ -66,7 +66,7 @@ static size_t brute_memory(const struct index *self) {
 
 const struct index_ops brute_ops = {
     .name = "brute",
-    .summary = "every pair of particles: right and slow, the reference of all others",
+    .summary = "tests every pair of particles: correct and slow, the reference of all other indexes",
     .create = brute_create,
     .destroy = brute_destroy,
     .build = brute_build,

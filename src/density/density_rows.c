@@ -11,7 +11,7 @@
 static const struct schema_row section[] = {
     {.key = "support", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .required = true, .example = "3 mm",
      .offset = offsetof(struct density_options, support), .size = sizeof(double),
-     .help = "from this distance on the kernel, Wendland's C2, is zero"}};
+     .help = "distance from which on the kernel, Wendland's C2, is zero"}};
 const struct schema_table density_schema = {section, 1};
 
 static const struct field number_density = {

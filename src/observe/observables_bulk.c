@@ -252,8 +252,8 @@ static const struct observable_kind kinds[] = {
      .of_rank = wall_work,
      .relevant = has_walls},
     {.info = ALL("energy_balance", "energy", "J", 1,
-                 "sum of all energies and of what was dissipated, less the work of walls: constant but for "
-                 "errors of the time step"),
+                 "sum of all energies and of the dissipated energy, less the work of walls: constant except "
+                 "for errors of the time step"),
      .parts = 1,
      .needs_sums = true,
      .of_particle = add_total,

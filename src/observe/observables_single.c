@@ -153,8 +153,7 @@ static const struct observable_kind kinds[] = {
      .symbol = "t",
      .parts = 3,
      .of_rank = torque_on_wall},
-    {.info =
-         OF(WALL, "wall_offset", "", "m", 3, "how far a wall's centre has moved from where it was at rest"),
+    {.info = OF(WALL, "wall_offset", "", "m", 3, "displacement of a wall's centre from its place at rest"),
      .symbol = "",
      .parts = 3,
      .of_rank = wall_offset},

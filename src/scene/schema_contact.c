@@ -8,9 +8,9 @@
 
 static const struct schema_row material_rows[] = {
     {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = true, AT(struct law_material, name),
-     .help = "by which others refer to it", .example = "glass"},
+     .help = "name of the material for other keys", .example = "glass"},
     {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "(0, inf)", .required = true,
-     AT(struct law_material, density), .help = "mass of a sphere by its volume, in two dimensions too",
+     AT(struct law_material, density), .help = "mass of a sphere over its volume, in two dimensions too",
      .example = "2500"},
     {.key = "young", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)", .when = "/contact.law:moduli & /contact.damping=restitution",
      .required = true, AT(struct law_material, young), .help = "Young's modulus", .example = "70 GPa"},
@@ -22,7 +22,7 @@ const struct schema_table schema_material = TABLE(material_rows);
 static const struct schema_row pair_rows[] = {
     {.key = "between", .type = SCHEMA_REFS, .target = "materials",
      ARRAY_AT(struct scene_pair, material, between_count),
-     .help = "the two materials; left out: the values of every pair that is not named",
+     .help = "the two materials; left out: the values of every pair without an entry of its own",
      .example = "[glass, steel]"},
     {.key = "restitution", .type = SCHEMA_REAL, .range = "[0, 1]", .when = "/contact.damping=restitution",
      .required = true, AT(struct scene_pair, restitution),
@@ -73,22 +73,22 @@ static const char *law_traits(int law) {
 }
 
 static const struct schema_name damping_names[] = {
-    {"restitution", LAW_DAMPING_RESTITUTION, "from the restitution asked for"},
+    {"restitution", LAW_DAMPING_RESTITUTION, "from the given restitution"},
     {"coefficient", LAW_DAMPING_COEFFICIENT,
-     "from gamma_n and gamma_t, per unit of effective mass, as LAMMPS has it"},
+     "from gamma_n and gamma_t, per unit of effective mass, as in LAMMPS"},
     {0}};
 static const struct schema_name end_names[] = {
     {"overlap", LAW_END_OVERLAP,
-     "when the surfaces part: the damper pulls just before, and friction counts that, too, as LAMMPS has it"},
+     "when the surfaces part: the damper pulls just before, and friction counts this pull, too, as in LAMMPS"},
     {"force", LAW_END_FORCE, "when the force would pull: grains never attract"},
     {0}};
 static const struct schema_name tangential_names[] = {
     {"none", LAW_FRICTIONLESS, "no friction: no spin, no torque, no history anywhere"},
-    {"history", LAW_TANGENTIAL_HISTORY, "a spring that remembers, up to Coulomb's limit"},
+    {"history", LAW_TANGENTIAL_HISTORY, "a spring with history, up to Coulomb's limit"},
     {0}};
 static const struct schema_name sliding_names[] = {
     {"series", LAW_SLIDING_SERIES, "the change of the spring alone: slider in series, no energy from nothing"},
-    {"total", LAW_SLIDING_TOTAL, "all of the slip, the spring taking what is left of the limit, as in LAMMPS"},
+    {"total", LAW_SLIDING_TOTAL, "all of the slip; the spring takes the rest of the limit, as in LAMMPS"},
     {0}};
 static const struct schema_name rolling_names[] = {
     {"none", LAW_ROLLING_NONE, NULL},
@@ -99,26 +99,26 @@ static const struct schema_row contact_rows[] = {
     {.key = "law", .type = SCHEMA_NAME, .names = law_names, .fallback = LAW_NORMAL_DEFAULT_NAME,
      .traits = law_traits, AT(struct law_options, normal), .help = "the normal force"},
     {.key = "damping", .type = SCHEMA_NAME, .names = damping_names, .fallback = "restitution",
-     AT(struct law_options, damping), .help = "where the damping comes from"},
+     AT(struct law_options, damping), .help = "source of the damping"},
     {.key = "end", .type = SCHEMA_NAME, .names = end_names, .fallback = "force",
-     AT(struct law_options, end), .help = "when a contact ends; both give the restitution asked for"},
+     AT(struct law_options, end), .help = "the end of a contact; both ends give the given restitution"},
     {.key = "tangential", .type = SCHEMA_NAME, .names = tangential_names, .fallback = "history",
      AT(struct law_options, tangential), .help = "the tangential force"},
     {.key = "sliding", .type = SCHEMA_NAME, .names = sliding_names, .fallback = "series",
      .when = "tangential=history", AT(struct law_options, sliding),
-     .help = "what the tangential damper sees while a contact slides"},
+     .help = "the slip that the tangential damper sees while a contact slides"},
     {.key = "rolling", .type = SCHEMA_NAME, .names = rolling_names, .fallback = "none",
      .when = "tangential=history", AT(struct law_options, rolling), .help = "resistance to rolling"},
     {.key = "tangential_damping_ratio", .type = SCHEMA_REAL, .range = "[0, inf)", .fallback = "1",
      .when = "damping=restitution & tangential=history", AT(struct law_options, tangential_damping_ratio),
-     .help = "tangential damping, relative to the same damping ratio as the normal spring has"},
+     .help = "tangential damping; 1: the same damping ratio as that of the normal spring"},
     {.key = "tangential_damping_equal", .type = SCHEMA_BOOL, .fallback = "false",
      .when = "damping=restitution & tangential=history", AT(struct law_options, tangential_damping_equal),
      .help = "the tangential damping coefficient equals the normal one, as in LAMMPS's pair_style granular"},
     {.key = "lammps_history", .alias = "lammps_hooke", .type = SCHEMA_BOOL, .fallback = "false",
      AT(struct law_options, lammps_history),
-     .help = "gran/hooke/history or gran/hertz/history of LAMMPS to the letter, for comparisons: the lever is the radius, too; needs damping: coefficient, end: overlap, rolling: none and integrator: "
-             "velocity_verlet"},
+     .help = "exactly gran/hooke/history or gran/hertz/history of LAMMPS, for comparisons; the lever is then the radius; needs "
+             "damping: coefficient, end: overlap, rolling: none and integrator: velocity_verlet"},
 };
 const struct schema_table schema_contact = TABLE(contact_rows);
 /* clang-format on */

@@ -22,23 +22,22 @@ static const struct schema_table every_table = TABLE(every_rows);
 
 static const struct schema_row trajectory_rows[] = {
     {.key = "every", EVERY(struct trajectory_options, every),
-     .help = "how often; a bare number counts steps, {time: ...} is simulated time"},
+     .help = "interval of the frames; a bare number counts steps, {time: ...} is simulated time"},
     {.key = "fields", .type = SCHEMA_TEXTS, ARRAY_AT(struct trajectory_options, fields.name, fields.count),
-     .help = "particle fields; id, position and radius are always written; none named: all that the scene has; "
-             "`force` is that of contacts and walls, without gravity",
+     .help = "particle fields; id, position and radius are always written; left out: all fields of the scene; `force` is the "
+             "force of contacts and walls, without gravity",
      .example = "[position, velocity, radius]"},
     {.key = "xdmf", .type = SCHEMA_BOOL, .fallback = "true", AT(struct trajectory_options, xdmf),
-     .help = "trajectory.xdmf beside it, for ParaView"},
+     .help = "whether trajectory.xdmf is written, too, for ParaView"},
     {.key = "contacts", EVERY(struct trajectory_options, contacts),
-     .help = "how often the contact list (force chains) is written, too"},
+     .help = "interval of the contact lists (force chains)"},
 };
 static const struct schema_table trajectory_table = TABLE(trajectory_rows);
 
 static const struct schema_row dump_rows[] = {
-    {.key = "every", EVERY(struct dump_options, every), .help = "how often"},
+    {.key = "every", EVERY(struct dump_options, every), .help = "interval of the frames"},
     {.key = "fields", .type = SCHEMA_TEXTS, ARRAY_AT(struct dump_options, fields.name, fields.count),
-     .help = "particle fields; none named: all that a dump can show; `force` is that of contacts and walls, "
-             "without gravity",
+     .help = "particle fields; left out: all fields that a dump can show; `force` is the force of contacts and walls, without gravity",
      .example = "[position, velocity, radius]"},
 };
 static const struct schema_table dump_table = TABLE(dump_rows);
@@ -51,30 +50,29 @@ static const struct schema_row checkpoint_rows[] = {
      AT(struct checkpoint_options, every_minutes),
      .help = "minutes of wall clock between checkpoints; 0: none", .example = "30"},
     {.key = "keep", .type = SCHEMA_INT, .range = "[1, 1000]", .fallback = "2",
-     AT(struct checkpoint_options, keep), .help = "how many to keep"},
+     AT(struct checkpoint_options, keep), .help = "number of checkpoints to keep"},
     {.key = "at_end", .type = SCHEMA_BOOL, .fallback = "true", AT(struct checkpoint_options, at_end),
-     .help = "one after the last step"},
+     .help = "whether a checkpoint is written after the last step"},
 };
 static const struct schema_table checkpoint_table = TABLE(checkpoint_rows);
 
 static const struct schema_name progress_names[] = {
     {"auto", PROGRESS_AUTO,
-     "a bar on a terminal, elsewhere a line every five seconds, after two minutes more rarely, up to one a "
-     "minute"},
+     "a bar on a terminal; elsewhere a line every five seconds, after 100 seconds more rarely, down to one line a minute"},
     {"bar", PROGRESS_BAR, NULL},
-    {"lines", PROGRESS_LINES, "these lines, and one at each tenth"},
+    {"lines", PROGRESS_LINES, "lines as elsewhere with auto, and one at each tenth of the run"},
     {"off", PROGRESS_OFF, NULL},
     {0}};
 
 static const struct schema_row output_rows[] = {
     {.key = "trajectory", .type = SCHEMA_SECTION, .sub = &trajectory_table,
-     .offset = offsetof(struct output_options, trajectory), .help = "trajectory.h5, H5MD by parallel HDF5"},
+     .offset = offsetof(struct output_options, trajectory), .help = "the file trajectory.h5, H5MD by parallel HDF5"},
     {.key = "dump", .type = SCHEMA_SECTION, .sub = &dump_table,
-     .offset = offsetof(struct output_options, dump), .help = "dump.lammpstrj, LAMMPS's text format"},
+     .offset = offsetof(struct output_options, dump), .help = "the file dump.lammpstrj, in LAMMPS's text format"},
     {.key = "checkpoint", .type = SCHEMA_SECTION, .sub = &checkpoint_table,
-     .offset = offsetof(struct output_options, checkpoint), .help = "checkpoint-STEP.h5, to resume from"},
+     .offset = offsetof(struct output_options, checkpoint), .help = "the files checkpoint-STEP.h5, from which a run can resume"},
     {.key = "progress", .type = SCHEMA_NAME, .names = progress_names, .fallback = "auto",
-     AT(struct output_options, progress.mode), .help = "what the terminal shows"},
+     AT(struct output_options, progress.mode), .help = "display of the progress on the terminal"},
 };
 const struct schema_table schema_output = TABLE(output_rows);
 
@@ -103,14 +101,14 @@ static const struct schema_name component_names[] = {
 
 static const struct schema_row request_rows[] = {
     {.key = "name", .type = SCHEMA_CHOICE, .choice = observable_choice, .required = true,
-     AT(struct observable_request, name), .help = "what is observed", .example = "position"},
+     AT(struct observable_request, name), .help = "the observable", .example = "position"},
     {.key = "label", .type = SCHEMA_TEXT, .fallback = "", .in_column = true, AT(struct observable_request, label),
      .help = "first part of the column's name; left out: the target's name", .example = "ball"},
     {.key = "target", .type = SCHEMA_TEXT, .fallback = "", AT(struct observable_request, target),
-     .help = "wall or region, `region/material` for one material; left out: all, of a stress the whole box",
+     .help = "wall or region, `region/material` for one material; left out: all walls or regions, for stress the whole box",
      .example = "floor"},
     {.key = "id", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0",
-     AT(struct observable_request, id), .help = "number of the particle observed", .example = "25001"},
+     AT(struct observable_request, id), .help = "id of the observed particle", .example = "25001"},
     {.key = "components", .type = SCHEMA_NAME, .names = component_names, .fallback = "all",
      AT(struct observable_request, components), .help = "components of a vector", .example = "z"},
 };
@@ -122,7 +120,7 @@ static const struct schema_name region_shape_names[] = {{"box", OUTPUT_REGION_BO
                                                         {0}};
 static const struct schema_row region_rows[] = {
     {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = true, AT(struct output_region, name),
-     .help = "by which observables refer to it", .example = "upper_right"},
+     .help = "name of the region for observables", .example = "upper_right"},
     {.key = "shape", .type = SCHEMA_NAME, .names = region_shape_names, .required = true,
      AT(struct output_region, shape), .help = "the shape", .example = "box"},
     {.key = "lower", .type = SCHEMA_VECTOR, .unit = "m", .range = "[-inf, inf]",
@@ -146,12 +144,12 @@ static const struct schema_table region_table = TABLE(region_rows);
 
 static const struct schema_row observables_rows[] = {
     {.key = "every", EVERY(struct observables_options, every),
-     .help = "how often a row is written; a bare number counts steps, {time: ...} is simulated time"},
+     .help = "interval of the rows; a bare number counts steps, {time: ...} is simulated time"},
     {.key = "regions", .type = SCHEMA_LIST, .sub = &region_table,
      ARRAY_AT(struct observables_options, region, regions),
-     .help = "parts of space in which particles are counted; a centre counts, lower faces belong to it"},
+     .help = "regions in which particles are counted by their centres; lower faces belong to a region"},
     {.key = "list", .type = SCHEMA_LIST, .sub = &request_table,
      ARRAY_AT(struct observables_options, request, count),
-     .help = "what is observed; left out: energies, momentum, contacts"},
+     .help = "the observables; left out: energies, momentum, contacts"},
 };
 const struct schema_table schema_observables = TABLE(observables_rows);

@@ -12,17 +12,17 @@
 
 static const struct schema_name units_names[] = {
     {"si", SCENE_UNITS_SI,
-     "numbers are in m, kg, s; other units may be written behind a number: 5 mm, 2 GPa"},
-    {"none", SCENE_UNITS_NONE, "dimensionless: a unit behind a number is an error"},
+     "numbers are in m, kg, s; another unit may follow a number: 5 mm, 2 GPa"},
+    {"none", SCENE_UNITS_NONE, "dimensionless: a unit after a number is an error"},
     {0}};
-static const struct schema_name leave_names[] = {{"keep", BOX_KEEP, "it flies on outside"},
-                                                 {"delete", BOX_DELETE, "it is removed"},
+static const struct schema_name leave_names[] = {{"keep", BOX_KEEP, "the particle flies on outside"},
+                                                 {"delete", BOX_DELETE, "the particle is removed"},
                                                  {"error", BOX_ERROR, "the run stops with a message"},
                                                  {0}};
 
 static const struct schema_row leave_rows[] = {
     {.key = "all", .type = SCHEMA_NAME, .names = leave_names, .fallback = "keep", AT(struct scene, leave_all),
-     .help = "all open sides that are not named", .example = "delete"},
+     .help = "all open sides without a key of their own", .example = "delete"},
     {.key = "x_lower", .type = SCHEMA_NAME, .names = leave_names, AT(struct scene, leave_side[0][0]),
      .help = "the side at the lower end of x"},
     {.key = "x_upper", .type = SCHEMA_NAME, .names = leave_names, AT(struct scene, leave_side[0][1]),
@@ -41,17 +41,17 @@ static const struct schema_table leave_table = TABLE(leave_rows);
 static const struct schema_row box_rows[] = {
     {.key = "dimension", .type = SCHEMA_INT, .fallback = "3", .range = "[2, 3]",
      AT(struct scene, box.dimension),
-     .help = "2: centres stay in the middle plane of z, nothing turns out of it"},
+     .help = "2: centres stay in the middle plane of z, and particles turn about z alone"},
     {.key = "lower", .type = SCHEMA_VECTOR, .unit = "m", AT(struct scene, box_lower),
-     .help = "lower corner; may be left out, with upper, where the first particle file has a box",
+     .help = "lower corner; may be left out, with upper, if the first particle file has a box",
      .example = "[0, 0, 0]"},
     {.key = "upper", .type = SCHEMA_VECTOR, .unit = "m", AT(struct scene, box_upper), .help = "upper corner",
      .example = "[10 cm, 10 cm, 20 cm]"},
     {.key = "periodic", .type = SCHEMA_BOOLS, .fallback = "false", AT(struct scene, box.periodic),
-     .help = "periodic directions; the others are open. Left out, with lower and upper: those of the file",
+     .help = "periodic directions; the other directions are open. Left out, with lower and upper: the periodic directions of the file",
      .example = "[true, true, false]"},
     {.key = "leave", .type = SCHEMA_SECTION, .sub = &leave_table, .main = "all",
-     .help = "what happens to a particle whose centre leaves through an open side"},
+     .help = "treatment of a particle whose centre leaves through an open side"},
 };
 static const struct schema_table box_table = TABLE(box_rows);
 
@@ -59,22 +59,23 @@ static const struct schema_row step_rows[] = {
     {.key = "dt", .type = SCHEMA_REAL, .unit = "s", .range = "(0, inf)", AT(struct scene_step, dt),
      .help = "time step; refused above the stable step unless step.force is set", .example = "0.5 us"},
     {.key = "fraction", .type = SCHEMA_REAL, .range = "(0, inf)", AT(struct scene_step, fraction),
-     .help = "instead of dt: the step as a fraction of the stable one; with neither, the default fraction "
-           "that `scree check` prints", .example = "0.5"},
+     .help = "instead of dt: the step as a fraction of the stable step; without dt and fraction, the default fraction that `scree "
+             "check` prints", .example = "0.5"},
     {.key = "count", .type = SCHEMA_LONG, .range = "[0, inf)", AT(struct scene_step, count),
      .help = "number of steps, unless duration is given", .example = "1000"},
     {.key = "force", .type = SCHEMA_BOOL, .fallback = "false", AT(struct scene_step, force),
-     .help = "run although the step is above the stable one"},
+     .help = "run even if the step is above the stable step"},
     {.key = "contacts", .type = SCHEMA_INT, .fallback = "0", .range = "[0, 100]",
      AT(struct scene_step, contacts),
-     .help = "contacts of a particle with its like at a time, counted for the stable step; larger ones have more; 0: 12, or 6 in two dimensions"},
+     .help = "contacts at a time of a particle with particles of its own size and material, for the stable step; a larger "
+             "particle counts with more contacts; 0: 12, or 6 in two dimensions"},
     {.key = "speed_max", .type = SCHEMA_REAL, .unit = "m/s", .fallback = "0", .range = "[0, inf)",
      AT(struct scene_step, speed_max),
-     .help = "largest impact speed expected, for the stable step; 0: the largest of the particles at the start, or that of a fall through the "
-             "box where it is not periodic, if that is larger"},
+     .help = "largest impact speed expected, for the stable step; 0: the largest speed of the particles at the start, or the "
+             "speed of a fall through the box in directions that are not periodic, if that speed is larger"},
     {.key = "fused", .type = SCHEMA_BOOL, .fallback = "true", AT(struct scene_step, fused),
-     .help = "move particles just before their first contact, while they are in the cache; off: pass after pass, with the "
-             "same results"},
+     .help = "move particles just before their first contact, while the particles are in the cache; off: pass after pass, with "
+             "the same results"},
     {.key = "rebuild_every", .type = SCHEMA_LONG, .fallback = "0", .range = "[0, inf)",
      AT(struct scene_step, rebuild_every),
      .help = "rebuild the pair list at least every so many steps; 0: only when the skin is used up"},
@@ -83,7 +84,7 @@ static const struct schema_table step_table = TABLE(step_rows);
 
 static const struct schema_name simd_names[] = {
     {"auto", SCENE_SIMD_AUTO, NULL},
-    {"baseline", SCENE_SIMD_BASELINE, "what every CPU of the kind has"},
+    {"baseline", SCENE_SIMD_BASELINE, "the instructions that every CPU of the architecture has"},
     {"x86-64-v3", SCENE_SIMD_V3, "AVX2"},
     {"x86-64-v4", SCENE_SIMD_V4, "AVX-512"},
     {0}};
@@ -102,23 +103,23 @@ static const char *integrator_choice(int k, const char **help) {
 }
 
 static const struct schema_name cross_names[] = {
-    {"auto", INDEX_CROSS_AUTO, "whichever side costs less, level by level"},
-    {"smaller", INDEX_CROSS_SMALLER, "each smaller particle among the larger ones"},
-    {"larger", INDEX_CROSS_LARGER, "each larger particle among the smaller ones"},
+    {"auto", INDEX_CROSS_AUTO, "the side that costs less, level by level"},
+    {"smaller", INDEX_CROSS_SMALLER, "each smaller particle searches among the larger ones"},
+    {"larger", INDEX_CROSS_LARGER, "each larger particle searches among the smaller ones"},
     {0}};
 static const struct schema_row index_rows[] = {
     {.key = "name", .type = SCHEMA_CHOICE, .choice = index_choice, .fallback = "auto",
-     AT(struct scene_index, name), .help = "how pairs are searched for; the results are the same"},
+     AT(struct scene_index, name), .help = "method of the search for pairs; all methods find the same pairs"},
     {.key = "cell_factor", .type = SCHEMA_REAL, .range = "[0, 1000]", .fallback = "0",
      AT(struct scene_index, params.cell_factor),
-     .help = "cell edge as a multiple of the cut-off that the index builds on; 0: its own default",
+     .help = "cell edge as a multiple of the cut-off that the index builds on; 0: the default of the index",
      .example = "0.5"},
     {.key = "cross_search", .type = SCHEMA_NAME, .names = cross_names, .fallback = "auto",
      AT(struct scene_index, params.cross_search),
-     .help = "who looks up whom in pairs of different levels; the pairs are the same"},
+     .help = "the side that searches for pairs of different levels; the pairs are the same"},
     {.key = "measure", .type = SCHEMA_BOOL, .fallback = "no", .when = "name=auto", AT(struct scene_index, measure),
-     .help = "yes: the first rebuilds time variants of what auto chose and keep the fastest; then no two runs are "
-             "bitwise equal"},
+     .help = "yes: the first rebuilds measure the time of variants of the choice, and auto keeps the fastest; then no two runs "
+             "are bitwise equal"},
     {.key = "levels", .type = SCHEMA_INT, .range = "[0, 32]", .fallback = "0", .when = "name=hgrid",
      AT(struct scene_index, params.levels), .help = "number of levels; 0: one for each size class"},
     {.key = "level_cells", .type = SCHEMA_REALS, .unit = "m", .range = "[0, inf)", .when = "name=hgrid",
@@ -128,16 +129,16 @@ static const struct schema_row index_rows[] = {
 static const struct schema_table index_table = TABLE(index_rows);
 
 static const struct schema_name classes_names[] = {
-    {"auto", CLASSES_AUTO, "as the search costs least; sizes a factor 1.5 apart have classes of their own"},
+    {"auto", CLASSES_AUTO, "the classes with which the search costs least; sizes that differ by a factor of 1.5 have classes of their own"},
     {"one", CLASSES_ONE, "all sizes in one class"},
-    {"cuts", CLASSES_CUTS, "between the radii in classes.cuts"},
-    {"quantiles", CLASSES_QUANTILES, "classes.count classes of as many particles each"},
-    {"geometric", CLASSES_GEOMETRIC, "classes.count classes, a constant ratio of radii each"},
+    {"cuts", CLASSES_CUTS, "classes between the radii in classes.cuts"},
+    {"quantiles", CLASSES_QUANTILES, "classes.count classes with equal numbers of particles"},
+    {"geometric", CLASSES_GEOMETRIC, "classes.count classes with a constant ratio of radii"},
     {0}};
 static const struct schema_row classes_rows[] = {
     {.key = "method", .type = SCHEMA_NAME, .names = classes_names, .fallback = "auto",
      AT(struct classes_options, method),
-     .help = "how particles are put into size classes; materials play no part"},
+     .help = "division of the particles into size classes; materials play no part"},
     {.key = "count", .type = SCHEMA_INT, .range = "[1, 32]", .required = true,
      .when = "method=quantiles|geometric", AT(struct classes_options, count), .help = "number of classes",
      .example = "4"},
@@ -153,7 +154,7 @@ static const struct schema_row skin_rows[] = {
      AT(struct classes_options, skin_relative),
      .help = "skin of a pair of classes as a multiple of the smaller class's smallest radius"},
     {.key = "length", .type = SCHEMA_REAL, .unit = "m", .range = "[0, inf)", AT(struct classes_options, skin),
-     .help = "instead: one length for all pairs", .example = "0.3 mm"},
+     .help = "instead of relative: one length for all pairs", .example = "0.3 mm"},
 };
 static const struct schema_table skin_table = TABLE(skin_rows);
 
@@ -167,51 +168,51 @@ static const struct schema_name domain_names[] = {
     {"bisection", DOMAIN_BISECTION, "recursive bisection that follows the load, by Zoltan"},
     {0}};
 static const struct schema_name weights_names[] = {
-    {"pairs", DOMAIN_WEIGHTS_PAIRS, "1, and a half for each of its pairs"},
-    {"time", DOMAIN_WEIGHTS_TIME, "the same, scaled by the time that its rank took"},
+    {"pairs", DOMAIN_WEIGHTS_PAIRS, "1, and a half for each pair of the particle"},
+    {"time", DOMAIN_WEIGHTS_TIME, "as pairs, scaled by the time that the rank took"},
     {"particles", DOMAIN_WEIGHTS_PARTICLES, "1"},
     {0}};
 static const struct schema_row domain_rows[] = {
     {.key = "name", .type = SCHEMA_NAME, .names = domain_names, .fallback = "brick",
-     AT(struct scene, domain.kind), .help = "how the box is divided among ranks"},
+     AT(struct scene, domain.kind), .help = "form of the division"},
     {.key = "weights", .type = SCHEMA_NAME, .names = weights_names, .fallback = "pairs", .when = "name=bisection",
      AT(struct scene, domain.weights), .help = "the weight of a particle in its rank's load"},
     {.key = "threshold", .type = SCHEMA_REAL, .range = "[0, inf)", .fallback = "1.1", .when = "name=bisection",
      AT(struct scene, domain.threshold),
-     .help = "divide again, at a rebuild, when the largest load exceeds this times the mean; 0: never"},
+     .help = "a rebuild divides the box again if the largest load exceeds the mean load by this factor; 0: never"},
     {.key = "x", .type = SCHEMA_INT, .range = "[0, inf)", .fallback = "0", .when = "name=brick",
      AT(struct scene, domain.grid[0]),
-     .help = "ranks along x; 0: chosen"},
+     .help = "ranks along x; 0: the program chooses"},
     {.key = "y", .type = SCHEMA_INT, .range = "[0, inf)", .fallback = "0", .when = "name=brick",
      AT(struct scene, domain.grid[1]),
-     .help = "ranks along y; 0: chosen"},
+     .help = "ranks along y; 0: the program chooses"},
     {.key = "z", .type = SCHEMA_INT, .range = "[0, inf)", .fallback = "0", .when = "name=brick",
      AT(struct scene, domain.grid[2]),
-     .help = "ranks along z; 0: chosen"},
+     .help = "ranks along z; 0: the program chooses"},
 };
 static const struct schema_table domain_table = TABLE(domain_rows);
 static const struct schema_name sync_names[] = {
-    {"auto", GHOSTS_AUTO, "neighbours where every particle fits, else shadow; the report says which, and why"},
+    {"auto", GHOSTS_AUTO, "neighbours if every particle fits, else shadow; the report shows the choice and the reason"},
     {"neighbours", GHOSTS_NEIGHBOURS,
-     "between neighbouring subdomains alone; refuses a particle that reaches farther"},
+     "copies go to neighbouring subdomains alone; the program refuses a particle that reaches farther"},
     {"shadow", GHOSTS_SHADOW, "copies spread from neighbour to neighbour: no limit on the size of a particle"},
     {0}};
 
 static const struct schema_name guard_names[] = {
-    {"stop", SCENE_GUARD_STOP, "stop, after a checkpoint to look at"},
-    {"warn", SCENE_GUARD_WARN, "one warning, then on"},
+    {"stop", SCENE_GUARD_STOP, "stop, after a checkpoint for inspection"},
+    {"warn", SCENE_GUARD_WARN, "one warning, then the run goes on"},
     {"off", SCENE_GUARD_OFF, NULL},
     {0}};
 static const struct schema_name energy_names[] = {
     {"auto", SCENE_GUARD_AUTO,
-     "stop where kinetic + elastic + gravity - work of walls has grown by ten times energy_bound, looked at every "
-     "100 steps; not looked at where a group moves by order"},
-    {"stop", SCENE_GUARD_STOP, "stop, after a checkpoint to look at; looked at every 20 steps, dissipation included"},
-    {"warn", SCENE_GUARD_WARN, "one warning, then on; looked at like stop"},
+     "stop if kinetic + elastic + gravity - work of walls has grown by ten times energy_bound, checked every 100 steps; "
+             "no check if a group has motion: moving"},
+    {"stop", SCENE_GUARD_STOP, "stop, after a checkpoint for inspection; checked every 20 steps, dissipation included"},
+    {"warn", SCENE_GUARD_WARN, "one warning, then the run goes on; checked like stop"},
     {"off", SCENE_GUARD_OFF, NULL},
     {0}};
 static const struct schema_name nan_names[] = {
-    {"stop", SCENE_GUARD_STOP, "always: a search cannot go on with such places"}, {0}};
+    {"stop", SCENE_GUARD_STOP, "always, because no search is possible with such places"}, {0}};
 static const struct schema_row guards_rows[] = {
     {.key = "overlap", .type = SCHEMA_NAME, .names = guard_names, .fallback = "stop",
      AT(struct scene_guards, overlap), .help = "an overlap beyond guards.overlap_bound"},
@@ -222,16 +223,15 @@ static const struct schema_row guards_rows[] = {
      AT(struct scene_guards, nan), .help = "a position or velocity that is not a number"},
     {.key = "speed", .type = SCHEMA_NAME, .names = guard_names, .fallback = "stop",
      AT(struct scene_guards, speed),
-     .help = "a particle that moves by more than the smallest radius in a step: it may pass through others "
-             "unseen"},
+     .help = "a particle that moves by more than the smallest radius in a step: such a particle may pass through others unseen"},
     {.key = "step", .type = SCHEMA_NAME, .names = guard_names, .fallback = "warn",
      AT(struct scene_guards, step),
-     .help = "contacts that have become so many or so stiff that the step is more than 0.9 of what is surely "
-             "stable, looked at every 500 steps; a step that is a fraction is then shortened, unless this is off"},
+     .help = "contacts so many or so stiff that the step is more than 0.9 of the step that is surely stable, checked every 500 "
+             "steps; a step given as a fraction is then shortened, unless this guard is off"},
     {.key = "energy", .type = SCHEMA_NAME, .names = energy_names, .fallback = "auto",
      AT(struct scene_guards, energy),
-     .help = "growth of energy without cause: kinetic + elastic + gravity + dissipated - work of walls, "
-             "less what came and went with particles; stop and warn cost the energy sums at each step"},
+     .help = "growth of energy without cause: kinetic + elastic + gravity + dissipated - work of walls, without the energy of "
+             "particles that came or went; stop and warn cost the energy sums at each step"},
     {.key = "energy_bound", .type = SCHEMA_REAL, .range = "(0, inf)", .fallback = "0.05",
      AT(struct scene_guards, energy_bound),
      .help = "largest growth allowed, as a part of the largest energy in play"},
@@ -240,41 +240,41 @@ static const struct schema_table guards_table = TABLE(guards_rows);
 
 static const struct schema_row root_rows[] = {
     {.key = "title", .type = SCHEMA_TEXT, .fallback = "", AT(struct scene, title),
-     .help = "for people; trajectory.h5 and checkpoints hold it, in their copy of the scene",
+     .help = "a title for people; trajectory.h5 and checkpoints hold the title, in their copy of the scene",
      .example = "ball into glass beads"},
     {.key = "units", .type = SCHEMA_NAME, .names = units_names, .fallback = "si", AT(struct scene, units),
-     .help = "what numbers mean"},
+     .help = "meaning of the numbers"},
     {.key = "seed", .type = SCHEMA_SEED, .fallback = "1", AT(struct scene, seed),
      .help = "seed of all random numbers"},
     {.key = "box", .type = SCHEMA_SECTION, .sub = &box_table, .help = "the simulation box"},
     {.key = "gravity", .type = SCHEMA_VECTOR, .unit = "m/s2", .fallback = "[0, 0, 0]",
      AT(struct scene, gravity), .help = "acceleration of free particles", .example = "[0, 0, -9.81]"},
     {.key = "duration", .type = SCHEMA_REAL, .unit = "s", .range = "[0, inf]", AT(struct scene, duration),
-     .help = "time to simulate, .inf until a signal ends the run; beats step.count", .example = "0.1 s"},
+     .help = "time to simulate; .inf: until a signal ends the run; overrides step.count", .example = "0.1 s"},
     {.key = "step", .type = SCHEMA_SECTION, .sub = &step_table, .offset = offsetof(struct scene, step),
      .help = "the time step"},
     {.key = "integrator", .type = SCHEMA_CHOICE, .choice = integrator_choice,
-     .fallback = "synchronised_verlet", AT(struct scene, integrator), .help = "how the motion is integrated"},
+     .fallback = "synchronised_verlet", AT(struct scene, integrator), .help = "the scheme that integrates the motion"},
     {.key = "threads", .type = SCHEMA_INT, .range = "[0, 255]", .fallback = "0", AT(struct scene, threads),
-     .help = "threads a rank; 0: OMP_NUM_THREADS, or its share of the cores that the ranks of its machine may run on, "
-             "of which fewer work at a time where other programs use the cores (the same results)"},
+     .help = "threads of a rank; 0: OMP_NUM_THREADS, or the rank's share of the cores that the ranks of its machine may use; then "
+             "fewer threads work at a time if other programs use the cores (with the same results)"},
     {.key = "simd", .type = SCHEMA_NAME, .names = simd_names, .fallback = "auto", AT(struct scene, simd),
      .help = "vector instructions of search and forces; auto: the widest that the CPU has. Pairs and forces are the same"},
     {.key = "contact", .type = SCHEMA_SECTION, .sub = &schema_contact, .main = "law",
      .offset = offsetof(struct scene, law), .help = "the contact law, of walls too"},
     {.key = "materials", .type = SCHEMA_LIST, .sub = &schema_material,
      ARRAY_AT(struct scene, material, materials),
-     .help = "what particles and walls are made of; may be left out where another physics is given: then nothing touches"},
+     .help = "materials of particles and walls; may be left out if the scene has another physics: then nothing touches"},
     {.key = "material_pairs", .type = SCHEMA_LIST, .sub = &schema_pair,
      ARRAY_AT(struct scene, pair, pairs),
-     .help = "coefficients of each pair of materials that may meet, like with like included"},
+     .help = "coefficients of each pair of materials that may meet, a material with itself included"},
     {.key = "groups", .type = SCHEMA_LIST, .sub = &schema_group, .first = 1,
      ARRAY_AT(struct scene, group, groups),
-     .help = "particles that move otherwise than freely; `free` is always there"},
+     .help = "particles that do not move freely; the group `free` always exists"},
     {.key = "walls", .type = SCHEMA_LIST, .sub = &schema_wall, ARRAY_AT(struct scene, wall, walls),
      .help = "planes, cylinders and triangle meshes"},
     {.key = "particles", .type = SCHEMA_SECTION, .sub = &schema_particles,
-     .help = "where the particles come from; with one source, its keys may stand here directly"},
+     .help = "the sources of the particles; the keys of a single source may stand here directly"},
     {.key = "insertions", .type = SCHEMA_LIST, .sub = &schema_insertion,
      ARRAY_AT(struct scene, insertion, insertions),
      .help = "regions in which particles appear during the run"},
@@ -286,20 +286,20 @@ static const struct schema_row root_rows[] = {
      .offset = offsetof(struct scene, classes), .help = "size classes"},
     {.key = "skin", .type = SCHEMA_SECTION, .sub = &skin_table, .main = "length",
      .offset = offsetof(struct scene, classes),
-     .help = "how much farther than contact pairs are kept, so that the search need not run at every step"},
+     .help = "distance beyond the range up to which pairs are kept, so that the search need not run at every step"},
     {.key = "newton", .type = SCHEMA_BOOL, .fallback = "true", AT(struct scene, ghosts.newton),
-     .help = "a pair across ranks is computed once, its force sent back (on), or on both sides (off)"},
+     .help = "on: a pair across ranks is computed once, and its force sent back; off: the pair is computed on both sides"},
     {.key = "ghosts", .type = SCHEMA_NAME, .names = ghosts_names, .fallback = "auto",
-     AT(struct scene, ghosts_name), .help = "which copies a rank gets"},
+     AT(struct scene, ghosts_name), .help = "the copies that a rank gets"},
     {.key = "reproducible", .type = SCHEMA_BOOL, .fallback = "false", AT(struct scene, reproducible),
-     .help = "the same bits on any index, ranks, threads, domain and sync: forces are summed by the partner's id, pairs "
-             "across ranks computed on both sides (as with newton: off, ghosts: full, whatever these say)"},
+     .help = "the same bits on any index, ranks, threads, domain and sync: forces are summed in the order of the partner's id, "
+             "and pairs across ranks are computed on both sides (as with newton: off and ghosts: full, whatever these keys say)"},
     {.key = "domain", .type = SCHEMA_SECTION, .sub = &domain_table, .main = "name",
      .help = "the division of the box among ranks"},
     {.key = "sync", .type = SCHEMA_NAME, .names = sync_names, .fallback = "auto",
-     AT(struct scene, ghosts.sync), .help = "how copies get to the ranks that need them"},
+     AT(struct scene, ghosts.sync), .help = "the way by which copies reach the ranks that need copies"},
     {.key = "guards", .type = SCHEMA_SECTION, .sub = &guards_table, .offset = offsetof(struct scene, guards),
-     .help = "what happens on physical nonsense"},
+     .help = "reactions to physical nonsense"},
     {.key = "output", .type = SCHEMA_SECTION, .sub = &schema_output, .offset = offsetof(struct scene, output),
      .help = "files that the run writes, into the folder of -o"},
     {.key = "observables", .type = SCHEMA_SECTION, .sub = &schema_observables,
