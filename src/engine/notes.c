@@ -99,6 +99,24 @@ static void look_at_places(const struct simulation *s, struct notes *notes) {
     }
 }
 
+/* Notes meshes with edges that spheres overlap so far that the contact with the second side begins with a jump
+ * (wall_touch.h). */
+static void look_at_edges(const struct simulation *s, struct notes *notes) {
+    static const double degrees = 57.29577951308232;
+    double overlap = fmax(s->timing.overlap_expected, s->timing.overlap_started);
+    for (int w = 0; w < s->scene->walls; w++) {
+        double turn = walls_turn(s->grains.walls, w);
+        if (isfinite(turn) && overlap > 1 - cos(turn))
+            add(notes, false,
+                "mesh '%s' turns by %.3g degrees at edges: inside of such an edge a sphere that overlaps by "
+                "more than "
+                "%.2g of its radius (expected: up to %.2g) gains or loses energy, per cents in a few turns "
+                "of a "
+                "tube; edges of less than 8.6 degrees do not, nor does a cylinder (docs/physics.md, Meshes)",
+                s->scene->wall[w].name, turn * degrees, 1 - cos(turn), overlap);
+    }
+}
+
 static void look_at_guard(const struct simulation *s, struct notes *notes, enum scene_guard guard,
                           const char *name, const char *what) {
     if (guard == SCENE_GUARD_OFF)
@@ -146,6 +164,7 @@ void notes_take(const struct simulation *s, struct notes *notes) {
     if (s->scene->note[0])
         add(notes, false, "%s", s->scene->note);
     look_at_places(s, notes);
+    look_at_edges(s, notes);
     look_at_output(s, notes);
     look_at_guards(s, notes);
 }

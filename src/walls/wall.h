@@ -217,4 +217,9 @@ void walls_offset(const struct walls *walls, int wall, double offset[3]);
  * shapes. */
 size_t walls_triangles(const struct walls *walls, int wall, double (**triangles)[9]);
 
+/* The least angle (rad) by which a mesh wall turns at an edge, of those edges at which a sphere touches both
+ * sides at a time (more than WALL_TOUCH_SMOOTH, wall_touch.h); INFINITY without such edges, or for other
+ * shapes. */
+double walls_turn(const struct walls *walls, int wall);
+
 #endif

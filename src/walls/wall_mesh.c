@@ -243,6 +243,27 @@ bool wall_mesh_create(struct wall_mesh **mesh, const struct mesh *file, const ch
     return good;
 }
 
+double wall_mesh_turn(const struct wall_mesh *mesh, double above) {
+    double least = INFINITY;
+    struct law_vector *first =
+        memory_allocate_zero(mesh->edges ? mesh->edges : 1, sizeof *first, "edges of a mesh");
+    for (size_t t = 0; t < 3 * mesh->triangles; t++) {
+        const struct wall_triangle *triangle = &mesh->triangle[t / 3];
+        struct law_vector inward = triangle->inward[t % 3];
+        int32_t edge = triangle->edge[t % 3];
+        if (edge < 0)
+            continue;
+        struct law_vector *other = &first[(size_t)edge - mesh->patches];
+        double angle = acos(fmin(fmax(-law_dot(*other, inward), -1.0), 1.0)); /* flat: they are opposite */
+        if (law_dot(*other, *other) == 0.0)
+            *other = inward;
+        else if (angle > above)
+            least = fmin(least, angle);
+    }
+    memory_free(first);
+    return least;
+}
+
 void wall_mesh_destroy(struct wall_mesh **mesh) {
     if (*mesh == NULL)
         return;

@@ -65,6 +65,10 @@ static inline size_t wall_mesh_features(const struct wall_mesh *mesh) {
     return mesh->patches + mesh->edges + mesh->vertices;
 }
 
+/* The least angle (rad) of more than `above` by which the surface turns at an edge between two patches; INFINITY
+ * without such an edge. Of an edge of more than two triangles only the first and each other one count. */
+double wall_mesh_turn(const struct wall_mesh *mesh, double above);
+
 /* Between the two files that make a surface: merged vertices and the triangles that are left. */
 struct wall_weld {
     size_t vertices, triangles;

@@ -371,3 +371,8 @@ size_t walls_triangles(const struct walls *walls, int wall, double (**triangles)
         }
     return count;
 }
+
+double walls_turn(const struct walls *walls, int wall) {
+    const struct wall_mesh *mesh = walls->wall[wall].mesh;
+    return mesh ? wall_mesh_turn(mesh, WALL_TOUCH_SMOOTH) : INFINITY;
+}

@@ -84,6 +84,16 @@ keeps() { # FACETS BOUND
 check 'a cylinder keeps the energy' eval 'tube 0 && within "$(cat tube0.energy)" 1 1e-6'
 check '720 facets keep it as the cylinder does' keeps 720 1e-4
 check '1,440 facets, too' keeps 1440 1e-4
+check '96 facets, nearly' keeps 96 5e-4
+check '48 facets, of 7.5 degrees, too' keeps 48 5e-4
+check '24 facets, of 15 degrees, to two per cent' keeps 24 0.02
+notes() { # FACETS FLAG...: what `scree check` says of the edges
+    "$scree" check "tube$1.yaml" "${@:2}" | grep "^NOTE: mesh 'tube' turns by"
+}
+noted() { notes 24 | grep -F 'turns by 15 degrees at edges' | grep -F 'more than 0.034 of its radius (expected: up to 0.1)' || { notes 24; return 1; }; }
+check 'of which scree check tells' noted
+check 'but not where overlaps are small' eval '! notes 24 --set material_pairs[0].k_n=10000'
+check 'nor of edges that are smooth' eval '! notes 48'
 
 echo '== without friction nothing of friction'
 cat >smooth.yaml <<'EOF'
