@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Speed against error: what `scree ablate --error` finds on a scene whose errors are known to be small, how it refuses, and how a
-# signal ends it.
+# Speed against error: the results of `scree ablate --error` on a scene whose errors are known to be small, the input that the command
+# refuses, and the end of the command by a signal.
 
 . "$(dirname "$0")/common.sh"
 cd "$out" || exit 1

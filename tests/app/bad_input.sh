@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Bad input: scenes, data files, meshes, checkpoints, command lines. Each must end with exit status 2 and one line on
-# standard error that begins with "scree: " and names the place; nothing may be made or written over.
+# Bad input: scenes, data files, meshes, checkpoints, command lines. Each run must end with exit status 2 and one line on
+# standard error that begins with "scree: " and names the place; the program may not make or overwrite any file.
 #
-# The table is the script: NAME, what is wrong, words of the message (separated by |), and what to run.
+# The script is a table: NAME, the mistake, words of the message (separated by |), and the command.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 box=$out/box # all that the program sees; it must stay as it is

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The program runs on any x86-64: code for newer instructions is in the dispatched kernels alone, and without them the bits are
-# the same. Looks into the object files, runs a scene with each set of instructions, and on emulated CPUs that have none of
-# them (qemu-x86_64: Debian's qemu-user; where it is missing, that part says so and is left out).
+# The program runs on any x86-64: only the dispatched kernels have code for newer instructions, and without these instructions the
+# bits are the same. The test looks into the object files, runs a scene with each set of instructions, and runs the scene on emulated
+# CPUs without these instructions (qemu-x86_64: Debian's qemu-user; without qemu the test reports that this part is skipped).
 set -u
 . "$top_srcdir/tests/app/common.sh"
 top_builddir=$(cd "$top_builddir" && pwd)

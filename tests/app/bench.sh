@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The benchmarks run, on tiny systems and without LAMMPS: each line of JSON has the keys that others rely on, the last one is the
-# summary, and what it says follows from the lines. Then the page is made from their results.
+# The benchmarks run, on tiny systems and without LAMMPS: each line of JSON has the keys that other scripts read, the last line is the
+# summary, and the numbers of the summary follow from the other lines. Then the test makes the page from the results.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 top_builddir=$(cd "$top_builddir" && pwd)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Sourced by the tests of the whole program (bash): finds it, gives a folder that is removed at the end, and counts checks.
+# Sourced by the tests of the whole program (bash): finds the program, makes a folder that is removed at the end, and counts checks.
 #
 # Environment: top_builddir (absolute), top_srcdir, LAUNCH (tests/launch sets these two; by hand, in the build folder:
 # top_builddir=$PWD ../tests/launch ../tests/app/SCRIPT).

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Number density, the example of a physics of its own folder: against a sum over all pairs, on each index, on ranks and
-# threads, in periodic and open boxes, in two and three dimensions; and that the program knows of it in two lines.
+# Number density, the example of a physics in a folder of its own: the values against a sum over all pairs, on each index, on ranks
+# and threads, in periodic and open boxes, in two and three dimensions; and only two lines outside of the folder name this physics.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 cd "$out" || exit 1

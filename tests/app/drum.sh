@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# A sphere in a turning drum, through the whole program: it slides, then rolls up and down on the drum's rising side. Its way
-# and its spin against an independent integration of a rigid sphere.
+# A sphere in a turning drum, through the whole program: the sphere slides, then rolls up and down on the rising side of the drum. The
+# path and the spin of the sphere are compared with an independent integration of a rigid sphere.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 cd "$out" || exit 1

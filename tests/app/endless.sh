@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Runs without an end: a duration that is infinite or huge, a number of steps that is. Each makes steps until a signal ends it,
+# Runs without an end: the duration, or the number of steps, is infinite or huge. Each run makes steps until a signal ends the run,
 # and leaves a checkpoint from which a run goes on to an end.
 set -u
 . "$top_srcdir/tests/app/common.sh"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Faults while several ranks run: a rank that is killed, signals, a disk that is full, a checkpoint cut short, a message of the
-# wrong length. Each ends the job with one message that names it, and leaves a checkpoint from which the run goes on, on
-# another number of ranks and another division of the box.
+# wrong length. Each fault ends the job with one message that names the fault, and leaves a checkpoint from which the run goes on, on
+# another number of ranks and with another division of the box.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 find_bisection

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The folder of a run: what is written over, what an earlier run leaves, two runs at once, a disk that is full, a run that is
+# The folder of a run: files that are overwritten, files of an earlier run, two runs at once, a disk that is full, a run that is
 # killed.
 set -u
 . "$top_srcdir/tests/app/common.sh"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Sourced by the tests that compare forces between layouts: the last frame of a dump, what rounding allows, momentum.
-# CASE-first is the run of a case that the others are compared with; its observables hold momentum first, and overlap_max.
+# Sourced by the tests that compare forces between layouts: the last frame of a dump, the bound of rounding, momentum.
+# CASE-first is the reference run of a case; the observables of this run hold momentum first, and overlap_max.
 
 # last_frame DIR: the dump's last step alone
 last_frame() {

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Guards: each stops with names, place and time, and leaves a checkpoint; `scree check` tells beforehand what it can.
+# Guards: each guard stops the run with names, place and time, and leaves a checkpoint; `scree check` foresees the guards that follow
+# from the scene.
 
 . "$(dirname "$0")/common.sh"
 cd "$out" || exit 1

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # Hertz contacts with given damping against LAMMPS's gran/hertz/history (tests/app/lammps/in.hertz): forces and torques at the
-# start, positions and velocities after 200 steps. crosscode.sh does so for Hooke.
+# start, positions and velocities after 200 steps. crosscode.sh makes the same comparison for Hooke.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 cd "$out" || exit 1

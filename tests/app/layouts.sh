@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The same forces on every layout: indexes, newton on and off, reduced ghosts, 1, 2, 3, 4 and 8 ranks (27 with
 # SCREE_LONG). After at least three rebuilds with migration all forces must agree with those of brute on one rank within
-# max(1e-12, 8 eps L / largest overlap) of the largest force, eps L being the rounding of a coordinate; the pairs and
-# contacts counted must be the same; momentum must be what it was where nothing acts from outside.
+# max(1e-12, 8 eps L / largest overlap) of the largest force, where eps L is the rounding of a coordinate; the numbers of pairs and
+# contacts must be equal; without external forces momentum must stay constant.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 . "$top_srcdir/tests/app/forces.sh"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Only what a scene needs: bytes a particle, passes, fields in files and bytes on the wire, with one thing less at a time.
+# A run has only the data that the scene needs: bytes of a particle, passes, fields in files and bytes between ranks, with one feature
+# less at a time.
 
 . "$(dirname "$0")/common.sh"
 cd "$out" || exit 1

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# scree pack as a user starts it: files for LAMMPS and H5MD that the program reads back, the same on any number of ranks
-# and threads, and mistakes that end with status 2 before anything is made.
+# scree pack as a user starts the command: files for LAMMPS and H5MD that the program reads back, equal on any number of ranks
+# and threads, and mistakes that end with status 2 before the program makes any file.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 cd "$out" || exit 1

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Small scenes with a known outcome, through the whole program: plane against mesh, nothing of friction without friction,
+# Small scenes with a known outcome, through the whole program: plane against mesh, no data of friction without friction,
 # particles that come and go, moving walls, guards, conversions, ablation.
 set -u
 . "$top_srcdir/tests/app/common.sh"

@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Random scenes on random layouts against one rank, one thread, brute: random_scenes.sh [SEED [COUNT]]
 #
-# Scene number k is drawn from SEED + k alone (1 and 12, with SCREE_LONG 200, if they are not given), so the seed of a line
-# names one scene: random_scenes.sh 57 1. Drawn are dimension, box and its periodic sides, sizes, numbers, speeds, law,
-# gravity, walls, particles that leave or come, groups that are held or moved, skin; and ranks, threads, index, division, synchronisation, newton, ghosts. Every
-# second scene is reproducible: all that its checkpoint holds must be the same to the last bit, in every fourth of them
-# after a change of the layout half-way. The others make at most 50 steps, after which positions must agree within 1e-9
-# of the box; where they do not, rounding may have grown exponentially: then within what a run on one rank changes
-# by if the box is longer by 1e-14 of itself, some fifty times the rounding. A run may take 60 s: what hangs is told from what is slow.
+# Scene number k is drawn from SEED + k alone (defaults: SEED 1, COUNT 12, with SCREE_LONG 200), so the seed of a line
+# names one scene: random_scenes.sh 57 1. The script draws dimension, box and periodic sides, sizes, numbers, speeds, law,
+# gravity, walls, particles that leave or come, groups that are held or moved, and skin; and ranks, threads, index, division,
+# synchronisation, newton and ghosts. Every second scene is reproducible: all data of its checkpoint must be equal to the last bit, in
+# every fourth of these scenes after a change of the layout half-way. The other scenes make at most 50 steps, after which positions
+# must agree within 1e-9 of the box. Rounding may grow exponentially: if positions differ by more, the difference must not exceed the
+# change of a run on one rank in a box longer by the factor 1 + 1e-14, some fifty times the rounding. A run may take 60 s, so that the
+# script tells a run that hangs from a slow run.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 find_bisection

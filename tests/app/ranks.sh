@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The same forces on every division of the box, way of synchronising and number of ranks: newton on with full and with
-# reduced ghosts, and off; bricks and bisection; next-neighbour (where every particle fits) and shadows; 1, 2, 4 and 8 ranks
-# (all of it, and 27 ranks, with SCREE_LONG). Rebuilds come with migration of touching pairs; forces must agree with those of
+# The same forces on every division of the box, synchronisation and number of ranks: newton on with full and with
+# reduced ghosts, and off; bricks and bisection; next-neighbour (if every particle fits) and shadows; 1, 2, 4 and 8 ranks
+# (all combinations, and 27 ranks, with SCREE_LONG). Rebuilds come with migration of touching pairs; forces must agree with those of
 # brute on one rank within max(1e-12, 8 eps L / largest overlap) of the largest force; reproducible runs to the last bit.
 set -u
 . "$top_srcdir/tests/app/common.sh"

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# reproducible: true gives the same bits on any index, ranks x threads, domain and sync (all of them with SCREE_LONG). Each
-# scene is run to a checkpoint, after at least three rebuilds with migration; all that it holds (state, forces, springs,
-# poses) must be that of brute on one rank and thread to the last bit; so must sums over particles in observables.csv.
+# reproducible: true gives the same bits on any index, ranks x threads, domain and sync (all combinations with SCREE_LONG). The test
+# runs each scene to a checkpoint, after at least three rebuilds with migration. All data of the checkpoint (state, forces, springs,
+# poses), and the sums over particles in observables.csv, must equal those of brute on one rank and thread to the last bit.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 find_bisection

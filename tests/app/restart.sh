@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Resuming from a checkpoint: bit for bit on the same layout, within rounding on another one; with other gravity and
-# duration; after SIGTERM, SIGINT and SIGKILL; files that go on where they stood, also where particles come and go.
+# Resuming from a checkpoint: bit for bit on the same layout, within rounding on another layout; with other gravity and
+# duration; after SIGTERM, SIGINT and SIGKILL; files that continue from the checkpoint, also with particles that come and go.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 find_bisection

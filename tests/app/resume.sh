@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Resuming into a scene that has changed, and what is on disk when a run breaks off: the step by rule, walls by name,
-# groups set free, rows that wait for a frame, states that a guard has condemned.
+# Resuming into a scene that has changed, and the files on disk after the early end of a run: the step by rule, walls by name,
+# groups set free, rows that wait for a frame, states at which a guard has stopped a run.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 cd "$out" || exit 1

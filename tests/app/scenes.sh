@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Sourced by tests of the whole program (bash, after common.sh): scenes that several of them run, without units, step and output.
 
-# bed: the scene, to the standard output, and step.stl here, which it names. Friction, rolling, two materials, periodic sides, a
-# floor that oscillates, a lid that is pushed until the force on it is right, a mesh, a frozen particle
+# bed: writes the scene to the standard output, and the mesh step.stl of the scene into the current folder. Friction, rolling, two
+# materials, periodic sides, a floor that oscillates, a lid that a servo pushes until the force on the lid is right, a mesh, a frozen
+# particle
 bed() {
     local above='{shape: box, lower: [0, 0, 1.6], upper: [6, 6, 8]}'
     printf 'solid step\nfacet normal 0 0 1\nouter loop\nvertex 1 1 1.5\nvertex 5 1 1.5\nvertex 3 5 1.5\nendloop\nendfacet\nendsolid\n' >step.stl

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The stable step: crystals, a random packing and sizes apart by 50 keep their energy at 0.95 of it, and do not above it;
-# stiff contacts of the start, of a checkpoint and of the run count; energy that grows stops a run without being asked for.
+# The stable step: crystals, a random packing and sizes with a ratio of 50 keep their energy at 0.95 of the stable step, but not above
+# the stable step; stiff contacts at the start, in a checkpoint and during the run count; growing energy stops a run by default.
 
 . "$(dirname "$0")/common.sh"
 cd "$out" || exit 1

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# What the program says to people: help, progress on terminals of any width, notes.
+# The output of the program for people: help, progress on terminals of any width, notes.
 
 . "$(dirname "$0")/common.sh"
 cd "$out" || exit 1

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The system may grant fewer threads than there are cores or than are asked for: all work is done all the same, or the
-# program says so.
+# The system may grant fewer threads than the machine has cores, or fewer than the user wants: the program does all work
+# nevertheless, or reports the failure.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 cd "$out" || exit 1

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# Files that cannot be opened, read or closed on one rank: each run ends, soon, with status 1 and a message that names the
-# file, or what it wrote is what it would have written. Folders of long names, and folders that cannot be written to.
+# Files that cannot be opened, read or closed on one rank: each run soon ends with status 1 and a message that names the
+# file, or the run writes the same files as without the fault. Folders of long names, and folders without permission to write.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 cd "$out" || exit 1

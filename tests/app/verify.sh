@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# The verification cases, quickly: all of them but those that need many particles for long.
+# The verification cases in their quick form: all cases except those with many particles and many steps.
 set -u
 . "$top_srcdir/tests/app/common.sh"
 case $scree in /*) ;; *) scree=$PWD/$scree ;; esac

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Times order, build, count and fill of an index, and prints what the cost model predicts. Not a test.
+/* Times order, build, count and fill of an index, and prints the prediction of the cost model. Not a test.
  *
  *     bench_index [key=value ...]
  *
- * file: a packing from a LAMMPS data file; or law, exponent, ratio, particles, large, fraction: one made here
+ * file: a packing from a LAMMPS data file; or law, exponent, ratio, particles, large, fraction: a packing made here
  * open, skin, inflate: see bench_scene.h
- * index (hgrid), levels (0: as `auto` chooses; -1: one for each factor of two;
- * else so many of equal occupancy), factor (cell edges as a
- * multiple of the cut-offs; 0: as `auto` chooses), threads, repetitions, instructions
+ * index (hgrid), levels (0: as `auto` chooses; -1: one level for each factor of two; else the number of
+ * levels, of equal occupancy), factor (cell edges as a multiple of the cut-offs; 0: as `auto` chooses),
+ * threads, repetitions, instructions
  *
  * One line of JSON: seconds are CPU time over threads, the least of the repetitions, of order + build + fill.
  */
@@ -51,7 +51,7 @@ static int compare_doubles(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-/* The scene as the cost model sees it. */
+/* The scene in the form of the cost model. */
 static void describe_scene(struct bench *bench, const struct index_view *view) {
     double *radii = memory_allocate(view->owned, sizeof *radii, "radii");
     for (size_t k = 0; k < view->owned; k++) {
@@ -67,7 +67,7 @@ static void describe_scene(struct bench *bench, const struct index_view *view) {
     memory_free(radii);
 }
 
-/* Classes, one a level of the plan, and margins. */
+/* Classes, one for each level of the plan, and margins. */
 static void set_classes(const struct bench *bench, struct bench_scene *scene) {
     const struct cost_plan *plan = &bench->plan;
     struct index_view *view = &scene->view;

@@ -21,7 +21,7 @@ static double power_radius(double exponent, double ratio, double u) {
     return fabs(a) < 1e-9 ? pow(ratio, u) : pow(1 + u * (pow(ratio, a) - 1), 1 / a);
 }
 
-/* Exponential in the diameter, its scale 0.85 of the smallest, cut at the ratio. */
+/* Exponential in the diameter, with a scale of 0.85 of the smallest diameter, cut at the ratio. */
 static double exponential_radius(double ratio, double u) {
     const double scale = 0.85;
     return 1 - scale * log(1 - u * (1 - exp(-(ratio - 1) / scale)));
@@ -57,7 +57,7 @@ static double radius_of(const struct bench_spec *spec, size_t k) {
     return power_radius(spec->exponent, ratio, u);
 }
 
-/* A free place, or one where the sphere overlaps as little as many tries allow. */
+/* A free place, or the place with the least overlap of many tries. */
 static void place(const struct placegrid *grid, double edge, double radius, struct random_sequence *random,
                   double x[3]) {
     for (double shrink = 1;; shrink *= 0.97) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Packings for the benchmark of the indexes: from a file, or radii by a law, large ones placed first, at
- * random. */
+/* Packings for the benchmark of the indexes: from a file, or with radii by a law, placed at random, large
+ * spheres first. */
 #ifndef SCREE_TESTS_INDEX_BENCH_SCENE_H
 #define SCREE_TESTS_INDEX_BENCH_SCENE_H
 
@@ -11,8 +11,8 @@ struct bench_spec {
     double exponent; /* power: number density ~ r^exponent; -3 gives every size the same volume */
     double ratio;    /* largest radius over smallest; the smallest is 1 */
     size_t particles;
-    const char *file; /* a LAMMPS data file, which beats the law; NULL: none */
-    double large;     /* bidisperse: share of large ones, by number; boulder: how many */
+    const char *file; /* a LAMMPS data file, which overrides the law; NULL: none */
+    double large;     /* bidisperse: share of large spheres, by number; boulder: their number */
     double fraction;  /* volume fraction; sets the cube */
     bool open;        /* no direction is periodic */
     double skin;      /* margin of a class pair as a multiple of the smaller class's smallest radius */

@@ -72,7 +72,7 @@ static double place(const struct cloud_spec *spec, struct random_sequence *rando
     }
 }
 
-/* Puts a ghost on the other side of a face of the box, or on it. */
+/* Puts a ghost on the other side of a face of the box, or on the face. */
 static void move_out(const struct cloud_spec *spec, double *x, size_t k, const double edge[3]) {
     int d = (int)(k % (size_t)spec->dimension);
     while (spec->periodic[d]) {
@@ -91,7 +91,7 @@ static void set_margins(struct index_view *view, const struct cloud_spec *spec) 
     }
 }
 
-/* Draws the class pairs that never meet; every other time one class meets nobody. */
+/* Draws the class pairs that never meet; every other time one class meets no class. */
 static void set_unwanted(struct index_view *view, const struct cloud_spec *spec) {
     struct random_sequence random = random_sequence(spec->seed, RANDOM_TEST, 1);
     int alone = (int)(random_uniform(&random) * 2 * view->classes);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What auto chooses: levels, cuts and cells for scenes with a clear answer, and the same for the same scene.
- */
+/* The choice of auto: levels, cuts and cells for scenes with a clear answer, and equal choices for equal
+ * scenes. */
 #include "index/choose/auto.h"
 #include "tests/index/cloud.h"
 
@@ -25,7 +25,7 @@ static void univol(struct cost_scene *scene, double ratio) {
     auto_bins(scene, radii, RADII, 25);
 }
 
-/* `large` of radius `ratio` among RADII of radius 1. */
+/* `large` particles of radius `ratio` among RADII particles of radius 1. */
 static void bidisperse(struct cost_scene *scene, double ratio, int large) {
     double radii[RADII], volume = 0;
     for (int k = 0; k < RADII; k++) {
@@ -65,7 +65,7 @@ static void sizes_far_apart_do_not(void **state) {
     }
 }
 
-/* A wide law: several levels, cheaper than one and than many; the model says what it chose by. */
+/* A wide law: several levels, cheaper than one and than many; the model explains its choice. */
 static void wide_laws_get_a_few_levels(void **state) {
     (void)state;
     struct cost_scene scene;
@@ -106,7 +106,8 @@ static void equal_levels_have_equal_occupancy(void **state) {
     }
 }
 
-/* Levels that never meet cost each what it costs alone, and a level that meets nobody its particles. */
+/* Levels that never meet cost as much as each level alone, and a level that meets no level costs its
+ * particles alone. */
 static void unwanted_pairs_cost_nothing(void **state) {
     (void)state;
     struct cost_scene scene;
@@ -133,7 +134,7 @@ static void unwanted_pairs_cost_nothing(void **state) {
     assert_true(apart[COST_WINDOW] > large[COST_WINDOW] && large[COST_PARTICLE] > both[COST_PARTICLE]);
 }
 
-/* Whatever was chosen before, a view gets the choice that a new index makes for it. */
+/* For a view an index makes the same choice as a new index, whatever the earlier choices. */
 static void choices_have_no_memory(void **state) {
     (void)state;
     struct cloud few, many;
@@ -201,7 +202,7 @@ static void variants_find_the_same(void **state) {
     cloud_free(&cloud);
 }
 
-/* Cells are the user's multiple of what was chosen, also where larger ones would keep the grid dense. */
+/* Cells are the user's multiple of the chosen cells, even if larger cells would keep the grid dense. */
 static void cell_factors_are_kept(void **state) {
     (void)state;
     static const double factors[] = {1, 0.7, 0.6, 0.5, 0.4, 0.3};

@@ -44,7 +44,8 @@ static void make_order(const struct cloud *cloud, const char *name, int threads,
     assert_null(index);
 }
 
-/* A permutation, ascending in class, the old order kept among twins, and left alone when done again. */
+/* The order is a permutation, ascending in class, keeps the old order of equal particles, and does not
+ * change when an index orders the particles again. */
 static void check_order(struct cloud *cloud, const uint32_t *order) {
     size_t n = cloud->view.owned;
     uint8_t *seen = calloc(n, 1);
@@ -139,7 +140,7 @@ static void threads_find_the_same_pairs(void **state) {
     }
 }
 
-/* An index built again and again, for changing clouds, finds what a fresh one finds. */
+/* An index that is built again and again, for changing clouds, finds the same pairs as a new index. */
 static void indexes_can_be_rebuilt(void **state) {
     (void)state;
     struct index_params params = {0};
@@ -173,7 +174,7 @@ static void indexes_can_be_rebuilt(void **state) {
     }
 }
 
-/* An order that nobody follows, as where others sort the particles, leaves no trace. */
+/* An order that the caller does not apply has no effect on the pairs. */
 static void an_order_need_not_be_followed(void **state) {
     (void)state;
     struct index_params params = {0};

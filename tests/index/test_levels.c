@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Every index against brute: exact sets of pairs over clouds of all kinds; of a third of the particles if
- * SCREE_SHORT is set, as where each access to the memory is checked. */
+/* Every index against brute: exact sets of pairs over clouds of all kinds. With SCREE_SHORT, as under
+ * sanitizers, the clouds have a third of the particles. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -102,13 +102,13 @@ static const struct cloud_spec specs[] = {
 
 enum { SPECS = sizeof specs / sizeof specs[0] };
 
-/* How many particles: a third, rounded up, if SCREE_SHORT is set. */
+/* The number of particles: a third, rounded up, if SCREE_SHORT is set. */
 static size_t particles_of(const struct cloud_spec *spec) {
     return getenv("SCREE_SHORT") != NULL ? (spec->count + 2) / 3 : spec->count;
 }
 
-/* One index with one set of parameters on a cloud that brute has done: as it comes, and again in the index's
- * order. */
+/* One index with one set of parameters on a cloud whose pairs brute has found: in the given order, and again
+ * in the index's order. */
 static void compare(struct cloud *cloud, const struct pair_set *expected, const char *name,
                     const struct index_params *params, const char *what) {
     char label[256];
@@ -155,7 +155,7 @@ static void brute_set(struct pair_set *set, struct cloud *cloud) {
     index_destroy(&brute);
 }
 
-/* All pairs of an index in the order in which it finds them; the caller frees both arrays. */
+/* All pairs of an index in the order of the search; the caller frees both arrays. */
 static struct index_sink all_pairs(const struct index *index, const struct index_view *view) {
     struct index_sink sink = {0};
     index_visit(index, view, 0, view->owned, &sink);
@@ -168,9 +168,9 @@ static struct index_sink all_pairs(const struct index *index, const struct index
     return sink;
 }
 
-/* An index that may use what it learnt when it ordered the particles finds the same as one that may not; in
- * the same sequence, too, but where a frame comes from a sample of the particles in their order (outliers).
- */
+/* An index that may keep data from the ordering of the particles finds the same pairs as an index that may
+ * not. The sequence of the pairs is the same, too, unless a frame comes from a sample of the particles in
+ * their order (outliers). */
 static void build_ordered(const struct cloud *cloud, struct index *index, const struct index_params *params,
                           const struct pair_set *expected_set, const char *what) {
     char why[INDEX_WHY_MAX];
@@ -271,8 +271,8 @@ static void unwanted_classes_never_meet(void **state) {
     assert_true(pairs > 10000);
 }
 
-/* One index that meets scene after scene, large and small, on few and many threads: what it found from the
- * larger side before leaves no trace. The largest scene finds more than there is room for at first. */
+/* One index searches scene after scene, large and small, on few and many threads: earlier pairs found from
+ * the larger side leave no trace. The largest scene has more pairs than there is room for at first. */
 static void unlike_pairs_of_changing_scenes(void **state) {
     (void)state;
     static const struct cloud_spec scenes[] = {
@@ -309,7 +309,7 @@ static void unlike_pairs_of_changing_scenes(void **state) {
     index_destroy(&index);
 }
 
-/* Where a CPU lacks instructions, its widest stand in for them. */
+/* If a CPU lacks instructions, the widest instructions of the CPU replace these instructions. */
 static int say_instructions(void **state) {
     (void)state;
     static const char *const names[] = {

@@ -40,7 +40,7 @@ static struct index_view view_of(double (*x)[4], bool periodic) {
     return view;
 }
 
-/* Distances in the frame, images included, deviate by no more than its tolerance. */
+/* Distances in the frame, images included, deviate by no more than the tolerance of the frame. */
 static void frames_keep_distances(void **state) {
     (void)state;
     double x[POINTS][4];
@@ -65,7 +65,7 @@ static void frames_keep_distances(void **state) {
     }
 }
 
-/* What lies between two points lies between their cells; every particle has a cell. */
+/* A point between two points lies in a cell between their cells; every particle has a cell. */
 static void cells_ascend(void **state) {
     (void)state;
     double x[POINTS][4];
@@ -103,7 +103,7 @@ static bool stencil_has(const struct stencil *stencil, int dx, int dy, int dz) {
     return false;
 }
 
-/* Any two points within the reach are in cells that the stencil joins; cells well beyond it are left out. */
+/* Any two points within the reach are in cells that the stencil joins; cells well beyond the reach are left out. */
 static void stencils_cover_the_reach(void **state) {
     (void)state;
     double x[POINTS][4];

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Class pairs that are not wanted: a plain double loop finds the same, and nothing is searched in vain. */
+/* Class pairs that are not wanted: a plain double loop finds the same pairs, and the index searches no
+ * unwanted table. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -119,7 +120,8 @@ static void compare_index(struct cloud *cloud, struct index *index, const struct
     pair_set_free(&found);
 }
 
-/* All 64 patterns of three classes; each index, with each set of instructions, goes from one to the next. */
+/* All 64 patterns of three classes; each index, with each set of instructions, searches one pattern after
+ * another. */
 static void a_plain_loop_finds_the_same(void **state) {
     (void)state;
     struct error error = {0};
@@ -153,7 +155,7 @@ static void a_plain_loop_finds_the_same(void **state) {
     }
 }
 
-/* A grid a class: each class searches the grids of those that it meets, and no others. */
+/* One grid for each class: each class searches the grids of the classes that it meets, and no other grid. */
 static void searches_in_vain_are_left_out(void **state) {
     (void)state;
     for (int kind = 0; kind < 4; kind++) {
@@ -184,8 +186,8 @@ static void searches_in_vain_are_left_out(void **state) {
     }
 }
 
-/* What an index says of itself: particles of a class that meets nobody lie in no cells, and these are as
- * large as the others demand. */
+/* The description of an index: particles of a class that meets no class lie in no cells, and the cells are as
+ * large as the other classes demand. */
 static void who_meets_nobody_needs_no_cells(void **state) {
     (void)state;
     const struct index_params params = {0};
@@ -216,7 +218,7 @@ static void who_meets_nobody_needs_no_cells(void **state) {
         }
     }
     cloud.view.margin[0][0] = INDEX_NOT_WANTED;
-    for (int k = 1; k < index_registry_count(); k++) { /* nobody meets anybody: no cells at all */
+    for (int k = 1; k < index_registry_count(); k++) { /* no class meets a class: no cells at all */
         struct index *index = cloud_index(&cloud, index_registry_get(k)->name, &params);
         struct index_description description;
         index_describe(index, &description);

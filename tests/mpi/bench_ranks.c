@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What has the length of the rank count, timed for made-up rank counts on one process: the division of the
- * box, the search for neighbours, the owner of a position, the sorting of items by rank. None of them
+/* Measures the work that depends on the rank count, for pretended rank counts on one process: the division of
+ * the box, the search for neighbours, the owner of a position, the sorting of items by rank. None of this work
  * communicates. Not a test; make tests/mpi/bench_ranks.
  *
- *   bench_ranks [RANKS...]     one line of JSON each; 1000 10000 100000 1000000 if none is named
+ *   bench_ranks [RANKS...]     one line of JSON for each; default: 1000 10000 100000 1000000
  *
- * Seconds: brick, bisection (making it, neighbours included), divide (the cut tree from the corners of all
+ * Seconds: brick, bisection (the making of the domain, neighbours included), divide (the cut tree from the corners of all
  * subdomains, as after Zoltan), groups (one sorting of the copies of a rank). Nanoseconds: owner_brick,
  * owner_bisection. Bytes: brick_bytes, tree_bytes, groups_bytes. */
 #include "comm/domain.h"
@@ -31,7 +31,7 @@ static struct domain *divide(int ranks, const struct box *box, enum domain_kind 
     return domain;
 }
 
-/* Prints what a kind of domain costs. */
+/* Prints the costs of a kind of domain. */
 static void time_domain(int ranks, const struct box *box, enum domain_kind kind, const char *name) {
     double start = timer_now();
     size_t before = memory_in_use(), neighbours;

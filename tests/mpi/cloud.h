@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A cloud of particles that every rank knows as a whole, because it can make it: the oracle of the tests of
- * migration and copies. Particle k has id k + 1; every field has a value that follows from the id and a
- * number (`stamp`), so that any rank can say what it must be. */
+/* A cloud of particles that every rank knows as a whole, because every rank can make the cloud: the oracle of
+ * the tests of migration and copies. Particle k has id k + 1. The value of every field follows from the id and
+ * a number (`stamp`), so that any rank knows the right value. */
 #ifndef SCREE_TESTS_MPI_CLOUD_H
 #define SCREE_TESTS_MPI_CLOUD_H
 
@@ -10,7 +10,7 @@
 
 enum cloud_radii {
     CLOUD_EQUAL,
-    CLOUD_BIDISPERSE, /* ratio 10, one in twenty large */
+    CLOUD_BIDISPERSE, /* ratio 10, one particle in twenty is large */
     CLOUD_CONTINUOUS, /* uniform in log radius, ratio 30 */
     CLOUD_BOULDERS    /* dust, and two boulders of 0.42 and 0.45 of the shortest edge */
 };
@@ -38,7 +38,7 @@ static inline int cloud_field(const struct particles *particles, int field) {
 /* The value of a field's component of the particle with this id, small whole numbers; exact in any type. */
 double cloud_value(int64_t id, int code, int component, unsigned stamp);
 
-/* Appends particle k to the set: its position, radius and id, and cloud_value everywhere else. */
+/* Appends particle k to the set: its position, radius and id, and cloud_value in all other fields. */
 void cloud_append(const struct cloud *cloud, size_t k, unsigned stamp, struct particles *particles);
 
 /* Reads, and sets, one component of a field of local particle `i`. */

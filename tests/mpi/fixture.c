@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Divides a cloud among ranks, makes copies, and says which there must be. Read fixture.h first. */
+/* Divides a cloud among ranks, makes copies, and states the copies that must exist. Read fixture.h first. */
 #include "fixture.h"
 
 #include <setjmp.h>
@@ -146,7 +146,7 @@ static double distance_to(const struct fixture *fixture, int rank, size_t k, con
     return sqrt(squared);
 }
 
-/* Does the rank that owns a particle of class c compute its pair with one of class a? */
+/* Does the rank that owns a particle of class c compute its pair with a particle of class a? */
 static bool computes(const struct scene *scene, int c, int a) {
     return !scene->newton || !scene->reduced || c <= a;
 }

@@ -7,7 +7,7 @@
 #include "comm/ghosts.h"
 #include "team.h"
 
-enum { FIXTURE_STAMP = 3 }; /* of the values that fields have at first */
+enum { FIXTURE_STAMP = 3 }; /* the stamp of the values that fields have at first */
 
 struct scene {
     struct box box;
@@ -17,7 +17,7 @@ struct scene {
 };
 
 /* The scenes; some are named here for tests that need their properties. From SCENE_UNWANTED on some
- * class pairs are not wanted, and the last class meets nobody. Scene BRICKS + k is scene k with the box
+ * class pairs are not wanted, and the last class meets no class. Scene BRICKS + k is scene k with the box
  * divided by an uneven bisection. */
 enum {
     SCENE_EQUAL = 0,
@@ -39,11 +39,11 @@ struct fixture {
     struct particles *particles;
 };
 
-/* Makes the cloud of `n` particles, dealt out to the ranks in turn (not yet where they belong). */
+/* Makes the cloud of `n` particles, dealt out to the ranks in turn (not yet to their owners). */
 void fixture_make(struct fixture *fixture, struct team *team, int scene, size_t n);
 void fixture_free(struct fixture *fixture);
 
-/* Moves all particles to where the cloud has them: drops copies, migrates, makes copies. Collective. */
+/* Moves all particles to their places in the cloud: drops copies, migrates, makes copies. Collective. */
 void fixture_rebuild(struct fixture *fixture);
 
 /* True if direction d is wrapped by the index. */

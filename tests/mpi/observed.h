@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A cloud to observe, and what observables make of it: shared by the tests of observables. */
+/* A cloud to observe, and the observables of the cloud: shared by the tests of observables. */
 #ifndef SCREE_TESTS_MPI_OBSERVED_H
 #define SCREE_TESTS_MPI_OBSERVED_H
 

@@ -25,7 +25,7 @@ static const struct box box = {.dimension = 3,
 
 struct fixture {
     struct team *team;
-    struct comm comm; /* of those who write */
+    struct comm comm; /* of the ranks that write */
     struct folder folder;
     struct cloud cloud;
     struct particles *particles;
@@ -73,7 +73,7 @@ static inline void make_history(struct fixture *f) {
     }
 }
 
-/* Deals the particles out unevenly: rank r of P gets those with k^2 mod (2 P - 1) / 2 = r. */
+/* Deals the particles out unevenly: rank r of P gets the particles k with k^2 mod (2 P - 1) / 2 = r. */
 static inline int owner_of(size_t k, int size) {
     return (int)(k * k % (size_t)(2 * size - 1)) / 2 % size;
 }
@@ -210,7 +210,7 @@ static inline void expect_numbers(struct fixture *f, const struct checkpoint_loa
     team_expect(team, total > expected - 1e-12 && total < expected + 1e-12, "sum %g", total);
 }
 
-/* What the fixture gives a field: the stamp, which for materials and groups is a number that there is. */
+/* The value that the fixture gives a field: the stamp, which for materials and groups is an existing number. */
 static inline double value_of(int64_t id, const struct field *field, int component) {
     double value = cloud_value(id, cloud_code(field->name), component, STAMP);
     bool number = strcmp(field->name, "material") == 0 || strcmp(field->name, "group") == 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Collects failures and agrees on them. Read team.h first. */
+/* Collects failures; all ranks agree on the failures. Read team.h first. */
 #include "team.h"
 
 #include "core/memory.h"

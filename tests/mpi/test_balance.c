@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Division of the box by load: even where there are many particles, whole where there are few.
+/* Division of the box by load: even loads with many particles, a complete division with few.
  *
  * Ranks: 1 2 3 4 8 Long: 27 */
 #include <setjmp.h>
@@ -17,7 +17,7 @@
 
 enum { MOST = 20000 };
 
-/* Particles of all ranks, the same everywhere, and a box that is divided by them. */
+/* Particles of all ranks, the same on every rank, and a box that is divided by these particles. */
 struct crowd {
     struct team *team;
     struct box box;
@@ -78,7 +78,7 @@ static bool crowd_divide(struct crowd *crowd) {
     return balance_divide(crowd->domain, &crowd->team->comm, &crowd->box, &load);
 }
 
-/* Ranks agree on who owns what, and each particle is within its owner's bounds. */
+/* Ranks agree on the owner of each particle, and each particle is within its owner's bounds. */
 static void expect_whole(struct crowd *crowd) {
     size_t count;
     double lower[3], upper[3];
@@ -122,7 +122,8 @@ static void many_are_shared_evenly(void **state) {
     team_finish(team);
 }
 
-/* Fewer than ranks, or one that weighs more than all: whatever comes of it, it is a division of the box. */
+/* Fewer particles than ranks, or one particle that weighs more than all others: the result is still a
+ * division of the box. */
 static void few_have_one_owner_each(void **state) {
     struct team *team = *state;
     need_zoltan(team);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Checkpoints: the same state back on the same layout, bit for bit, and on any other; old ones deleted.
+/* Checkpoints: the same state back on the same layout, bit for bit, and on any other; old checkpoints deleted.
  * Ranks: 1 2 3 4 */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -82,7 +82,7 @@ static void features_may_change(void **state) {
     struct particles *p = read_otherwise(&f, team, WITH_ALL, 0);
     int64_t held = 0;
     for (size_t i = 0; i < p->owned; i++) {
-        /* what was held moves freely now, with the mass of its density */
+        /* particles that were held move freely now, with the mass of their density */
         int64_t id = p->id[i];
         double density = cloud_value(id, cloud_code("density"), 0, STAMP);
         double expected = 1 / (id % 7 == 0 ? particles_sphere_mass(p->state[i].radius, density) : (double)id);
@@ -96,7 +96,8 @@ static void features_may_change(void **state) {
     team_finish(team);
 }
 
-/* Without groups nothing was held: densities follow from masses, and all are in the first group. */
+/* Without groups no particle was held: densities follow from masses, and all particles are in the first
+ * group. */
 static void groups_may_come(void **state) {
     struct team *team = *state;
     struct fixture f;
@@ -250,7 +251,7 @@ static void old_ones_are_deleted(void **state) {
     team_finish(team);
 }
 
-/* As many ranks get the tree back, others none; nor where the box was divided into bricks. */
+/* An equal number of ranks gets the tree back, another number gets no tree; bricks give no tree either. */
 static void cuts_of_a_bisection_come_back(void **state) {
     struct team *team = *state;
     struct comm self = folder_self();

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Checkpoints that are cut off, changed or foreign are refused; what cannot be written leaves the old one
- * whole. Ranks: 1 2 3 4 */
+/* Checkpoints that are cut off, changed or foreign are refused; a checkpoint that cannot be written leaves the
+ * old checkpoint whole. Ranks: 1 2 3 4 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -38,7 +38,7 @@ static void write_bytes(const char *path, const struct bytes *bytes, size_t size
         error_fatal("%s cannot be written", path);
 }
 
-/* The file as it stands must be refused by one message that names it. */
+/* The present file must be refused by one message that names the file. */
 static void expect_refused(struct fixture *f, const char *path, const char *what, size_t place) {
     struct comm self = folder_self();
     struct error error = {0};
@@ -166,7 +166,7 @@ static void foreign_files_are_refused(void **state) {
     team_finish(team);
 }
 
-/* No room: the message says so, the old checkpoint stays, nothing is left behind. */
+/* No room: the message reports the lack of room, the old checkpoint stays, no other file is left. */
 static void what_does_not_fit_leaves_the_old_one(void **state) {
     struct team *team = *state;
     struct fixture f;

@@ -13,8 +13,8 @@
 
 enum { PARTICLES = 240 };
 
-/* The local number of the copy of particle k under an image, or of k itself if it is owned here and the image
- * is 0; -1 if there is none. *count copies were found. */
+/* The local number of the copy of particle k under an image, or of k itself if k is owned here and the image
+ * is 0; -1 if there is no copy. *count copies were found. */
 static long find_copy(const struct fixture *fixture, size_t k, const int image[3], int *count) {
     const struct particles *particles = fixture->particles;
     unsigned code = image_code(image[0], image[1], image[2]);
@@ -134,7 +134,7 @@ static void no_pair_without_partner(void **state) {
     team_finish(team);
 }
 
-/* Who meets nobody is known to its owner alone. */
+/* Only its owner knows a particle that meets no particle. */
 static void no_copies_for_nobody(void **state) {
     struct team *team = *state;
     struct fixture fixture;
@@ -151,7 +151,8 @@ static void no_copies_for_nobody(void **state) {
     team_finish(team);
 }
 
-/* Boulders larger than half the box: somebody holds two images of one, somebody a copy of his own. */
+/* Boulders larger than half the box: some rank holds two images of a boulder, and some rank a copy of a
+ * boulder of its own. */
 static void several_images_on_one_rank(void **state) {
     struct team *team = *state;
     if (team->comm.size == 1)

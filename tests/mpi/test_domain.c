@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The division of the box against its definition, for any number of ranks. The domain does not communicate,
- * so the rank counts are made up, and one process is enough. Ranks: 1 */
+ * so the test pretends the rank counts, and one process is enough. Ranks: 1 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -47,7 +47,7 @@ static bool is_wrapped(const struct domain *domain, const struct box *box, int d
     return box->periodic[d] && grid[d] == 1;
 }
 
-/* A position as migration sees it: wrapped, beyond open sides now and then, sometimes on a face. */
+/* A position of migration: wrapped, now and then beyond open sides, sometimes on a face. */
 static void random_position(const struct domain *domain, const struct box *box, int size,
                             struct random_sequence *sequence, double x[3]) {
     double lower[3], upper[3];
@@ -61,7 +61,7 @@ static void random_position(const struct domain *domain, const struct box *box, 
     }
 }
 
-/* Exactly one subdomain holds a position, if the upper faces are left out; it is the owner's. */
+/* Exactly one subdomain without its upper faces holds a position: the owner's subdomain. */
 static void owner_of_any_position(void **state) {
     (void)state;
     for (int b = 0; b < BOXES; b++) {
@@ -250,8 +250,8 @@ static void expect_choice(int size, const struct box *box, const int given[3], c
         assert_int_equal(grid[d], expected[d]);
 }
 
-/* A bed in a tall box is divided into columns, although cuts across the height are smaller; where it fills
- * the box, or there is none, the area decides; so it does where a map of few particles says little. */
+/* A bed in a tall box is divided into columns, although cuts across the height are smaller. If the bed fills
+ * the box, or without a bed, the area decides; the area also decides if the map has few particles. */
 static void grids_of_least_load(void **state) {
     const struct box tall = {.dimension = 3, .edge = {2, 2, 10}};
     const int any[3] = {0, 0, 0};
@@ -336,7 +336,7 @@ static void trees_from_cuts(void **state) {
     domain_tree_destroy(&tree);
 }
 
-/* A bisection, too: what stands on a cut, or where several meet, belongs to the one subdomain that begins
+/* The same for a bisection: a position on a cut, or on several cuts, belongs to the one subdomain that begins
  * there. */
 static void owner_on_a_cut(void **state) {
     (void)state;

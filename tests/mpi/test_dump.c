@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* LAMMPS's text files, conversions between formats, and what info says of them.
+/* LAMMPS's text files, conversions between formats, and the text of info about the files.
  * Ranks: 1 2 4 */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -76,7 +76,7 @@ static void write_frames(struct fixture *f, int64_t resume, int first, int last)
     team_expect(f->team, dump_close(&dump, &error), "%s", error.text);
 }
 
-/* What fifteen digits leave of a number. */
+/* A number rounded to fifteen digits. */
 static bool near(double a, double b) {
     return fabs(a - b) <= 1e-14 * (fabs(a) + fabs(b));
 }
@@ -208,7 +208,7 @@ static void conversions_close_the_circle(void **state) {
     team_finish(team);
 }
 
-/* A checkpoint as data, H5MD and dump: its particles, with the velocities that it holds. */
+/* A checkpoint as data, H5MD and dump: the particles, with the velocities of the checkpoint. */
 static void checkpoint_is_converted(void **state) {
     struct team *team = *state;
     static const char *const names[] = {"a.data", "a.h5", "a.lammpstrj"};
@@ -259,7 +259,7 @@ static void checkpoint_is_converted(void **state) {
     }
 }
 
-/* Data files: one that is right, then the same with one thing wrong. */
+/* Data files: a correct file, then the same file with one mistake. */
 
 static const char good_data[] =
     "a title\n\n2 atoms\n1 atom types\n\n0 10 xlo xhi\n0 10 ylo yhi\n-1 1 zlo zhi\n\nAtoms # sphere\n\n"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Exchanges with and without a plan, over random graphs, in many small pieces, and what happens when a
+/* Exchanges with and without a plan, over random graphs, in many small pieces, and the end of the job if a
  * message has the wrong length. Ranks: 1 2 3 4 8 */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -17,13 +17,13 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Length of the message from a to b in a round, the same on all ranks; SIZE_MAX: there is none. */
+/* Length of the message from a to b in a round, the same on all ranks; SIZE_MAX: there is no message. */
 static size_t length_of(int a, int b, unsigned round) {
     uint64_t item = (uint64_t)a << 40 | (uint64_t)b << 20 | round;
     struct random_sequence sequence = random_sequence(7, RANDOM_TEST, item);
     if (random_uniform(&sequence) < 0.5)
         return SIZE_MAX;
-    return (size_t)(200 * random_uniform(&sequence)) / 8 * 8; /* pieces of 8 bytes: whole ones happen */
+    return (size_t)(200 * random_uniform(&sequence)) / 8 * 8; /* some end with a whole piece of 8 bytes */
 }
 
 static char byte_of(int a, int b, unsigned round, size_t k) {
@@ -112,7 +112,8 @@ static void planned(void **state) {
     team_finish(team);
 }
 
-/* What is counted as sent is what length_of says, without the messages to oneself; sparse exchanges apart. */
+/* The counted bytes are those of length_of, without the messages of a rank to itself; sparse exchanges are
+ * counted apart. */
 static void counts(void **state) {
     struct team *team = *state;
     struct exchange exchange;
@@ -152,8 +153,8 @@ static void catch_fatal(int status) {
     longjmp(after_fatal, status);
 }
 
-/* Runs exchange_finish with stderr kept in a file. Returns true if it ended in a fatal error, whose text is
- * then in `text`. */
+/* Runs exchange_finish with stderr kept in a file. Returns true if exchange_finish ended in a fatal error; the
+ * text of the error is then in `text`. */
 static bool finish_fatally(struct exchange_flight *flight, char *text, size_t size) {
     FILE *kept = tmpfile();
     volatile bool fatal = false;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* What travels along the plan: values forward, sums back; and what the plan says of itself.
+/* The plan carries values forward and sums back; and the plan describes itself.
  * Ranks: 1 2 3 4 8 27 */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -87,7 +87,7 @@ static void values_forward(void **state) {
     team_finish(team);
 }
 
-/* Copies that are put back to where their originals stand stay with them when values come. */
+/* Copies that are put back to the places of their originals stay at these places when values come. */
 static void values_in_place(void **state) {
     struct team *team = *state;
     for (int s = SCENE_BOULDERS; s <= SCENE_BOULDERS_SLABS; s++) {
@@ -194,7 +194,8 @@ static void one_field_forward(void **state) {
     team_finish(team);
 }
 
-/* What the copy of particle k on a rank under an image sends back: whole numbers, so that sums are exact. */
+/* The numbers that the copy of particle k on a rank under an image sends back: whole numbers, so that sums
+ * are exact. */
 static double share(size_t k, int rank, unsigned code, int component) {
     return cloud_value((int64_t)k + 1, rank, component + 6 * (int)code, 77);
 }
@@ -247,7 +248,7 @@ static void sums_back(void **state) {
     team_finish(team);
 }
 
-/* Sums of fields that are no forces, of one and of five components, alone and together with them. */
+/* Sums of fields that are no forces, of one and of five components, alone and together with forces. */
 static void any_sums_back(void **state) {
     struct team *team = *state;
     static const char *const names[] = {"heat", "moment", "torque"};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Trajectories: what H5MD demands of the file (looked up with HDF5 itself), the same bytes of data whatever
- * the ranks. Ranks: 1 2 4 */
+/* Trajectories: the elements that H5MD demands (read with HDF5 itself), and the same bytes of data for every
+ * number of ranks. Ranks: 1 2 4 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

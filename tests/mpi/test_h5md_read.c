@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Trajectories read back: our own, those of others, and broken ones. Ranks: 1 2 4 */
+/* Trajectories read back: those of scree, those of other programs, and broken files. Ranks: 1 2 4 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -8,7 +8,7 @@
 
 #include "trajectory.h"
 
-/* Reading back by slices, any frame, with what a reader may get wrong. */
+/* Reading back by slices, any frame, with wrong requests of a reader. */
 static void reads_back(void **state) {
     struct team *team = *state;
     struct fixture f;
@@ -53,7 +53,7 @@ static void reads_back(void **state) {
     team_finish(team);
 }
 
-/* Makes a dataset of doubles in a file of somebody else. */
+/* Makes a dataset of doubles in a file of another program. */
 static void foreign_dataset(hid_t file, const char *name, int rank, const hsize_t *size, hid_t type,
                             const void *data) {
     hid_t links = H5Pcreate(H5P_LINK_CREATE), space = H5Screate_simple(rank, size, NULL);
@@ -109,7 +109,7 @@ static void reads_foreign_files(void **state) {
     team_finish(team);
 }
 
-/* What a killed run, a wrong file or no file looks like. */
+/* The files of a killed run, a wrong file, and no file. */
 static void broken_files_are_refused(void **state) {
     struct team *team = *state;
     struct fixture f;

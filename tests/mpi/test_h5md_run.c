@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Trajectories over a run: numbers of particles that change, going on after a resume, contact lists,
- * observables, the XDMF beside. Ranks: 1 2 4 */
+/* Trajectories over a run: numbers of particles that change, continuation after a resume, contact lists,
+ * observables, the XDMF file. Ranks: 1 2 4 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -163,7 +163,7 @@ static void resume_goes_on(void **state) {
     }
 }
 
-/* Where particles come and go, a file made for those that stay is refused, and nothing is cut. */
+/* If particles come and go, a file made for a constant number is refused, and nothing is cut. */
 static void fixed_file_is_kept(void **state) {
     struct team *team = *state;
     struct fixture f;
@@ -210,7 +210,7 @@ static void write_contacts(struct fixture *f) {
     team_expect(team, h5md_close(&h5md, &error), "%s", error.text);
 }
 
-/* Rows in the order of ranks; what is missing in the second frame has the ids -1. */
+/* Rows in the order of ranks; rows that are missing in the second frame have the ids -1. */
 static void expect_contacts(struct team *team, hid_t file) {
     int size = team->comm.size;
     double *ids = read_all(file, "/connectivity/contacts/value");
@@ -318,8 +318,7 @@ static void xdmf_names_what_is_there(void **state) {
     team_finish(team);
 }
 
-/* Lets the trajectory grow by `more` bytes and no further, as far as rank 0 goes, which asks for room; < 0:
- * without a limit. */
+/* Limits the growth of the trajectory to `more` bytes on rank 0, which reserves the room; < 0: no limit. */
 static void limit_growth(const struct fixture *f, int64_t more) {
     struct rlimit limit;
     if (f->team->comm.rank != 0)
@@ -329,7 +328,7 @@ static void limit_growth(const struct fixture *f, int64_t more) {
     setrlimit(RLIMIT_FSIZE, &limit);
 }
 
-/* A frame for which there is no room is refused before anything is begun. */
+/* A frame without room on the disk is refused before the first write. */
 static void expect_no_room(struct fixture *f, struct h5md *h5md, int step, int64_t more) {
     static const struct output_fields all = {0};
     struct error error = {0};
@@ -344,8 +343,8 @@ static void expect_no_room(struct fixture *f, struct h5md *h5md, int step, int64
                 step, error.text);
 }
 
-/* The disk must have room for whole chunks, 96 bytes of 4096 rows; and where a frame is wider than those
- * before, for chunks of theirs, here seven. */
+/* The disk must have room for whole chunks, 96 bytes of 4096 rows; and if a frame is wider than the earlier
+ * frames, for chunks of the earlier frames, here seven. */
 static void frames_have_room(void **state) {
     struct team *team = *state;
     struct fixture f;

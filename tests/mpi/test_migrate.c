@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Migration from anywhere to anywhere: nothing is lost, all fields and rows come along, in a known order.
+/* Migration from any rank to any rank: no particle is lost, all fields and rows migrate, in a known order.
  * Ranks: 1 2 3 4 8
  * Long: 27 */
 #include <setjmp.h>
@@ -69,7 +69,7 @@ static void follow_cloud(struct fixture *fixture) {
         memcpy(particles->state[i].x, fixture->cloud.x[particles->id[i] - 1], 3 * sizeof(double));
 }
 
-/* Every field of everybody owned here; and each particle is owned where it should be, and only there. */
+/* Checks every field of all particles owned here, and that each particle is owned by the right rank alone. */
 static void expect_all(struct fixture *fixture) {
     struct team *team = fixture->team;
     struct particles *particles = fixture->particles;
@@ -123,7 +123,7 @@ static void fields_travel(void **state) {
     team_finish(team);
 }
 
-/* All particles gather on one rank, and leave it again. */
+/* All particles gather on one rank, and leave this rank again. */
 static void all_in_one_place(void **state) {
     struct team *team = *state;
     struct fixture fixture;
@@ -140,8 +140,8 @@ static void all_in_one_place(void **state) {
     team_finish(team);
 }
 
-/* Those who stay, the last ones in the places of those who leave; then arrivals by source rank, in their
- * order there. */
+/* First the particles that stay, the last of which take the places of the particles that leave; then the
+ * arrivals by source rank, in their order there. */
 static void order_of_arrivals(void **state) {
     struct team *team = *state;
     struct fixture fixture;
@@ -244,7 +244,7 @@ static void rows_travel(void **state) {
         expect_all(&fixture);
         expect_rows(team, fixture.particles, rows);
     }
-    /* The history alone, as contacts hand it over */
+    /* The history alone, as contacts hand over the history */
     struct history_rows history = {rows[0].start, rows[0].row, rows[0].count};
     cloud_scatter(&fixture.cloud, 9);
     follow_cloud(&fixture);

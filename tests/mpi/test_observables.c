@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables against closed forms and plain sums over the whole cloud, columns and their names, refusals,
- * the file and going on with it. Ranks: 1 2 4 */
+ * the file and its continuation. Ranks: 1 2 4 */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -232,8 +232,8 @@ static void read_csv(const struct fixture *f, char *text, size_t size) {
         fclose(file);
 }
 
-/* A whole run, and one that was stopped in the middle of a row and resumed from an earlier time: the same
- * file. */
+/* A whole run, and a run that was stopped in the middle of a row and resumed from an earlier time, write the
+ * same file. */
 static void the_file_goes_on(void **state) {
     struct team *team = *state;
     struct fixture f;
@@ -266,7 +266,7 @@ static void the_file_goes_on(void **state) {
         team_expect(team, strncmp(whole, "time[s],particles[1],ball_z[m]\n0,123,", 37) == 0, "%.60s", whole);
         team_expect(team, strcmp(whole, resumed) == 0, "whole:\n%s\nresumed:\n%s", whole, resumed);
     }
-    /* other columns do not go into this file */
+    /* the file does not accept other columns */
     ask(&f, (struct observable_request){.name = "contacts"});
     struct observables *o = create(&f);
     team_expect(team, !observables_open(o, &team->comm, f.folder.path, 0.4, &error),

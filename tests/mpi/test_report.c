@@ -100,8 +100,8 @@ static char *read_text(const char *path) {
     return text;
 }
 
-/* A reader of JSON that knows just enough to say whether a text is JSON at all: returns where the value ends,
- * NULL if it is none. */
+/* A reader of JSON that knows just enough to check that a text is JSON: returns the end of the value, NULL if
+ * the text is no value. */
 static const char *skip_value(const char *c);
 
 static const char *skip_space(const char *c) {

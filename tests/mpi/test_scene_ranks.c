@@ -56,7 +56,7 @@ static void owners_get_theirs(void **state) {
     scene_free(&scene);
 }
 
-/* An id that is there twice is found by the rank to which it falls, and agreed upon. */
+/* The rank that is responsible for an id finds an id that occurs twice, and all ranks agree on the error. */
 static void doubles_are_found(void **state) {
     (void)state;
     struct folder folder;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* One sphere through the whole box, in 26 directions, with radii up to one and a half subdomains and up to
  * two subdomains a step: after each step every rank has exactly the copies that the rule demands, and the
- * state of a reference sphere that nobody synchronises. The skin is 0, so every step is a rebuild.
+ * state of a reference sphere that is never synchronised. The skin is 0, so every step is a rebuild.
  *
  * Ranks: 8 27 Long: 125 343 */
 #include <setjmp.h>
@@ -69,7 +69,7 @@ static void flight_end(struct flight *flight) {
     domain_destroy(&flight->domain);
 }
 
-/* One step: whoever owns the sphere moves it, all move the reference. */
+/* One step: the owner moves the sphere, and all ranks move the reference. */
 static void flight_step(struct flight *flight) {
     struct particles *particles = flight->particles;
     ghosts_drop(flight->ghosts, particles);
@@ -187,7 +187,7 @@ static void through_an_open_box(void **state) {
     team_finish(team);
 }
 
-/* A subdomain that a ball misses by rounding alone hands the ball on, and keeps nothing of it: slabs of
+/* A subdomain that a ball misses by rounding alone passes the ball on, and keeps no copy: slabs of
  * thickness 1 along x, 4 along y, and a reach of 3 less some digits, where 3 would touch the next row. */
 static void what_is_handed_on_is_not_kept(void **state) {
     struct team *team = *state;
@@ -223,7 +223,7 @@ static void what_is_handed_on_is_not_kept(void **state) {
     team_finish(team);
 }
 
-/* Next-neighbour synchronisation says what it cannot do; the copies are right even then. */
+/* Next-neighbour synchronisation reports a particle that reaches too far; the copies are right even then. */
 static void neighbours_refuse(void **state) {
     struct team *team = *state;
     static const double radii[] = {0.3, 0.7};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The stress against closed forms: in two dimensions, in regions, and where a region has no volume.
+/* The stress against closed forms: in two dimensions, in regions, and in regions without a volume.
  * Ranks: 1 2 4 */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -9,7 +9,7 @@
 
 #include "observed.h"
 
-/* In two dimensions a stress is a force over a length, however thick the box is said to be. */
+/* In two dimensions a stress is a force over a length, whatever the thickness of the box. */
 static void flat_stress(void **state) {
     struct team *team = *state;
     struct fixture f;
@@ -43,7 +43,7 @@ static void flat_stress(void **state) {
     team_finish(team);
 }
 
-/* Regions for stresses: the corner of the box that reaches beyond it, a sphere, cylinders along y. */
+/* Regions for stresses: a corner that reaches beyond the box, a sphere, cylinders along y. */
 static void make_regions(struct fixture *f) {
     f->options.regions = 4;
     f->options.region[0] = (struct output_region){.name = "right",

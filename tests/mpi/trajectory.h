@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A trajectory for tests, and a look into files with HDF5 alone. Include after cmocka.h. */
+/* A trajectory for tests, and functions that read files with HDF5 alone. Include after cmocka.h. */
 #ifndef SCREE_TESTS_MPI_TRAJECTORY_H
 #define SCREE_TESTS_MPI_TRAJECTORY_H
 
@@ -46,7 +46,7 @@ static inline void fixture_make(struct fixture *f, struct team *team, const stru
         if (k * 7 % 5 % (size_t)team->comm.size == (size_t)team->comm.rank)
             cloud_append(&f->cloud, k, STAMP, f->particles);
     for (size_t i = 0; groups_of(f->particles) && i < f->particles->owned; i++)
-        groups_of(f->particles)[i] = 0; /* there is no other */
+        groups_of(f->particles)[i] = 0; /* there is no other group */
     for (size_t i = 0; !groups_densities(f->particles) && i < f->particles->owned; i++)
         if (f->particles->state[i].inverse_mass == 0)
             f->particles->state[i].inverse_mass = 1;
@@ -96,7 +96,7 @@ static inline void write_file(struct fixture *f, bool varying, int64_t resume, i
     team_expect(f->team, h5md_close(&h5md, &error), "%s", error.text);
 }
 
-/* Looking into files with HDF5 alone. */
+/* Functions that read files with HDF5 alone. */
 
 static inline void expect_size(struct team *team, hid_t file, const char *name, int rank,
                                const hsize_t *expected) {
