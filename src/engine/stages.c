@@ -6,9 +6,7 @@
 
 /* The engine's own stages; those from LATER on come after the stages of physics. */
 static const struct timer_stage own[] = {
-    {.name = "setup",
-     .help = "0: what comes before the first step is in `seconds_setup`",
-     .use = TIMER_START},
+    {.name = "setup", .help = "0: the time before the first step is in `seconds_setup`", .use = TIMER_START},
     {.name = "sweep", .help = "drift and particle forces in one pass", .use = TIMER_WORK},
     {.name = "comm", .help = "values of copies sent, forces sent back", .use = TIMER_WAIT},
     {.name = "decide",

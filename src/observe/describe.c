@@ -21,7 +21,7 @@ static const char *type_name(enum field_type type) {
 
 static void print_fields(const struct timers *stages, FILE *out) {
     (void)stages;
-    fprintf(out, "| in H5MD | in a dump | type | shape | unit | over time | scenes with | what it is |\n"
+    fprintf(out, "| in H5MD | in a dump | type | shape | unit | over time | scenes with | meaning |\n"
                  "|---|---|---|---|---|---|---|---|\n");
     struct particles *known = particles_create(0);
     frame_register_all(known);
@@ -35,7 +35,7 @@ static void print_fields(const struct timers *stages, FILE *out) {
         fprintf(out, "| `%s` | %s%s%s | %s | %s | %s | %s | %s | %s%s |\n", field.name, quote, dump, quote,
                 type_name(field.type), shape, unit_cell(field.unit), field.fixed ? "fixed" : "each frame",
                 field.needed_for ? field.needed_for : "any", field.help,
-                field.asked_only ? "; only where `fields` names it" : "");
+                field.asked_only ? "; written only if `fields` names the field" : "");
     }
     particles_destroy(&known);
 }
@@ -71,7 +71,7 @@ static void print_takes(FILE *out, const struct observable_info *info) {
 
 static void print_observables(const struct timers *stages, FILE *out) {
     (void)stages;
-    fprintf(out, "| name | columns | unit | takes | what it is |\n|---|---|---|---|---|\n");
+    fprintf(out, "| name | columns | unit | takes | meaning |\n|---|---|---|---|---|\n");
     for (int k = 0; k < observables_kinds_count(); k++) {
         const struct observable_info *info = observables_get(k);
         fprintf(out, "| `%s` | ", info->name);
@@ -103,7 +103,7 @@ static void print_entry(FILE *out, const char *prefix, const struct report_row *
 }
 
 static void print_report(const struct timers *stages, FILE *out) {
-    fprintf(out, "| key | unit | what it is |\n|---|---|---|\n");
+    fprintf(out, "| key | unit | meaning |\n|---|---|---|\n");
     for (const struct report_row *row = report_rows; row->name; row++) {
         char prefix[64];
         if (row->terminal)
