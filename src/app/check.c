@@ -351,6 +351,7 @@ int command_check(const struct comm *comm, const struct command_line *line, stru
         notes_take(s, notes);
         if (comm->rank == 0)
             print_all(s, notes);
+        physics_print(&s->physics, stdout);
         status = notes->stops[0] ? ERROR_PHYSICS : 0;
         memory_free(notes);
     }

@@ -2,6 +2,7 @@
 /* Looks in a simulation for settings that are probably a mistake. Read notes.h first. */
 #include "engine/notes.h"
 #include "core/memory.h"
+#include "particles/kinds.h"
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
@@ -15,13 +16,16 @@ static void extent_add(struct extent *extent, const double x[3], double reach) {
     }
 }
 
-/* The extent of the particles on all ranks, and the number of centres beyond an open side of the box.
+/* The extent of the particles on all ranks, without those that lie behind boundaries, and the number of centres beyond an open side of the box.
  * Collective. */
 static struct extent particles_extent(const struct simulation *s, int64_t *outside) {
     const struct box *box = &s->scene->box;
     struct extent extent = nothing;
+    const uint8_t *kind = kinds_of(s->particles);
     *outside = 0;
     for (size_t k = 0; k < s->particles->owned; k++) {
+        if (kind && kind[k] == KIND_BOUNDARY)
+            continue;
         const struct particle_state *p = &s->particles->state[k];
         double x[3];
         bool out = false;

@@ -108,3 +108,9 @@ void physics_restart(const struct physics_set *set, struct restart *restart) {
         if (set->active[k].row->restart)
             set->active[k].row->restart(&set->active[k].context, restart);
 }
+
+void physics_print(const struct physics_set *set, FILE *file) {
+    for (int k = 0; k < set->count; k++)
+        if (set->active[k].row->print)
+            set->active[k].row->print(&set->active[k].context, file);
+}

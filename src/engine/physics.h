@@ -114,6 +114,8 @@ struct physics {
     double (*limit)(const struct physics_context *context, double most);
     /* Looks for physical nonsense after a step; fills `error`. NULL: no check. */
     void (*guard)(const struct physics_context *context, struct error *error);
+    /* Prints lines for `scree check`, by rank 0 alone, at the start. NULL: none. Collective. */
+    void (*print)(const struct physics_context *context, FILE *file);
     /* Adds the numbers that a resume needs, with their names. NULL: none. */
     void (*restart)(const struct physics_context *context, struct restart *restart);
 };
@@ -159,5 +161,8 @@ void physics_look(const struct physics_set *set);
 double physics_limit(const struct physics_set *set, double most);
 void physics_guard(const struct physics_set *set, struct error *error);
 void physics_restart(const struct physics_set *set, struct restart *restart);
+
+/* Prints the lines of all physics. Collective. */
+void physics_print(const struct physics_set *set, FILE *file);
 
 #endif

@@ -5,6 +5,7 @@
 #include "fluid/body.h"
 #include "fluid/fields.h"
 #include "fluid/regions.h"
+#include "fluid/state.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
 #include "solve/solve.h"
@@ -149,6 +150,9 @@ bool fill_run(const struct physics_context *context, const struct physics_share 
     if (good && regions.pocket > 0 && context->comm->rank == 0)
         fprintf(stderr, "scree: note: %lld of %lld nodes of the fluid lie in closed pockets, and are solid\n",
                 (long long)regions.pocket, (long long)(regions.pocket + regions.fluid));
+    struct fluid *fluid = context->self;
+    fluid->narrow = nodes.narrow;
+    fluid->narrowest = nodes.narrowest;
     nodes_free(&nodes);
     return good;
 }

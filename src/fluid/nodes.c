@@ -5,6 +5,7 @@
 #include "core/random.h"
 #include "particles/kinds.h"
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const double same = 1e-6; /* part of a spacing by which lengths may differ from whole numbers of it */
@@ -113,7 +114,7 @@ static void gather(struct nodes *nodes, const struct physics_context *context) {
     size_t count = 0;
     void *all = NULL;
     for (size_t k = 0; k < p->owned; k++)
-        if (kind == NULL || kind[k] == KIND_GRAIN) {
+        if (kind[k] == KIND_GRAIN) {
             memcpy(mine[count].x, p->state[k].x, sizeof mine[count].x);
             mine[count].radius = p->state[k].radius;
             mine[count++].id = p->id[k];
@@ -241,6 +242,57 @@ static bool grains_suit(const struct nodes *nodes, const struct physics_context 
     return true;
 }
 
+/* Grains must stand still. */
+static bool grains_rest(const struct physics_context *context, struct error *error) {
+    const struct scene *scene = context->scene;
+    for (int k = 0; k < scene->sources; k++) {
+        const struct scene_group *group =
+            &scene->group[scene->source[k].group < 0 ? 0 : scene->source[k].group];
+        char key[64];
+        snprintf(key, sizeof key, "particles.sources[%d].group", k);
+        if (scene->source[k].group >= 0 && group->motion != SCENE_FROZEN)
+            return scene_fail(
+                scene, error, key,
+                "group '%s' moves; allowed beside `fluid`: frozen groups (grains that move in a "
+                "fluid are not built yet)",
+                group->name);
+    }
+    const struct particles *p = context->particles;
+    for (size_t k = 0; k < p->owned; k++)
+        if (p->state[k].inverse_mass > 0)
+            return scene_fail(
+                scene, error, "particles",
+                "grain %lld moves freely; allowed beside `fluid`: grains of groups with motion: frozen "
+                "(grains that move in a fluid are not built yet)",
+                (long long)p->id[k]);
+    return scene->insertions == 0 ||
+           scene_fail(scene, error, "insertions", "grains cannot be inserted into a fluid; not built yet");
+}
+
+static int by_x(const void *a, const void *b) {
+    const struct nodes_grain *x = a, *y = b;
+    return (x->x[0] > y->x[0]) - (x->x[0] < y->x[0]);
+}
+
+/* Counts narrow gaps between grains; grains are sorted along x. */
+static void gaps_count(struct nodes *nodes) {
+    double largest = 0, narrow = NODES_GAP * nodes->spacing;
+    nodes->narrowest = INFINITY;
+    for (size_t k = 0; k < nodes->grains; k++)
+        largest = fmax(largest, nodes->grain[k].radius);
+    for (size_t i = 0; i < nodes->grains; i++) {
+        const struct nodes_grain *a = &nodes->grain[i];
+        for (size_t j = i + 1; j < nodes->grains; j++) {
+            const struct nodes_grain *b = &nodes->grain[j];
+            if (b->x[0] - a->x[0] > a->radius + largest + narrow)
+                break;
+            double gap = sqrt(box_distance2(nodes->box, a->x, b->x)) - a->radius - b->radius;
+            nodes->narrowest = fmin(nodes->narrowest, gap);
+            nodes->narrow += gap < narrow;
+        }
+    }
+}
+
 bool nodes_make(struct nodes *nodes, const struct physics_context *context, struct error *error) {
     const struct fluid_options *options = context->options;
     *nodes = (struct nodes){.dimension = context->box->dimension,
@@ -249,11 +301,15 @@ bool nodes_make(struct nodes *nodes, const struct physics_context *context, stru
                             .jitter = options->fill.jitter,
                             .box = context->box,
                             .seed = context->scene->seed};
-    if (!walls_suit(context, error) || !lay(nodes, context, options, error))
+    bool rest = grains_rest(context, error);
+    if (!comm_agree(context->comm, error) || !rest || !walls_suit(context, error) ||
+        !lay(nodes, context, options, error))
         return false;
     gather(nodes, context);
     if (!grains_suit(nodes, context, error))
         return false;
+    qsort(nodes->grain, nodes->grains, sizeof *nodes->grain, by_x);
+    gaps_count(nodes);
     size_t all = (size_t)nodes->all;
     nodes->state = memory_allocate_zero(all, sizeof *nodes->state, "lattice of the fluid");
     nodes->owner = memory_allocate_zero(all, sizeof *nodes->owner, "lattice of the fluid");

@@ -8,6 +8,9 @@
 #include "engine/physics.h"
 #include "fluid/fluid.h"
 
+/* In a gap of fewer spacings the flow is not resolved. */
+#define NODES_GAP 2.0
+
 enum nodes_state { NODES_VOID, NODES_FLUID, NODES_SOLID };
 
 /* A grain, of any rank. */
@@ -25,6 +28,8 @@ struct nodes {
     uint8_t *state;
     int32_t *owner; /* SOLID: number of the grain, or -1 - number of the wall; FLUID: number of the region */
     float *depth;   /* SOLID: depth below the surface of the owner, length */
+    int64_t narrow; /* gaps between two grains of less than NODES_GAP spacings; contacts count */
+    double narrowest; /* length; INFINITY without a gap */
     size_t grains;
     struct nodes_grain *grain;
 };

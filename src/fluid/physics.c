@@ -4,6 +4,7 @@
 #include "engine/physics.h"
 #include "fluid/fill.h"
 #include "fluid/march.h"
+#include "fluid/nodes.h"
 #include "fluid/state.h"
 #include "particles/kinds.h"
 #include <math.h>
@@ -46,6 +47,44 @@ static void guard(const struct physics_context *context, struct error *error) {
                    fluid->support / fluid->options->spacing, fluid->rows[1], fluid->rows[0]);
 }
 
+/* Bytes of the matrices of velocity and pressure, of multigrid and of Krylov vectors, a fluid particle: as measured
+ * (docs/fluid.md). */
+static const double bytes_steady = 2000, bytes_transient = 1400;
+
+static void print(const struct physics_context *context, FILE *file) {
+    const struct fluid *fluid = context->self;
+    const uint8_t *kind = kinds_of(context->particles);
+    bool steady = fluid->options->time == FLUID_STEADY;
+    size_t rows = fluid->weights.rows;
+    double sum[KINDS + 2] = {0};
+    for (size_t k = 0; k < context->particles->owned; k++)
+        sum[kind[k]]++;
+    sum[KINDS] = rows > 0 ? (double)fluid->weights.start[rows] : 0;
+    sum[KINDS + 1] = (double)weights_memory(&fluid->weights);
+    comm_sum(context->comm, sum, KINDS + 2);
+    if (context->comm->rank > 0)
+        return;
+    double fluids = sum[KIND_FLUID], solver = fluids * (steady ? bytes_steady : bytes_transient);
+    fprintf(file, "\nfluid\n  particles    %.0f fluid, %.0f boundary, %.0f grains\n", fluids,
+            sum[KIND_BOUNDARY], sum[KIND_GRAIN]);
+    fprintf(file,
+            "  neighbours   %.1f a fluid particle, within %.6g = %.3g spacings; %g have standard operators\n",
+            sum[KINDS] / fluids, fluid->support, fluid->support / fluid->options->spacing, fluid->rows[1]);
+    fprintf(file, "  unknowns     %.0f: %d velocities and a pressure each; %d connected region%s\n",
+            fluids * (context->box->dimension + 1), context->box->dimension, fluid->regions,
+            fluid->regions == 1 ? "" : "s");
+    fprintf(file, "  memory       weights %.1f MiB, matrices and solvers about %.0f MiB\n",
+            sum[KINDS + 1] / 1048576, solver / 1048576);
+    if (isfinite(fluid->narrowest) && sum[KIND_GRAIN] > 1)
+        fprintf(
+            file,
+            "  gaps         %s%lld between grains are below %g spacings; the narrowest is %.3g spacings\n",
+            fluid->narrow > 0 ? "NOTE: " : "", (long long)fluid->narrow, NODES_GAP,
+            fluid->narrowest / fluid->options->spacing);
+    if (!steady && fluid->options->equations == FLUID_NAVIER_STOKES)
+        fprintf(file, "  time step    up to half a spacing over the largest speed\n");
+}
+
 static void restart(const struct physics_context *context, struct restart *list) {
     struct fluid *fluid = context->self;
     restart_add(list, RESTART_INTEGER, false, &fluid->past.steps, "fluid: steps");
@@ -75,4 +114,5 @@ const struct physics fluid_physics = {.name = "fluid",
                                       .rebuilt = march_rebuilt,
                                       .limit = march_limit,
                                       .guard = guard,
+                                      .print = print,
                                       .restart = restart};

@@ -24,6 +24,8 @@ struct fluid {
     struct steady_report report;
     bool solved;        /* the steady flow is there */
     uint64_t done;      /* the last step that was made */
+    int64_t narrow;     /* gaps between grains that the spacing does not resolve (nodes.h) */
+    double narrowest;   /* length */
     struct error error; /* until the guard takes it */
 };
 

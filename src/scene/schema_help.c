@@ -8,7 +8,7 @@
 
 /* One line: the allowed values. */
 static void print_brief(FILE *out, const struct schema_row *row) {
-    char allowed[512];
+    char allowed[2048];
     schema_allowed(row, allowed, sizeof(allowed));
     fprintf(out, "%s", allowed);
     if (row->fallback && row->fallback[0])
@@ -120,7 +120,7 @@ static void print_table_condition(FILE *out, const struct schema_row *row) {
 }
 
 static void print_table_row(FILE *out, const struct schema_row *row) {
-    char allowed[512];
+    char allowed[2048];
     schema_allowed(row, allowed, sizeof(allowed));
     fprintf(out, "| `%s` | ", row->key);
     print_cell(out, allowed);

@@ -236,7 +236,7 @@ static bool read_list(struct schema_reader *reader, const struct schema_row *row
 static bool read_default(struct schema_reader *reader, const struct schema_row *row,
                          const struct tree_node *section, const char *key, char *base) {
     if (row->required) {
-        char allowed[512];
+        char allowed[2048];
         schema_allowed(row, allowed, sizeof(allowed));
         return schema_fail(reader, section, key, "is missing; needed: %s", allowed);
     }

@@ -51,7 +51,7 @@ static bool is_null(const struct tree_node *node) {
 /* Fails with `why` and the allowed values. */
 static bool refuse(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node,
                    const char *key, const char *why) {
-    char allowed[512];
+    char allowed[2048];
     struct schema_row shown = *row;
     shown.unit = reader->units ? row->unit : NULL;
     schema_allowed(&shown, allowed, sizeof(allowed));

@@ -1,0 +1,150 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# A fluid in a run: the same operators on all ranks, threads and indexes, the same flow on all ranks, restart, steady and
+# transient flow past a sphere, and scenes that make no sense. The closed forms are cases of examples/verify.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+cd "$out" || exit 1
+
+cat >sphere.yaml <<'YAML'
+units: none
+box: {lower: [-1, 0, 2], upper: [0, 1, 3], periodic: true}
+particles: {from: single, position: [-0.9, 0.1, 2.05], radius: 0.31, density: 1, group: bed}
+groups: [{name: bed, motion: frozen}]
+fluid:
+  spacing: 0.0833333333333333333
+  density: 1
+  viscosity: 1
+  equations: stokes
+  drive: {body_force: [1, 0, 0]}
+  initial: {flow: uniform, velocity: [1, 0.5, 0.25]}
+step: {dt: 0.02, count: 3}
+observables: {every: 1, list: [{name: fluid}]}
+output: {dump: {every: 100, fields: [id, divergence]}}
+YAML
+cat >channel.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [0.5, 1, 0], periodic: [true, false, false], dimension: 2}
+walls:
+  - {name: lower, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}
+  - {name: upper, shape: plane, point: [0, 1, 0], normal: [0, -1, 0], motion: [{kind: translate, velocity: [1, 0, 0]}]}
+fluid: {spacing: 0.0625, density: 1, viscosity: 0.1, drive: {body_force: [1, 0, 0]}}
+step: {dt: 0.02, count: 12}
+observables: {every: 1, list: [{name: fluid}]}
+output: {checkpoint: {every: 6}}
+YAML
+
+if ! "$scree" check channel.yaml >said 2>&1; then
+    grep -q 'built without PETSc' said || { cat said; check "a build without PETSc says so" false; }
+    skip "fluid: $(cat said)"
+    check "a build without PETSc names PETSc and status 2" grep -q PETSc said
+    finish
+fi
+
+# The first frame: divergence of the initial flow, by id, and the row of observables.
+frame() {
+    awk '/^ITEM: TIMESTEP/ { n++ } n == 1 && !/^ITEM/ && NF == 3' "$1/dump.lammpstrj" | sort -n
+    tail -n 1 "$1/observables.csv" | tr , ' '
+}
+same() { # FILE FILE: the divergences are of order 10
+    awk 'NR == FNR { line[FNR] = $0; n = FNR; next }
+        { split(line[FNR], a); for (k = 1; k <= NF; k++) { d = $k - a[k]; d = d < 0 ? -d : d; if (!(d <= 1e-11)) bad++ } m = FNR }
+        END { printf "  %d rows, %d differ\n", n, bad; exit !(n == m && n > 1000 && bad == 0) }' "$1" "$2"
+}
+operators() { # RANKS THREADS SETTING...
+    local ranks=$1 threads=$2
+    shift 2
+    rm -rf run
+    run_scene "$ranks" sphere.yaml run --set "threads=$threads" --set step.count=0 "$@" && frame run >frame && same first frame
+}
+rm -rf run
+check "one rank, brute: the first frame" run_scene 1 sphere.yaml run --set index=brute --set step.count=0
+frame run >first
+check "it has a divergence, and a force on the grain" awk '
+    NF == 3 && ($3 > 1 || $3 < -1) { d++ } NF > 3 && ($7 > 1) { g++ } END { exit !(d > 50 && g == 1) }' first
+for index in linkcell multi bytype hgrid auto; do
+    check "index $index, 2 threads" operators 1 2 --set "index=$index"
+done
+check "2 ranks x 2 threads" operators 2 2
+check "3 ranks, brute" operators 3 1 --set index=brute
+check "4 ranks, hgrid" operators 4 1 --set index=hgrid
+check "8 ranks" operators 8 1
+check "2 ranks, reproducible order of sums" operators 2 1 --set newton=false
+
+# close FILE FILE: last rows agree to 1e-5 of the flow (the solver's tolerance)
+close() {
+    paste -d , <(tail -n 1 "$1") <(tail -n 1 "$2") | awk -F , '{ m = NF / 2
+        for (k = 1; k <= m; k++) { d = $k - $(k + m); if (d * d > 1e-10 * ($2 * $2 + 1e-4)) { print "  column", k, $k, $(k + m); bad = 1 } } exit bad }'
+}
+flows() { # RANKS SCENE
+    rm -rf other
+    run_scene "$1" "$2.yaml" other --set threads=1 --set fluid.solver.tolerance=1e-9 && close one/observables.csv other/observables.csv
+}
+for scene in sphere channel; do
+    rm -rf one
+    check "$scene: runs" run_scene 1 "$scene.yaml" one --set threads=1 --set fluid.solver.tolerance=1e-9
+    check "$scene: the same flow on 2 ranks" flows 2 "$scene"
+    check "$scene: the same flow on 3 ranks" flows 3 "$scene"
+done
+
+resumes() { # RANKS
+    rm -rf whole half
+    run_scene "$1" channel.yaml whole --set threads=1 &&
+        run_scene "$1" channel.yaml half --set threads=1 --resume whole/checkpoint-6.h5 &&
+        cmp <(tail -n 1 whole/observables.csv) <(tail -n 1 half/observables.csv)
+}
+check "a resume gives the same bits" resumes 1
+check "a resume on 2 ranks gives the same bits" resumes 2
+other_ranks() {
+    rm -rf half
+    run_scene 3 channel.yaml half --set threads=1 --resume whole/checkpoint-6.h5 && close whole/observables.csv half/observables.csv
+}
+check "a resume on other ranks goes on with the same flow" other_ranks
+
+# drag = body force x volume of the fluid; K of the steady flow (5.05: measured; 12 nodes an edge are few)
+steady() {
+    rm -rf run
+    run_scene "$1" sphere.yaml run --set fluid.time=steady --set 'step={count: 1}' &&
+        tail -n 1 run/observables.csv | awk -F , '{ K = 1 / (6 * 3.14159265 * 0.31 * $2); print "  K", K, "drag", $7, "porosity", $5
+            exit !($7 / $5 > 0.999 && $7 / $5 < 1.001 && K > 4.0 && K < 4.4) }'
+}
+check "steady flow past an array of spheres" steady 1
+check "steady flow on 2 ranks" steady 2
+
+# refused WHAT WORDS SCENE SETTING...: one line, status 2
+refused() {
+    local words=$1 scene=$2 word
+    local -a list
+    shift 2
+    on 1 "$scree" check "$scene" "$@" >/dev/null 2>said
+    [ $? = 2 ] && [ "$(wc -l <said)" = 1 ] || { cat said; return 1; }
+    IFS='|' read -ra list <<<"$words"
+    for word in "${list[@]}"; do
+        grep -qF -e "$word" said || { echo "  no '$word' in: $(cat said)"; return 1; }
+    done
+}
+check "a support below the diagonal" refused 'fluid.kernel.support|from 1.42' sphere.yaml --set fluid.kernel.support=1.2
+check "a spacing that does not divide a periodic edge" refused 'fluid.spacing|does not divide|0.0909' sphere.yaml --set fluid.spacing=0.09
+check "a spacing too coarse for a grain" refused 'fluid.spacing|too coarse|grain 1' sphere.yaml --set fluid.spacing=0.2
+check "no fluid in the region" refused 'there is no fluid' channel.yaml --set 'fluid.fill={region: {shape: sphere, centre: [9, 9, 0], radius: 1}}'
+check "an open side" refused 'open side near|wall' channel.yaml --set box.periodic=false
+check "a region that ends in the open" refused 'open side near' sphere.yaml --set 'fluid.fill={region: {shape: box, lower: [-1, 0, 2], upper: [0, 1, 2.5]}}'
+check "grains that move" refused 'grain 1 moves freely|not built' sphere.yaml --set 'particles={from: single, position: [-0.9, 0.1, 2.05], radius: 0.31, density: 1}' --set 'groups=[]'
+check "moving particles of the fluid" refused 'fluid.motion|fixed' channel.yaml --set fluid.motion=lagrangian
+check "a steady flow with inertia" refused 'fluid.time|stokes' channel.yaml --set fluid.time=steady
+check "an unknown key" refused 'fluid.viscosty|fluid.viscosity' channel.yaml --set fluid.viscosty=1
+check "vortices in a box that does not repeat" refused 'taylor_green|periodic' channel.yaml --set 'fluid.initial={flow: taylor_green, speed: 1}'
+cat >tube.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [1, 1, 1]}
+walls: [{name: tube, shape: cylinder, point: [0.5, 0.5, 0.5], axis: [0, 0, 1], radius: 0.4, length: 0.5}]
+fluid: {spacing: 0.1, density: 1, viscosity: 1}
+step: {dt: 1, count: 1}
+YAML
+check "a wall without a solid side" refused 'walls[0].shape|no solid side' tube.yaml
+stops() {
+    "$scree" run channel.yaml -o stops --quiet --set 'walls[1].motion[0].velocity=[0, 0.1, 0]' >/dev/null 2>said
+    [ $? = 2 ] && grep -q 'a wall moves towards the fluid' said
+}
+check "a wall that moves away" stops
+finish
