@@ -53,6 +53,13 @@ final() {
         END { for (k = 1; k <= n; k++) print line[k] }' "$out/$1/dump.lammpstrj" | sort -n
 }
 
+# last_frame RUN: x y z vx vy vz of the last frame of a dump of position and velocity
+last_frame() {
+    awk '/^ITEM: ATOMS/ { n = 0; reading = 1; next } /^ITEM:/ { reading = 0; next }
+        reading { line[++n] = $3 " " $4 " " $5 " " $6 " " $7 " " $8 }
+        END { for (k = 1; k <= n; k++) print line[k] }' "$out/$1/dump.lammpstrj"
+}
+
 # report RUN KEY: a number of report.json
 report() {
     report_number "$out/$1" "$2"
