@@ -46,6 +46,11 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/end-of-contact/force.txt \
 	examples/verify/end-of-contact/overlap.txt \
 	examples/verify/end-of-contact/scene.yaml \
+	examples/verify/fluid-cavity/scene.yaml \
+	examples/verify/fluid-couette/scene.yaml \
+	examples/verify/fluid-poiseuille/scene.yaml \
+	examples/verify/fluid-sphere-array/scene.yaml \
+	examples/verify/fluid-taylor-green/scene.yaml \
 	examples/verify/free-fall/scene.yaml \
 	examples/verify/haff/scene.yaml \
 	examples/verify/hertz.awk \
@@ -106,6 +111,11 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/drift-hooke/check \
 	examples/verify/drum-angle/check \
 	examples/verify/end-of-contact/check \
+	examples/verify/fluid-cavity/check \
+	examples/verify/fluid-couette/check \
+	examples/verify/fluid-poiseuille/check \
+	examples/verify/fluid-sphere-array/check \
+	examples/verify/fluid-taylor-green/check \
 	examples/verify/free-fall/check \
 	examples/verify/haff/check \
 	examples/verify/incline/check \
