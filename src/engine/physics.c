@@ -97,6 +97,16 @@ double physics_limit(const struct physics_set *set, double most) {
     return most;
 }
 
+const char *physics_limit_why(const struct physics_set *set, double limit) {
+    const char *why = NULL;
+    for (int k = 1; k < set->count; k++) {
+        const struct physics_active *active = &set->active[k];
+        if (active->row->limit && active->row->limit(&active->context, INFINITY) <= limit)
+            why = active->row->limit_why;
+    }
+    return why;
+}
+
 void physics_guard(const struct physics_set *set, struct error *error) {
     for (int k = 0; k < set->count; k++)
         if (set->active[k].row->guard)

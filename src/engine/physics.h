@@ -112,6 +112,7 @@ struct physics {
     void (*rebuilt)(const struct physics_context *context);
     /* The largest time step, up to `most`, that is stable for the present state. NULL: any. Collective. */
     double (*limit)(const struct physics_context *context, double most);
+    const char *limit_why; /* the cause of the limit, for messages: "advection of the fluid ..." */
     /* Looks for physical nonsense after a step; fills `error`. NULL: no check. */
     void (*guard)(const struct physics_context *context, struct error *error);
     /* Prints lines for `scree check`, by rank 0 alone, at the start. NULL: none. Collective. */
@@ -159,6 +160,9 @@ void physics_look(const struct physics_set *set);
 
 /* The smallest limit of all physics; the guards of all; the restart numbers of all. */
 double physics_limit(const struct physics_set *set, double most);
+
+/* The cause of a limit, if that of a physics other than grains is no larger; else NULL. Collective. */
+const char *physics_limit_why(const struct physics_set *set, double limit);
 void physics_guard(const struct physics_set *set, struct error *error);
 void physics_restart(const struct physics_set *set, struct restart *restart);
 

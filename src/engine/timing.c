@@ -170,7 +170,10 @@ static bool dt_allowed(const struct simulation *s, struct error *error) {
     char place[SCENE_PATH_MAX], why[256];
     if (s->clock.dt <= s->timing.limits.stable || s->scene->step.force)
         return true;
-    if (s->timing.limits.stable < s->timing.expected)
+    const char *other = physics_limit_why(&s->physics, s->timing.limits.stable);
+    if (other)
+        snprintf(why, sizeof why, "%s", other);
+    else if (s->timing.limits.stable < s->timing.expected)
         snprintf(why, sizeof why, "of the contacts that there are at the start");
     else
         snprintf(why, sizeof why, "contact between materials '%s' and '%s', damping ratio %.3g",

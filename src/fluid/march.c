@@ -176,6 +176,41 @@ static void walls_follow(const struct physics_context *context, struct fluid *fl
             "themselves, as a lid does");
 }
 
+/* The largest speed of the fluid. Collective. */
+static double speed_largest(const struct physics_context *context) {
+    const uint8_t *kind = kinds_of(context->particles);
+    double square = 0;
+    for (size_t k = 0; k < context->particles->owned; k++) {
+        const double *v = context->particles->state[k].v;
+        if (kind[k] == KIND_FLUID)
+            square = fmax(square, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    comm_max(context->comm, &square, 1);
+    return sqrt(square);
+}
+
+double march_limit(const struct physics_context *context, double most) {
+    const struct fluid *fluid = context->self;
+    if (fluid->options->time == FLUID_STEADY)
+        return fmin(most, STEADY_STEP);
+    if (fluid->options->equations == FLUID_STOKES)
+        return most;
+    double speed = speed_largest(context);
+    return speed > 0 ? fmin(most, COURANT * fluid->options->spacing / speed) : most;
+}
+
+/* Stops a flow that has become too fast for its steps; twice the limit, as it may pass that for a while. */
+static void check_speed(const struct physics_context *context, struct fluid *fluid) {
+    const struct clock *clock = context->clock;
+    double moved = speed_largest(context) * clock->dt / fluid->options->spacing;
+    if (moved > 2 * COURANT && !context->scene->step.force)
+        error_set(
+            &fluid->error, ERROR_PHYSICS,
+            "fluid: the fluid moves by %.3g spacings in step %llu, t = %.9g; advection wants %g or less: "
+            "shorten step.dt (or step.force: true)",
+            moved, (unsigned long long)clock->step, clock->time, COURANT);
+}
+
 void march_step(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     if (context->clock->step == fluid->done || fluid->error.kind != ERROR_NONE)
@@ -188,6 +223,8 @@ void march_step(const struct physics_context *context) {
         step_steady(fluid);
     else
         step_transient(context, fluid);
+    if (fluid->error.kind == ERROR_NONE && fluid->options->equations == FLUID_NAVIER_STOKES)
+        check_speed(context, fluid);
 }
 
 void march_look(const struct physics_context *context) {
@@ -195,23 +232,6 @@ void march_look(const struct physics_context *context) {
     double *divergence = fluid_divergence(context->particles);
     operators_divergence(&fluid->weights, flow_velocity(&fluid->flow), divergence + fluid->weights.first);
     drag_on_grains(context, &fluid->flow, fluid->options->viscosity);
-}
-
-double march_limit(const struct physics_context *context, double most) {
-    const struct fluid *fluid = context->self;
-    const uint8_t *kind = kinds_of(context->particles);
-    double square = 0;
-    if (fluid->options->time == FLUID_STEADY)
-        return fmin(most, STEADY_STEP);
-    if (fluid->options->equations == FLUID_STOKES)
-        return most;
-    for (size_t k = 0; k < context->particles->owned; k++) {
-        const double *v = context->particles->state[k].v;
-        if (kind[k] == KIND_FLUID)
-            square = fmax(square, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    }
-    comm_max(context->comm, &square, 1);
-    return square > 0 ? fmin(most, COURANT * fluid->options->spacing / sqrt(square)) : most;
 }
 
 void march_end(void *self) {

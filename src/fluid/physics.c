@@ -113,6 +113,8 @@ const struct physics fluid_physics = {.name = "fluid",
                                       .fill = fill_run,
                                       .rebuilt = march_rebuilt,
                                       .limit = march_limit,
+                                      .limit_why =
+                                          "advection: the fluid may move by half a spacing in a step",
                                       .guard = guard,
                                       .print = print,
                                       .restart = restart};
