@@ -44,6 +44,7 @@ check_PROGRAMS += \
 	tests/test_integrator \
 	tests/test_law \
 	tests/test_law_impact \
+	tests/test_law_parts \
 	tests/test_stability \
 	tests/test_timestep
 EXTRA_DIST += tests/fields_by_hand.h tests/forces_by_hand.h tests/laws_by_hand.h tests/near.h tests/pairs_by_hand.h
@@ -59,6 +60,8 @@ tests_test_integrator_SOURCES = tests/test_integrator.c
 tests_test_integrator_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_law_SOURCES = tests/test_law.c
 tests_test_law_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
+tests_test_law_parts_SOURCES = tests/test_law_parts.c
+tests_test_law_parts_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
 tests_test_law_impact_SOURCES = tests/test_law_impact.c
 tests_test_law_impact_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
 tests_test_stability_SOURCES = tests/test_stability.c
@@ -165,7 +168,11 @@ tests_test_skin_SOURCES = tests/test_skin.c
 tests_test_skin_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
 
 # Beside LAMMPS; minutes
-dist_check_SCRIPTS += tests/crosscode.sh
+dist_check_SCRIPTS += tests/crosscode.sh tests/granular_lammps.sh
+EXTRA_DIST += tests/granular/base.yaml tests/granular/dmt.dump.gz tests/granular/granular.data tests/granular/hertz.dump.gz \
+	tests/granular/in.granular tests/granular/jkr.dump.gz tests/granular/laws tests/granular/mindlin_rescale.dump.gz \
+	tests/granular/rescale_force.dump.gz tests/granular/rolling_sds.dump.gz tests/granular/twisting_marshall.dump.gz \
+	tests/granular/twisting_sds.dump.gz
 
 # make tests/bench_force: times of the force loop
 EXTRA_PROGRAMS += tests/bench_force

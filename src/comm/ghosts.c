@@ -83,7 +83,7 @@ void ghosts_migrate(struct ghosts *ghosts, struct particles *particles, struct h
         ghosts_migrate_rows(ghosts, particles, NULL, 0);
         return;
     }
-    struct migrate_rows set = {rows->start, rows->row, rows->count, sizeof *rows->row};
+    struct migrate_rows set = {rows->start, rows->row, rows->count, sizeof *rows->row, 0};
     ghosts_migrate_rows(ghosts, particles, &set, 1);
     *rows = (struct history_rows){set.start, set.row, set.count};
 }

@@ -58,6 +58,20 @@ static char *put(char *to, const void *from, size_t bytes) {
     return to + bytes;
 }
 
+/* Copies `count` rows, the first bytes of each that both sides have. */
+static void copy_rows(char *to, size_t to_bytes, const char *from, size_t from_bytes, size_t count) {
+    size_t bytes = to_bytes < from_bytes ? to_bytes : from_bytes;
+    if (to_bytes == from_bytes)
+        put(to, from, count * bytes);
+    else
+        for (size_t k = 0; k < count; k++)
+            memcpy(to + k * to_bytes, from + k * from_bytes, bytes);
+}
+
+static size_t sent_bytes(const struct migrate_rows *rows) {
+    return rows->sent > 0 ? rows->sent : rows->row_bytes;
+}
+
 static char *pack_rows(const struct migrate_rows *rows, const uint32_t *list, size_t n, char *to) {
     for (size_t k = 0; k < n; k++) {
         uint64_t count = rows_of(rows, list[k]);
@@ -65,7 +79,8 @@ static char *pack_rows(const struct migrate_rows *rows, const uint32_t *list, si
     }
     for (size_t k = 0; k < n; k++) {
         const char *from = (const char *)rows->row + rows->start[list[k]] * rows->row_bytes;
-        to = put(to, from, rows_of(rows, list[k]) * rows->row_bytes);
+        copy_rows(to, sent_bytes(rows), from, rows->row_bytes, rows_of(rows, list[k]));
+        to += rows_of(rows, list[k]) * sent_bytes(rows);
     }
     return to;
 }
@@ -77,7 +92,7 @@ static void pack_message(struct exchange_message *message, const struct particle
     size_t bytes = sizeof(uint64_t) + n * fields_packed_bytes(particles, &fields);
     for (int s = 0; s < sets; s++)
         for (size_t k = 0; k < n; k++)
-            bytes += sizeof(uint64_t) + rows_of(&rows[s], list[k]) * rows[s].row_bytes;
+            bytes += sizeof(uint64_t) + rows_of(&rows[s], list[k]) * sent_bytes(&rows[s]);
     message->bytes = bytes;
     message->data = memory_allocate(bytes, 1, "particles that leave");
     uint64_t count = n;
@@ -126,7 +141,7 @@ static struct arrivals take_apart(const struct exchange_message *message, const 
         arrivals.set[s].total = 0;
         for (size_t k = 0; k < arrivals.count; k++)
             arrivals.set[s].total += read_count(arrivals.set[s].counts, k);
-        arrivals.set[s].rows = take(message, &left, arrivals.set[s].total, rows[s].row_bytes);
+        arrivals.set[s].rows = take(message, &left, arrivals.set[s].total, sent_bytes(&rows[s]));
     }
     if (left != 0)
         error_fatal("migration: the message from rank %d has %zu bytes, %zu more than its contents",
@@ -143,9 +158,9 @@ static void join_rows(struct migrate_rows *rows, int s, const uint32_t *from, si
         particles += arrivals[m].count;
         count += arrivals[m].set[s].total;
     }
-    struct migrate_rows joined = {.row_bytes = rows->row_bytes};
+    struct migrate_rows joined = {.row_bytes = rows->row_bytes, .sent = rows->sent};
     joined.start = memory_allocate(particles + 1, sizeof *joined.start, "rows by particle");
-    joined.row = memory_allocate(count, rows->row_bytes, "rows by particle");
+    joined.row = memory_allocate_zero(count, rows->row_bytes, "rows by particle");
     char *to = joined.row;
     size_t p = 0;
     for (; p < stay; p++) {
@@ -159,7 +174,8 @@ static void join_rows(struct migrate_rows *rows, int s, const uint32_t *from, si
             joined.start[p++] = joined.count;
             joined.count += read_count(arrivals[m].set[s].counts, k);
         }
-        to = put(to, arrivals[m].set[s].rows, arrivals[m].set[s].total * rows->row_bytes);
+        copy_rows(to, rows->row_bytes, arrivals[m].set[s].rows, sent_bytes(rows), arrivals[m].set[s].total);
+        to += arrivals[m].set[s].total * rows->row_bytes;
     }
     joined.start[p] = joined.count;
     memory_free(rows->start);

@@ -16,6 +16,7 @@ struct migrate_rows {
     size_t *start; /* owned + 1 entries */
     void *row;
     size_t count, row_bytes;
+    size_t sent; /* the first bytes of a row that travel, the others become 0; 0: all */
 };
 
 /* Sends every owned particle to the rank that owns the particle's position; this may be any rank. Particles

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The force loop: the contact laws as a client of the walk over pairs. Read pairs/walk.h first. */
 #include "contact/force.h"
-#include "contact/force_kernel.h"
+#include "contact/force_general.h"
 #include "contact/spin.h"
 #include "core/memory.h"
 #include <assert.h>
@@ -108,9 +108,11 @@ static void force_loop_clear(struct force_loop *loop) {
 void force_loop_prepare(struct force_loop *loop, const struct force_context *context) {
     struct walk_work work = force_work(context);
     assert((context->history != NULL) == (context->law->history_components > 0));
-    loop->client.scatter = !context->law->spin                                 ? WALK_FORCE
-                           : context->law->options.rolling == LAW_ROLLING_NONE ? WALK_TORQUE
-                                                                               : WALK_ROLLING;
+    loop->client.scatter = !context->law->spin                                  ? WALK_FORCE
+                           : law_case_of(&context->law->options, false).rolling ? WALK_ROLLING
+                                                                                : WALK_TORQUE;
+    loop->client.compute = context->law->general ? force_general_compute : loop->kernel->compute;
+    loop->client.note = context->law->general ? force_general_note : loop->kernel->note;
     walk_prepare(loop->walk, &work);
     force_loop_clear(loop);
 }

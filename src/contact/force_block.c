@@ -25,6 +25,8 @@ static void force_begin(struct force_thread *thread, const struct force_context 
     thread->energies = context->want_sums;
     thread->material = material_numbers(context->particles);
     thread->measure = force_measure_find(options);
+    if (context->law->general)
+        return;
     thread->respond = force_respond_find(options, context->want_sums);
     if (context->law->uniform)
         force_mix_one(&thread->batch, &context->law->pair[0][0]);
@@ -37,6 +39,12 @@ static void force_compute(const struct walk_task *task, struct walk_batch *batch
         force_mix(context->law, thread->material, &thread->batch);
     thread->measure(&thread->batch, thread->step);
     thread->respond(&thread->batch, thread->step);
+}
+
+static void force_add(const struct force_context *context, struct force_thread *thread) {
+    force_watch(context->particles, &thread->batch, &thread->sums);
+    if (thread->energies)
+        force_account(&thread->batch, context->want_virial, &thread->sums);
 }
 
 static void force_note(const struct walk_task *task, struct walk_batch *batch) {
@@ -54,5 +62,5 @@ static void force_answer(const struct law_options *options, bool energies, struc
     force_respond_find(options, energies)(batch, step);
 }
 
-const struct force_kernel FORCE_KERNEL = {FORCE_KERNEL_NAME, force_begin, force_compute, force_note,
-                                          force_answer};
+const struct force_kernel FORCE_KERNEL = {FORCE_KERNEL_NAME, force_begin, force_compute,
+                                          force_note,        force_add,   force_answer};

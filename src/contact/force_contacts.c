@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The list of present contacts, for output: a plain loop over the pairs with the law of the force loop. */
 #include "contact/force.h"
-#include "contact/law_kernel.h"
+#include "contact/law_general.h"
 #include "contact/material.h"
 #include "contact/spin.h"
 #include "core/memory.h"
@@ -39,9 +39,23 @@ static bool force_pair_fixed(const struct particles *p, const double (*omega)[4]
            (omega == NULL || force_same(omega[i], omega[j]));
 }
 
-/* Fills the law's input for two spheres; false if the spheres do not touch. `separation` is x_j - x_i. */
+/* Fills the input of a law with parts, whose other members are there. */
+static void force_pair_general(const struct force_context *context, size_t k, const double *record,
+                               struct law_general *all) {
+    const struct particles *p = context->particles;
+    const uint8_t *material = material_numbers(p);
+    size_t i = context->list->i[k], j = pair_partner(context->list->j[k]);
+    all->extra = &context->law->extra[material_of(material, i)][material_of(material, j)];
+    all->radius[0] = p->state[i].radius;
+    all->radius[1] = p->state[j].radius;
+    for (int c = 0; record && c < context->law->history_components; c++)
+        all->value[c] = record[c];
+}
+
+/* Fills the law's input for two spheres; false if the spheres are out of range. `separation` is x_j - x_i. */
 static bool force_pair_contact(const struct force_context *context, size_t k, const double *record,
-                               struct law_contact *in, struct law_vector *separation) {
+                               struct law_general *all, struct law_vector *separation) {
+    struct law_contact *in = &all->contact;
     const struct particles *p = context->particles;
     uint32_t i = context->list->i[k], code = context->list->j[k], j = pair_partner(code);
     const struct particle_state *si = &p->state[i], *sj = &p->state[j];
@@ -49,8 +63,8 @@ static bool force_pair_contact(const struct force_context *context, size_t k, co
     struct law_vector d = force_difference(sj->x, si->x);
     d = law_add(d, 1.0, (struct law_vector){shift[0], shift[1], shift[2]});
     *separation = d;
-    double reach = si->radius + sj->radius, square = law_dot(d, d);
-    if (!(square < reach * reach))
+    double reach = si->radius + sj->radius, square = law_dot(d, d), far = reach + context->range;
+    if (!(square < far * far))
         return false;
     const double(*omega)[4] = context->law->spin ? spin_values(p) : NULL;
     const uint8_t *material = material_numbers(p);
@@ -58,6 +72,7 @@ static bool force_pair_contact(const struct force_context *context, size_t k, co
         return false;
     double distance = sqrt(square), inertia = si->inverse_mass + sj->inverse_mass;
     struct law_case law = law_case_of(&context->law->options, false);
+    *all = (struct law_general){0};
     *in = (struct law_contact){.overlap = reach - distance,
                                .mass = inertia > 0.0 ? 1.0 / inertia : 0.0,
                                .radius = si->radius * sj->radius / reach,
@@ -66,6 +81,8 @@ static bool force_pair_contact(const struct force_context *context, size_t k, co
                                .coefficients =
                                    context->law->pair[material_of(material, i)][material_of(material, j)]};
     in->half_normal = in->normal;
+    if (context->law->general)
+        force_pair_general(context, k, record, all);
     if (!law.friction || omega == NULL)
         return true;
     struct law_vector wi = {omega[i][0], omega[i][1], omega[i][2]};
@@ -73,9 +90,9 @@ static bool force_pair_contact(const struct force_context *context, size_t k, co
     in->surface = law_add(law_scale(law_lever(law, si->radius, in->overlap), wi),
                           law_lever(law, sj->radius, in->overlap), wj);
     in->spin = law_add(wj, -1.0, wi);
-    if (record)
+    if (record && !context->law->general)
         in->spring = (struct law_vector){record[0], record[1], record[2]};
-    if (record && law.rolling)
+    if (record && law.rolling && !context->law->general)
         in->roll = (struct law_vector){record[3], record[4], record[5]};
     return true;
 }
@@ -89,10 +106,17 @@ static bool force_pair_home(int64_t id_i, int64_t id_j, struct law_vector separa
     return first > 0.0;
 }
 
+/* The response of the law with springs that stay; false if a law with parts finds no contact. */
+static bool force_answer_of(const struct law *law, struct law_general *all, struct law_response *out) {
+    if (law->general)
+        return law_general_respond(law, law_general_step(&law->options, 0.0), all, out);
+    *out = law_respond(law_case_of(&law->options, false), law_step_of(&law->options, 0.0), &all->contact);
+    return true;
+}
+
 static struct force_contact force_contact_of(const struct force_context *context, size_t k,
-                                             const struct law_contact *in, struct law_vector separation) {
-    const struct law_options *options = &context->law->options;
-    struct law_response out = law_respond(law_case_of(options, false), law_step_of(options, 0.0), in);
+                                             const struct law_contact *in, struct law_response out,
+                                             struct law_vector separation) {
     const int64_t *id = context->particles->id;
     size_t i = context->list->i[k], j = pair_partner(context->list->j[k]);
     return (struct force_contact){.id_i = id[i],
@@ -121,16 +145,18 @@ size_t force_loop_contacts(const struct force_context *context, struct force_con
         for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
             const struct pair_block *block = &list->blocks[b];
             for (size_t k = block->first_pair; k < block->end_pair; k++) {
-                struct law_contact in;
+                struct law_general in;
+                struct law_response out;
                 struct law_vector separation;
-                if (!force_pair_contact(context, k, force_walk_find(&walk, k), &in, &separation))
+                if (!force_pair_contact(context, k, force_walk_find(&walk, k), &in, &separation) ||
+                    !force_answer_of(context->law, &in, &out))
                     continue;
                 bool mirrored = k >= block->one_sided && k < block->slotted;
                 if (mirrored && !force_pair_home(id[list->i[k]], id[pair_partner(list->j[k])], separation))
                     continue;
                 if (count == capacity)
                     *contacts = memory_resize(*contacts, capacity *= 2, sizeof **contacts, "contact list");
-                (*contacts)[count++] = force_contact_of(context, k, &in, separation);
+                (*contacts)[count++] = force_contact_of(context, k, &in.contact, out, separation);
             }
         }
     }

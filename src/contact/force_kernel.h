@@ -38,6 +38,9 @@ struct force_batch {
     double surface[3][FORCE_BATCH];
     double spin[3][FORCE_BATCH];
     double energy[3][FORCE_BATCH]; /* normal, springs, work taken; if asked for */
+    /* Of a law with parts: coefficients of the parts; contact k interacts. */
+    const struct law_extra *extra[FORCE_BATCH];
+    bool active[FORCE_BATCH];
 };
 
 typedef void force_physics(struct force_batch *batch, struct law_step step);
@@ -83,6 +86,8 @@ struct force_kernel {
     void (*compute)(const struct walk_task *task,
                     struct walk_batch *batch); /* the client's part of a batch */
     void (*note)(const struct walk_task *task, struct walk_batch *batch);
+    /* The sums of a batch besides the number of contacts. */
+    void (*account)(const struct force_context *context, struct force_thread *thread);
     /* The law alone over the first `count` contacts of a batch whose overlap ... spring are filled in, for
      * contacts that are no pairs: fills force ... energy. */
     void (*respond)(const struct law_options *options, bool energies, struct force_batch *batch,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* From a scene's options and materials to the coefficients of each pair of materials. */
 #include "contact/law.h"
+#include "contact/law_cohesion.h"
 #include "contact/law_restitution.h"
 #include <math.h>
 #include <string.h>
@@ -29,7 +30,7 @@ static bool law_check_options(const struct law_options *o, int materials, struct
     if (!(o->tangential_damping_ratio >= 0.0) || isinf(o->tangential_damping_ratio))
         return error_set(error, ERROR_USER, "contact: tangential_damping_ratio is %g; allowed is 0 or more",
                          o->tangential_damping_ratio);
-    return true;
+    return law_check_parts(o, error);
 }
 
 /* A finite value of at least `least`, and above it if `open`. */
@@ -39,7 +40,7 @@ static bool law_within(double value, double least, bool open) {
 
 /* Springs come from young and poisson of the materials, not from k_n and k_t of the pair. */
 static bool law_has_moduli(const struct law_options *o) {
-    return law_row_get(o->normal)->form->moduli && o->damping == LAW_DAMPING_RESTITUTION;
+    return law_row_get(o->normal)->form->moduli && o->damping != LAW_DAMPING_COEFFICIENT;
 }
 
 static bool law_check_material(const struct law_material *m, const struct law_options *o,
@@ -73,14 +74,37 @@ static bool law_check_pair(const struct law_pair *p, const struct law_options *o
                 {"gamma_t", p->gamma_t, given && friction, false},
                 {"friction", p->friction, friction, false},
                 {"rolling_friction", p->rolling_friction, rolling, false}};
+    bool asked = o->damping == LAW_DAMPING_RESTITUTION || o->damping == LAW_DAMPING_TSUJI;
     for (size_t r = 0; r < sizeof rows / sizeof rows[0]; r++)
         if (rows[r].used && !law_within(rows[r].value, 0.0, rows[r].open))
             return error_set(error, ERROR_USER, "material pair %s, %s: %s is %g; allowed is %s", a, b,
                              rows[r].key, rows[r].value, rows[r].open ? "more than 0" : "0 or more");
-    if (!given && !(p->restitution >= 0.0 && p->restitution <= 1.0))
+    if (asked && !(p->restitution >= 0.0 && p->restitution <= 1.0))
         return error_set(error, ERROR_USER, "material pair %s, %s: restitution is %g; allowed is 0 to 1", a,
                          b, p->restitution);
-    return true;
+    return law_check_extra(&p->extra, o, (const char *[]){a, b}, error);
+}
+
+/* The damper over sqrt(m* k) of Tsuji, Tanaka and Ishida (1992), fitted for Hertz; the polynomial is LAMMPS's. */
+static double law_tsuji(double e) {
+    return 1.2728 + e * (-4.2783 + e * (11.087 + e * (-22.348 + e * (27.467 + e * (-18.022 + e * 4.8218)))));
+}
+
+/* The normal damper's coefficient, for the base that the damping has. */
+static double law_damper(const struct law_options *o, const struct law_pair *p) {
+    const struct law_form *form = law_row_get(o->normal)->form;
+    switch (o->damping) {
+    case LAW_DAMPING_COEFFICIENT:
+        return p->gamma_n;
+    case LAW_DAMPING_VISCOELASTIC:
+        return p->extra.dissipative_time;
+    case LAW_DAMPING_TSUJI:
+        return law_tsuji(p->restitution);
+    case LAW_DAMPING_RESTITUTION:
+    case LAW_DAMPING_COUNT:
+        break;
+    }
+    return form->damper * law_damping_ratio(p->restitution, o->end);
 }
 
 static struct law_coefficients law_combine(const struct law_options *o, const struct law_material *a,
@@ -95,18 +119,60 @@ static struct law_coefficients law_combine(const struct law_options *o, const st
         form->moduli(a, b, &c);
     if (!friction)
         c.k_t = 0.0;
-    if (o->damping == LAW_DAMPING_COEFFICIENT) {
-        c.c_n = p->gamma_n;
+    c.c_n = law_damper(o, p);
+    if (o->damping == LAW_DAMPING_COEFFICIENT)
         c.c_t = p->gamma_t;
-    } else {
-        c.c_n = form->damper * law_damping_ratio(p->restitution, o->end);
+    else if (o->damping == LAW_DAMPING_VISCOELASTIC)
+        c.c_t = o->tangential_damping_ratio * c.c_n * (c.k_t / (form->tangent * c.k_n));
+    else
         c.c_t = o->tangential_damping_ratio * c.c_n * sqrt(c.k_t / (form->tangent * c.k_n));
-    }
     if (o->tangential_damping_equal)
         c.c_t = c.c_n;
     if (!friction)
         c.c_t = 0.0;
     return c;
+}
+
+/* True if contacts need the general loop. */
+static bool law_has_parts(const struct law *law) {
+    const struct law_options *o = &law->options;
+    bool general = o->cohesion != LAW_COHESION_NONE || o->tangential > LAW_TANGENTIAL_HISTORY ||
+                   o->rolling > LAW_ROLLING_SPRING || o->twisting != LAW_TWISTING_NONE ||
+                   o->damping == LAW_DAMPING_VISCOELASTIC || o->lammps_granular;
+    for (int a = 0; a < law->materials; a++)
+        for (int b = 0; b <= a; b++) {
+            const struct law_extra *x = &law->extra[a][b];
+            general = general || (law->spin && x->static_friction > law->pair[a][b].friction) ||
+                      (o->rolling == LAW_ROLLING_SPRING && x->rolling_stiffness > 0.0);
+        }
+    return general;
+}
+
+/* Gives `count` doubles of the history a place, if wanted. */
+static int law_place(int *next, bool wanted, int count) {
+    int place = *next;
+    *next += wanted ? count : 0;
+    return wanted ? place : -1;
+}
+
+/* Lays out the history of a contact: vectors first. */
+static void law_lay_out(struct law *law) {
+    const struct law_options *o = &law->options;
+    bool general = law->general, apart = false;
+    int next = 0;
+    for (int a = 0; a < law->materials; a++)
+        for (int b = 0; b <= a; b++)
+            apart = apart || law->extra[a][b].static_friction > law->pair[a][b].friction;
+    law->memory.spring = law_place(&next, law->spin && o->tangential != LAW_TANGENTIAL_VISCOUS, 3);
+    law->memory.roll = law_place(
+        &next, law->spin && o->rolling != LAW_ROLLING_NONE && o->rolling != LAW_ROLLING_CONSTANT, 3);
+    law->history_odd = next;
+    law->memory.twist = law_place(&next, o->twisting != LAW_TWISTING_NONE, 1);
+    law->memory.held = law_place(&next, general && law_cohesion_remembers(o->cohesion), 1);
+    law->memory.radius = law_place(
+        &next, o->tangential == LAW_TANGENTIAL_RESCALE || o->tangential == LAW_TANGENTIAL_RESCALE_FORCE, 1);
+    law->memory.slides = law_place(&next, general && law->spin && apart && law->memory.spring >= 0, 1);
+    law->history_components = next;
 }
 
 bool law_prepare(struct law *law, const struct law_options *options, int materials,
@@ -124,6 +190,7 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
                 return false;
             law->pair[a][b] = law_combine(options, &material[a], &material[b], &pair[a][b]);
             law->pair[b][a] = law->pair[a][b];
+            law->extra[a][b] = law->extra[b][a] = pair[a][b].extra;
         }
     law->options = *options;
     law->materials = materials;
@@ -136,15 +203,26 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
             law->uniform =
                 law->uniform && memcmp(&law->pair[a][b], &law->pair[0][0], sizeof law->pair[a][b]) == 0;
     law->spin = options->tangential != LAW_FRICTIONLESS;
-    law->history_components = !law->spin ? 0 : options->rolling != LAW_ROLLING_NONE ? 6 : 3;
+    law->general = law_has_parts(law);
+    law_lay_out(law);
     return true;
 }
 
-double law_range(const struct law *law, double radius_a, double radius_b) {
+/* The range of a pair of materials. */
+static double law_pair_range(const struct law *law, int a, int b, double radius_a, double radius_b) {
     const struct law_form *form = law_row_get(law->options.normal)->form;
+    double effective = 1.0 / (1.0 / radius_a + 1.0 / radius_b);
+    struct law_surfaces surfaces = {&law->pair[a][b], &law->extra[a][b], {radius_a, radius_b}, effective};
+    double range = form->range ? form->range(&law->pair[a][b], radius_a, radius_b) : 0.0;
+    return fmax(range, law_cohesion_range(&law->options, &surfaces));
+}
+
+double law_range(const struct law *law, double radius_a, double radius_b) {
     double most = law->materials ? 0.0 : -INFINITY;
-    for (int a = 0; form->range && a < law->materials; a++)
+    if (law->options.cohesion == LAW_COHESION_NONE && law_row_get(law->options.normal)->form->range == NULL)
+        return most;
+    for (int a = 0; a < law->materials; a++)
         for (int b = 0; b <= a; b++)
-            most = fmax(most, form->range(&law->pair[a][b], radius_a, radius_b));
+            most = fmax(most, law_pair_range(law, a, b, radius_a, radius_b));
     return most;
 }

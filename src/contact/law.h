@@ -19,20 +19,16 @@
 #ifndef SCREE_CONTACT_LAW_H
 #define SCREE_CONTACT_LAW_H
 
+#include "contact/law_parts.h"
 #include "contact/law_table.h"
 #include "core/error.h"
 
-enum { LAW_MATERIALS_MAX = 32 };
+enum { LAW_MATERIALS_MAX = 32, LAW_MEMORY_MAX = 12 };
 
-/* The source of the damping: the restitution of the scene, or LAMMPS's coefficients per unit of effective
- * mass. */
-enum law_damping { LAW_DAMPING_RESTITUTION, LAW_DAMPING_COEFFICIENT };
-enum law_tangential { LAW_FRICTIONLESS, LAW_TANGENTIAL_HISTORY };
 /* The velocity of the tangential damper while the contact slides. SERIES: the rate of change of the spring,
  * as the slider is in series with spring and damper (energy is never made). TOTAL: the whole slip velocity;
  * the spring takes the rest of the limit (Luding, Granular Matter 10 (2008) 235; LAMMPS). */
 enum law_sliding { LAW_SLIDING_SERIES, LAW_SLIDING_TOTAL };
-enum law_rolling { LAW_ROLLING_NONE, LAW_ROLLING_SPRING };
 
 /* Options of the law (scene key `contact`). Plain data. */
 struct law_options {
@@ -42,22 +38,42 @@ struct law_options {
     enum law_tangential tangential; /* frictionless: no spin, no torque, no history anywhere */
     enum law_sliding sliding;
     enum law_rolling rolling;
+    enum law_twisting twisting;
+    enum law_cohesion cohesion;
+    enum law_jkr_end jkr_end;
     double tangential_damping_ratio; /* restitution: c_t = this x c_n sqrt(k_t / k_n), k_n the tangent
                                         stiffness */
     bool tangential_damping_equal; /* c_t = c_n, as LAMMPS's pair_style granular does; for cross-code runs */
     bool lammps_history; /* LAMMPS's gran/hooke/history and gran/hertz/history to the letter: the lever is r,
                             not r - overlap / 2; sliding is TOTAL, the spring is projected, not turned, and an
                             empty spring over the Coulomb limit gives no force */
+    bool
+        lammps_granular; /* LAMMPS's pair_style granular to the letter: the lever of the slip is r, sliding is
+                             TOTAL, an empty spring over the Coulomb limit gives no force */
     bool synchronised;   /* history with the half-step normal (Vyas et al. 2025); set from the integrator */
+};
+
+/* Places in the history of a contact, -1: absent. Vectors come first: tangential and rolling spring, three
+ * doubles each; then numbers. */
+struct law_memory {
+    int spring, roll;
+    int twist;  /* twisting spring, rad */
+    int held;   /* 1: the surfaces interacted one step ago, across a gap too */
+    int radius; /* contact radius one step ago */
+    int slides; /* 1: the contact slid one step ago */
 };
 
 struct law {
     struct law_options options;
+    bool general;  /* the law has parts: contacts go through law_general.h */
     int materials; /* 0: no law, nothing touches */
     bool uniform;  /* all pairs of materials have the same coefficients */
     struct law_coefficients pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX]; /* symmetric */
-    bool moduli;            /* springs come from young and poisson of the materials */
-    int history_components; /* doubles of history a contact: 0, 3 or 6 */
+    bool moduli; /* springs come from young and poisson of the materials */
+    struct law_extra extra[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX]; /* symmetric; of a law with parts */
+    struct law_memory memory;
+    int history_components; /* doubles of history a contact */
+    int history_odd;        /* as many of them are components of vectors */
     bool spin;              /* particles need angular velocity and torque */
 };
 
@@ -74,5 +90,14 @@ double law_range(const struct law *law, double radius_a, double radius_b);
 bool law_prepare(struct law *law, const struct law_options *options, int materials,
                  const struct law_material *material,
                  struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX], struct error *error);
+
+/* Fails (user) where a part does not combine with the law, or two parts exclude each other; the message names what
+ * does combine. Any thread. */
+bool law_check_parts(const struct law_options *options, struct error *error);
+
+/* Fails (user) on coefficients of the parts in use that are out of range; `name`: of the two materials. Any
+ * thread. */
+bool law_check_extra(const struct law_extra *extra, const struct law_options *options,
+                     const char *const name[2], struct error *error);
 
 #endif

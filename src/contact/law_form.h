@@ -35,6 +35,27 @@ struct law_material {
     double young, poisson; /* of laws with moduli; pressure, 1 */
 };
 
+/* Coefficients of a pair of materials that parts add; only those of the parts in use are read. */
+struct law_extra {
+    double surface_energy;        /* gamma of jkr, dmt: energy/area; the work of adhesion is W = 2 gamma */
+    double cohesion_density;      /* sjkr: energy/volume */
+    double surface_tension;       /* capillary: force/length */
+    double contact_angle;         /* capillary: rad, 0 ... pi/2 */
+    double bridge_volume;         /* capillary: volume of a bridge; 0: by bridge_fraction */
+    double bridge_fraction;       /* capillary: volume over that of a sphere with radius 2 R* */
+    double hamaker;               /* van_der_waals: energy */
+    double gap_least;             /* van_der_waals: below this gap the force grows no more; length */
+    double cut_off;               /* van_der_waals: beyond this gap there is no force; length */
+    double dissipative_time;      /* viscoelastic: Brilliantov's A; time */
+    double static_friction;       /* limit of a contact that sticks; below `friction`: `friction` */
+    double rolling_stiffness;     /* spring: force/length; 0: the tangential spring's */
+    double rolling_damping;       /* spring with a stiffness: force time/length */
+    double rolling_damping_ratio; /* epsd: of the rolling oscillation */
+    double twisting_stiffness;    /* sds: torque/rad */
+    double twisting_damping;      /* sds: torque time/rad */
+    double twisting_friction;     /* sds: limit of the torque over the normal force; length */
+};
+
 /* Coefficients of a pair of materials (scene key `material_pairs`; missing pairs are an error unless one
  * default is given). */
 struct law_pair {
@@ -45,6 +66,7 @@ struct law_pair {
                                 laws with moduli force/length^2, times the contact radius */
     double gamma_n, gamma_t; /* given damping, per unit of effective mass: 1/time, or of laws with moduli
                                 1/(time length), times the contact radius */
+    struct law_extra extra;
 };
 
 /* Input of the kernel for a pair of materials, made once. */

@@ -135,7 +135,8 @@ LAW_INLINE struct law_step law_step_of(const struct law_options *options, double
 /* The case of a law's options, for callers that do not specialise. */
 LAW_INLINE struct law_case law_case_of(const struct law_options *options, bool energies) {
     bool friction = options->tangential != LAW_FRICTIONLESS;
-    bool rolling = friction && options->rolling != LAW_ROLLING_NONE;
+    bool rolling =
+        friction && (options->rolling != LAW_ROLLING_NONE || options->twisting != LAW_TWISTING_NONE);
     return (struct law_case){.normal = options->normal,
                              .coefficient = options->damping == LAW_DAMPING_COEFFICIENT,
                              .friction = friction,

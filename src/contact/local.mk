@@ -5,14 +5,28 @@ libcontact_la_SOURCES = \
 	src/contact/force.h \
 	src/contact/force_account.h \
 	src/contact/force_contacts.c \
+	src/contact/force_general.c \
+	src/contact/force_general.h \
 	src/contact/force_kernel.h \
 	src/contact/force_physics.h \
 	src/contact/law.c \
 	src/contact/law.h \
+	src/contact/law_check.c \
+	src/contact/law_cohesion.c \
+	src/contact/law_cohesion.h \
 	src/contact/law_form.h \
+	src/contact/law_general.c \
+	src/contact/law_general.h \
 	src/contact/law_hertz.h \
 	src/contact/law_hooke.h \
+	src/contact/law_grip.c \
+	src/contact/law_grip.h \
+	src/contact/law_jkr.h \
 	src/contact/law_kernel.h \
+	src/contact/law_parts.c \
+	src/contact/law_parts.h \
+	src/contact/law_resist.c \
+	src/contact/law_resist.h \
 	src/contact/law_restitution.c \
 	src/contact/law_restitution.h \
 	src/contact/law_table.c \

@@ -252,7 +252,7 @@ static void energy_measure(const struct simulation *s, double *balance, double *
     double dissipated = energy[TAKEN] - energy[ELASTIC_TANGENTIAL];
     if (s->guards.energy.mechanical) {
         dissipated = 0; /* not summed at each step */
-        if (law->sliding == LAW_SLIDING_TOTAL || law->lammps_history)
+        if (law->sliding == LAW_SLIDING_TOTAL || law->lammps_history || law->lammps_granular)
             energy[ELASTIC_TANGENTIAL] =
                 0; /* springs that take all of the slip are longer than friction loads
                                                them */

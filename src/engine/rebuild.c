@@ -67,12 +67,14 @@ static void migrate(struct simulation *s, struct rebuild_rows *rows) {
     if (rows->pairs.start) {
         pairs = n;
         set[n++] = (struct migrate_rows){rows->pairs.start, rows->pairs.row, rows->pairs.count,
-                                         sizeof *rows->pairs.row};
+                                         sizeof *rows->pairs.row,
+                                         history_row_bytes(s->grains.law.history_components)};
     }
     if (rows->walls.start) {
         walls = n;
-        set[n++] = (struct migrate_rows){rows->walls.start, rows->walls.row, rows->walls.count,
-                                         sizeof *rows->walls.row};
+        set[n++] =
+            (struct migrate_rows){rows->walls.start, rows->walls.row, rows->walls.count,
+                                  sizeof *rows->walls.row, wall_row_bytes(s->grains.law.history_components)};
     }
     ghosts_migrate_rows(s->ranks.ghosts, s->particles, set, n);
     if (pairs >= 0)

@@ -82,6 +82,8 @@ static void parts_create(struct simulation *s) {
     s->grains.history = s->grains.law.history_components
                             ? history_create(s->grains.law.history_components, s->threads)
                             : NULL;
+    if (s->grains.history)
+        s->grains.history->odd = s->grains.law.history_odd;
     s->search.skin = skin_create();
     s->search.sweep = s->scene->step.fused ? sweep_create(s->threads) : NULL;
     s->grains.loop = force_loop_create(s->threads);

@@ -62,17 +62,19 @@ static bool put_history(struct checkpoint_writing *w, struct error *error) {
     if (!put_counts(w, "/history/count", rows->start, error))
         return false;
     int64_t *partner = memory_allocate(rows->count, sizeof *partner, "history rows");
-    double(*value)[CHECKPOINT_HISTORY] = memory_allocate_zero(rows->count, sizeof *value, "history rows");
+    size_t width = checkpoint_history_width(w->checkpoint->history_components);
+    double *value = memory_allocate_zero(rows->count * (width + 3), sizeof *value, "history rows");
     for (size_t k = 0; k < rows->count; k++) {
+        double *to = value + k * (width + 3);
         partner[k] = rows->row[k].partner;
-        memcpy(value[k], rows->row[k].value, (size_t)w->checkpoint->history_components * sizeof value[k][0]);
-        memcpy(value[k] + HISTORY_COMPONENTS_MAX, rows->row[k].separation, sizeof rows->row[k].separation);
+        memcpy(to, rows->row[k].value, (size_t)w->checkpoint->history_components * sizeof *to);
+        memcpy(to + width, rows->row[k].separation, sizeof rows->row[k].separation);
     }
     struct h5_table table = place_rows(w->comm, rows->count);
     table.type = FIELD_INT64;
     bool good = checkpoint_put(w, "/history/partner", &table, partner, error);
     table.type = FIELD_DOUBLE;
-    table.width = CHECKPOINT_HISTORY;
+    table.width = width + 3;
     good = good && checkpoint_put(w, "/history/value_separation", &table, value, error);
     memory_free(partner);
     memory_free(value);
@@ -84,19 +86,20 @@ static bool put_wall_history(struct checkpoint_writing *w, struct error *error) 
     if (!put_counts(w, "/wall_history/count", rows->start, error))
         return false;
     int32_t(*place)[2] = memory_allocate(rows->count, sizeof *place, "wall history rows");
-    double(*value)[HISTORY_COMPONENTS_MAX] =
-        memory_allocate_zero(rows->count, sizeof *value, "wall history rows");
+    size_t width = checkpoint_history_width(w->checkpoint->history_components);
+    double *value = memory_allocate_zero(rows->count * width, sizeof *value, "wall history rows");
     for (size_t k = 0; k < rows->count; k++) {
         place[k][0] = rows->row[k].wall;
         place[k][1] = rows->row[k].patch;
-        memcpy(value[k], rows->row[k].value, (size_t)w->checkpoint->history_components * sizeof value[k][0]);
+        memcpy(value + k * width, rows->row[k].value,
+               (size_t)w->checkpoint->history_components * sizeof *value);
     }
     struct h5_table table = place_rows(w->comm, rows->count);
     table.type = FIELD_INT32;
     table.width = 2;
     bool good = checkpoint_put(w, "/wall_history/wall_patch", &table, place, error);
     table.type = FIELD_DOUBLE;
-    table.width = HISTORY_COMPONENTS_MAX;
+    table.width = width;
     good = good && checkpoint_put(w, "/wall_history/value", &table, value, error);
     memory_free(place);
     memory_free(value);
@@ -123,7 +126,7 @@ static uint64_t estimate_bytes(const struct checkpoint_writing *w) {
     uint64_t rows = (c->history ? c->history->count : 0) + (c->wall_history ? c->wall_history->count : 0);
     const struct field_list fields = fields_with(c->particles, FIELD_RESTART);
     int64_t bytes = (int64_t)(c->particles->owned * (fields_packed_bytes(c->particles, &fields) + 8) +
-                              rows * 8 * (CHECKPOINT_HISTORY + 1));
+                              rows * 8 * (checkpoint_history_width(c->history_components) + 4));
     comm_sum_int(w->comm, &bytes, 1);
     uint64_t ranks = (uint64_t)w->comm->size, walls = c->walls ? (uint64_t)walls_count(c->walls) : 0;
     uint64_t numbers = c->restart ? c->restart->count : 0, texts = 0;

@@ -9,9 +9,13 @@
 #include "particles/fields.h"
 
 enum {
-    CHECKPOINT_POSE = 41,                           /* doubles of a wall's pose */
-    CHECKPOINT_HISTORY = HISTORY_COMPONENTS_MAX + 3 /* doubles of a history row: value, separation */
+    CHECKPOINT_POSE = 41 /* doubles of a wall's pose */
 };
+
+/* Doubles of a history row that hold the value; three more hold the separation. */
+static inline size_t checkpoint_history_width(int components) {
+    return (size_t)(components > HISTORY_COMPONENTS_USUAL ? components : HISTORY_COMPONENTS_USUAL);
+}
 
 /* Names of datasets that are written and read. */
 #define CHECKPOINT_MATERIALS "/materials/name"

@@ -130,11 +130,12 @@ static bool get_history(struct checkpoint_reading *r, const struct particles *p,
     if (!get_starts(r, "/history/count", "/history/partner", &rows->start, &place, error))
         return false;
     int64_t *partner = memory_allocate(place.count, sizeof *partner, "history rows");
-    double(*value)[CHECKPOINT_HISTORY] = memory_allocate(place.count, sizeof *value, "history rows");
+    size_t width = checkpoint_history_width(r->loaded->history_components);
+    double *value = memory_allocate(place.count * (width + 3), sizeof *value, "history rows");
     place.type = FIELD_INT64;
     bool good = get(r, "/history/partner", &place, partner, error);
     place.type = FIELD_DOUBLE;
-    place.width = CHECKPOINT_HISTORY;
+    place.width = width + 3;
     good = good && get(r, "/history/value_separation", &place, value, error);
     rows->count = good ? place.count : 0;
     rows->row = memory_allocate_zero(rows->count, sizeof *rows->row, "history rows");
@@ -142,9 +143,9 @@ static bool get_history(struct checkpoint_reading *r, const struct particles *p,
         for (size_t k = rows->start[i]; k < rows->start[i + 1]; k++) {
             rows->row[k].id = p->id[i];
             rows->row[k].partner = partner[k];
-            memcpy(rows->row[k].value, value[k], sizeof rows->row[k].value);
-            memcpy(rows->row[k].separation, value[k] + HISTORY_COMPONENTS_MAX,
-                   sizeof rows->row[k].separation);
+            const double *from = value + k * (width + 3);
+            memcpy(rows->row[k].value, from, width * sizeof *from);
+            memcpy(rows->row[k].separation, from + width, sizeof rows->row[k].separation);
         }
     memory_free(partner);
     memory_free(value);
@@ -157,19 +158,20 @@ static bool get_wall_history(struct checkpoint_reading *r, const struct particle
     if (!get_starts(r, "/wall_history/count", "/wall_history/wall_patch", &rows->start, &place, error))
         return false;
     int32_t(*where)[2] = memory_allocate(place.count, sizeof *where, "wall history rows");
-    double(*value)[HISTORY_COMPONENTS_MAX] = memory_allocate(place.count, sizeof *value, "wall history rows");
+    size_t width = checkpoint_history_width(r->loaded->history_components);
+    double *value = memory_allocate(place.count * width, sizeof *value, "wall history rows");
     place.type = FIELD_INT32;
     place.width = 2;
     bool good = get(r, "/wall_history/wall_patch", &place, where, error);
     place.type = FIELD_DOUBLE;
-    place.width = HISTORY_COMPONENTS_MAX;
+    place.width = width;
     good = good && get(r, "/wall_history/value", &place, value, error);
     rows->count = good ? place.count : 0;
     rows->row = memory_allocate_zero(rows->count, sizeof *rows->row, "wall history rows");
     for (uint64_t i = 0; good && i < r->count; i++)
         for (size_t k = rows->start[i]; k < rows->start[i + 1]; k++) {
             rows->row[k] = (struct wall_row){.id = p->id[i], .wall = where[k][0], .patch = where[k][1]};
-            memcpy(rows->row[k].value, value[k], sizeof value[k]);
+            memcpy(rows->row[k].value, value + k * width, width * sizeof *value);
         }
     memory_free(where);
     memory_free(value);

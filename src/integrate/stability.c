@@ -12,6 +12,7 @@ struct stability_contact {
     double normal[3];        /* from i to j */
     double radius;           /* R* */
     double push, turn, roll; /* a = h^2 k + 2 h c of the three springs */
+    double twist;            /* the same of the twisting spring, times length^2 */
 };
 
 void stability_create(struct stability *s, const struct force_context *context, double step) {
@@ -42,6 +43,7 @@ static void stiffen(const struct stability *s, const struct timestep_springs *sp
     contact->push = h * (h * springs->k_n + 2.0 * springs->c_n);
     contact->turn = h * (h * springs->k_t + 2.0 * springs->c_t);
     contact->roll = h * (h * springs->k_r + 2.0 * springs->c_r);
+    contact->twist = h * (h * springs->k_w + 2.0 * springs->c_w);
 }
 
 /* The contact of pair k of the list; false if the pair does not touch or neither particle is free. */
@@ -51,14 +53,14 @@ static bool pair_contact(const struct stability *s, const struct force_context *
     uint32_t i = context->list->i[k], code = context->list->j[k], j = pair_partner(code);
     const struct particle_state *a = &p->state[i], *b = &p->state[j];
     const double *shift = context->list->shift[pair_image(code)];
-    double reach = a->radius + b->radius, square = 0.0;
+    double reach = a->radius + b->radius, far = reach + context->range, square = 0.0;
     for (int d = 0; d < 3; d++) {
         contact->normal[d] = b->x[d] - a->x[d] + shift[d];
         square += contact->normal[d] * contact->normal[d];
     }
     double inertia = a->inverse_mass + b->inverse_mass;
     const uint8_t *number = material_numbers(p);
-    if (!(square < reach * reach) || !(inertia > 0.0))
+    if (!(square < far * far) || !(inertia > 0.0))
         return false;
     double distance = sqrt(square);
     for (int d = 0; d < 3; d++)
@@ -102,8 +104,9 @@ static void add_to(const struct stability *s, const struct particles *p, size_t 
     add_tensor(sum, mass * contact->push, mass * contact->turn, contact->normal, shared);
     if (s->sums == STABILITY_PUSH)
         return;
-    add_tensor(sum + 6, 0.0, mass * turn * (contact->turn + share * share * contact->roll), contact->normal,
-               shared);
+    double radius = p->state[i].radius, twist = contact->twist / (radius * radius);
+    add_tensor(sum + 6, mass * turn * twist, mass * turn * (contact->turn + share * share * contact->roll),
+               contact->normal, shared);
     for (int d = 0; d < 3; d++)
         add(&sum[12 + d], sign * sqrt(turn) * mass * contact->turn * contact->normal[d], shared);
 }

@@ -2,6 +2,7 @@
 /* The limits of the step, pair of materials by pair. Read timestep.h first; the formulas are in
  * docs/physics.md. */
 #include "integrate/timestep.h"
+#include "contact/law_general.h"
 #include <math.h>
 
 /* Contacts of a particle with its like at a time, in three dimensions and in two. */
@@ -37,10 +38,26 @@ double timestep_bound(double stiffness, double damping, double inverse_mass) {
     return 2.0 / (sqrt(square + rate * rate) + rate);
 }
 
+/* Surfaces of a pair of materials by their effective radius: those of two like spheres. */
+static struct law_surfaces timestep_surfaces(const struct law *law, int a, int b, double radius) {
+    return (struct law_surfaces){&law->pair[a][b], &law->extra[a][b], {2.0 * radius, 2.0 * radius}, radius};
+}
+
+/* Those of a law with parts. */
+static struct timestep_springs timestep_general(const struct law *law, const struct law_surfaces *surfaces,
+                                                double mass, double overlap) {
+    struct law_stiff s = law_general_stiff(law, surfaces, mass, overlap);
+    return (struct timestep_springs){s.k_n, s.k_t, s.k_r, s.c_n, s.c_t, s.c_r, s.k_w, s.c_w};
+}
+
 struct timestep_springs timestep_springs(const struct law *law, int a, int b, double mass, double radius,
                                          double overlap) {
     const struct law_options *options = &law->options;
     const struct law_coefficients *c = &law->pair[a][b];
+    if (law->general) {
+        struct law_surfaces surfaces = timestep_surfaces(law, a, b, radius);
+        return timestep_general(law, &surfaces, mass, overlap);
+    }
     struct law_springs springs = law_springs(options->normal, c, radius, overlap);
     bool given = options->damping == LAW_DAMPING_COEFFICIENT;
     double base = given ? mass * springs.contact : sqrt(mass * springs.stiffness);
@@ -65,6 +82,10 @@ static struct timestep_meeting timestep_meet(const struct timestep_input *input,
     double least = input->overlap_relative > 0.0 ? input->overlap_relative : timestep_overlap_relative;
     double reached =
         law_row_get(law->options.normal)->form->impact(&law->pair[p][q], m.mass, m.radius, input->speed_max);
+    if (law->general) {
+        struct law_surfaces surfaces = timestep_surfaces(law, p, q, m.radius);
+        reached += law_grip_rest(&law->options, &surfaces);
+    }
     m.overlap = fmax(reached, least * fmin(a->radius, b->radius));
     m.springs = timestep_springs(law, p, q, m.mass, m.radius, m.overlap);
     return m;
@@ -97,13 +118,16 @@ static double timestep_local(int dimension, double n, double k_n, double k_t, do
 static void timestep_surround(const struct timestep_input *input, struct timestep_side *a,
                               const struct timestep_side *b, const struct timestep_meeting *meeting) {
     const struct timestep_springs *s = &meeting->springs;
-    double n = timestep_contacts(input, a, b), share = meeting->radius / a->radius;
+    double n = timestep_contacts(input, a, b), share = meeting->radius / a->radius,
+           square = a->radius * a->radius;
     if (a->inverse_mass == 0.0)
         return;
     double stiffness =
-        timestep_local(input->dimension, n, s->k_n, s->k_t, s->k_r * share * share) * a->inverse_mass;
+        timestep_local(input->dimension, n, s->k_n, s->k_t, s->k_r * share * share + s->k_w / square) *
+        a->inverse_mass;
     double damping =
-        timestep_local(input->dimension, n, s->c_n, s->c_t, s->c_r * share * share) * a->inverse_mass;
+        timestep_local(input->dimension, n, s->c_n, s->c_t, s->c_r * share * share + s->c_w / square) *
+        a->inverse_mass;
     double stable = timestep_bound(stiffness, damping, 1.0);
     a->stiffness = fmax(a->stiffness, stiffness);
     a->damping = fmax(a->damping, damping);

@@ -59,10 +59,11 @@ double timestep_default_fraction(void);
 double timestep_bound(double stiffness, double damping, double inverse_mass);
 
 /* The springs and dampers of a contact of materials a and b with effective mass and radius at an overlap, as
- * they act on small changes: normal, tangential and rolling ones; a spring that the pair lacks is 0. */
+ * they act on small changes: normal, tangential, rolling and twisting ones; a spring that the pair lacks is 0. */
 struct timestep_springs {
     double k_n, k_t, k_r; /* force/length */
     double c_n, c_t, c_r; /* force time/length */
+    double k_w, c_w;      /* against twisting: torque/rad, torque time/rad */
 };
 struct timestep_springs timestep_springs(const struct law *law, int a, int b, double mass, double radius,
                                          double overlap);

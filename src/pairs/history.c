@@ -9,7 +9,7 @@
 struct history *history_create(int components, int threads) {
     assert(components > 0 && components <= HISTORY_COMPONENTS_MAX);
     struct history *history = memory_allocate_zero(1, sizeof *history, "contact history");
-    history->components = components;
+    history->components = history->odd = components;
     history->threads = threads;
     for (int b = 0; b < 2; b++)
         history->part[b] = memory_allocate_zero((size_t)threads, sizeof *history->part[b], "contact history");
@@ -86,7 +86,7 @@ struct record_walk {
     size_t mirror_first, mirror_last; /* pairs to leave out */
     const uint32_t *place;            /* pairs to leave out: those of two particles that stay; NULL: none */
     size_t owned;
-    int components;
+    int components, odd;
 };
 
 static struct record_walk record_walk_begin(const struct history *history, const struct pairlist *list,
@@ -100,7 +100,8 @@ static struct record_walk record_walk_begin(const struct history *history, const
                                 .mirror_last = mirror->end_pair,
                                 .place = place,
                                 .owned = owned,
-                                .components = history->components};
+                                .components = history->components,
+                                .odd = history->odd};
 }
 
 static bool both_stay(const struct record_walk *walk, uint32_t i, uint32_t j) {
@@ -125,11 +126,11 @@ static bool record_walk_next(struct record_walk *walk, struct record *record) {
 }
 
 /* A zero of a row has no sign, for both orders of the pair. */
-static void row_fill(struct history_row *row, const struct record *record, int64_t id_i, int64_t id_j,
-                     int components, const double separation[3]) {
-    double sign = id_i < id_j ? 1 : -1;
-    for (int c = 0; c < components; c++)
-        row->value[c] = sign * record->value[c] + 0.0;
+static void row_fill(struct history_row *row, const struct record *record, bool ordered,
+                     const struct record_walk *walk, const double separation[3]) {
+    double sign = ordered ? 1 : -1;
+    for (int c = 0; c < walk->components; c++)
+        row->value[c] = (c < walk->odd ? sign : 1) * record->value[c] + 0.0;
     for (int d = 0; d < 3; d++)
         row->separation[d] = sign * separation[d] + 0.0;
 }
@@ -162,7 +163,7 @@ static void records_scatter(struct record_walk walk, const struct particles *par
                 continue;
             rows[at].id = id[e];
             rows[at].partner = id[1 - e];
-            row_fill(&rows[at], &record, id[0], id[1], walk.components, separation);
+            row_fill(&rows[at], &record, id[0] < id[1], &walk, separation);
         }
     }
 }
@@ -294,7 +295,8 @@ static void attach_thread(struct history *history, const struct attach *a, int t
             assert(k - first <= UINT32_MAX);
             part->pair[part->count] = (uint32_t)(k - first);
             for (size_t c = 0; c < components; c++)
-                part->value[part->count * components + c] = sign * row->value[c];
+                part->value[part->count * components + c] =
+                    (c < (size_t)history->odd ? sign : 1) * row->value[c];
             part->count++;
         }
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The memory of contacts (the tangential spring, the rolling spring), compact: one record a *contact*, none
- * for pairs that do not touch.
+/* The memory of contacts (the tangential spring, the rolling spring, numbers that a law with parts adds),
+ * compact: one record a *contact*, none for pairs that are out of its law's range.
  *
  * Between rebuilds a record belongs to a pair of the list. Each thread keeps its records in the order of its
  * pairs: arrays `pair` (number of the pair in the list, increasing) and `value` (components doubles a
@@ -9,7 +9,7 @@
  * (history_flip). Both sides of a one-sided pair keep a record.
  *
  * Over a rebuild a record is keyed by the two global ids and oriented from the lower id to the higher (the
- * spring vector of (j, i) is minus that of (i, j)): history_detach turns list records into rows by particle,
+ * spring vector of (j, i) is minus that of (i, j); numbers are the same for both): history_detach turns list records into rows by particle,
  * which travel with migrating and reordered particles; history_attach hands them to the pairs of the new
  * list. Two images of the same two particles are told apart by their separation, which a rebuild does not
  * change. */
@@ -17,8 +17,11 @@
 #define SCREE_PAIRS_HISTORY_H
 
 #include "pairs/pairlist.h"
+#include <stddef.h>
 
-enum { HISTORY_COMPONENTS_MAX = 6 };
+/* HISTORY_COMPONENTS_USUAL: of a law without parts (contact/law_parts.h); rows on the wire and in checkpoints
+ * have as many at least. */
+enum { HISTORY_COMPONENTS_USUAL = 6, HISTORY_COMPONENTS_MAX = 12 };
 
 /* The records of one thread, in one of the two buffers. */
 struct history_part {
@@ -31,7 +34,8 @@ struct history_part {
 enum { HISTORY_PAD = 4 };
 
 struct history {
-    int components; /* doubles a record: 3 tangential spring [+ 3 rolling spring]; 0: no history */
+    int components; /* doubles a record: 3 tangential spring [+ 3 rolling spring] [+ numbers] */
+    int odd;        /* the first so many change sign with the order of the pair: vectors */
     int threads;
     int now;                      /* buffer that holds the records of the last force evaluation */
     struct history_part *part[2]; /* [buffer][thread] */
@@ -40,9 +44,15 @@ struct history {
 /* A record on the move: between detach and attach. */
 struct history_row {
     int64_t id, partner;                  /* the particle that carries it, and the other one */
-    double value[HISTORY_COMPONENTS_MAX]; /* oriented from the lower id to the higher */
     double separation[3];                 /* x_higher - x_lower when detached: tells images apart */
+    double value[HISTORY_COMPONENTS_MAX]; /* oriented from the lower id to the higher */
 };
+
+/* The first bytes of a row that matter where records have so many doubles: as many travel. */
+static inline size_t history_row_bytes(int components) {
+    int sent = components > HISTORY_COMPONENTS_USUAL ? components : HISTORY_COMPONENTS_USUAL;
+    return offsetof(struct history_row, value) + (size_t)sent * sizeof(double);
+}
 
 /* Rows by particle: particle k (owned, present order) carries row[start[k]] ... row[start[k + 1] - 1]. */
 struct history_rows {
@@ -51,6 +61,7 @@ struct history_rows {
     size_t count;
 };
 
+/* All components are odd until the caller sets `odd`. */
 struct history *history_create(int components, int threads);
 void history_destroy(struct history **history);
 

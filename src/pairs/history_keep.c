@@ -261,7 +261,7 @@ static void restore_thread(struct history *history, const struct restoring *r, i
                     continue;
                 part->pair[count] = (uint32_t)(k + chosen[f] - first);
                 for (size_t c = 0; c < components; c++)
-                    part->value[count * components + c] = sign * value[c];
+                    part->value[count * components + c] = (c < (size_t)history->odd ? sign : 1) * value[c];
                 count++;
             }
         }

@@ -168,6 +168,11 @@ static struct law_pair law_pair_of(const struct scene_pair *pair) {
                            .k_t = isnan(pair->k_t) ? pair->k_n * 2 / 7 : pair->k_t,
                            .gamma_n = pair->gamma_n,
                            .gamma_t = isnan(pair->gamma_t) ? pair->gamma_n / 2 : pair->gamma_t};
+    /* a coefficient that is not given is 0 */
+    const double *from = (const double *)&pair->extra;
+    double *to = (double *)&law.extra;
+    for (size_t k = 0; k < sizeof law.extra / sizeof *to; k++)
+        to[k] = isnan(from[k]) ? 0 : from[k];
     return law;
 }
 

@@ -96,6 +96,7 @@ struct scene_guards {
 struct scene_pair {
     int material[2]; /* -1: the default for all pairs not named */
     double restitution, friction, rolling_friction, k_n, k_t, gamma_n, gamma_t; /* NAN: not given */
+    struct law_extra extra;                                                     /* NAN: not given */
     int between_count;
 };
 

@@ -190,6 +190,11 @@ struct wall_row {
     int32_t wall, patch; /* patch: number of the feature, see above */
     double value[HISTORY_COMPONENTS_MAX];
 };
+/* The first bytes of a row that matter where records have so many doubles: as many travel. */
+static inline size_t wall_row_bytes(int components) {
+    int sent = components > HISTORY_COMPONENTS_USUAL ? components : HISTORY_COMPONENTS_USUAL;
+    return offsetof(struct wall_row, value) + (size_t)sent * sizeof(double);
+}
 struct wall_rows {
     size_t *start;
     struct wall_row *row;

@@ -3,6 +3,8 @@
  * the law of the pairs in batches. */
 #include "walls/walls_history.h"
 #include "walls/walls_touch.h"
+#include "contact/force_general.h"
+#include "contact/law_general.h"
 #include "contact/material.h"
 #include "contact/spin.h"
 #include "core/memory.h"
@@ -57,9 +59,29 @@ static void recall_springs(const struct wall_task *task, int w, const struct wal
     put(b->walk.history + 3, k, roll);
 }
 
+/* The same for a law with parts: all that it remembers; vectors are turned. */
+static void recall_parts(const struct wall_task *task, int w, const struct wall_touch *touch, int32_t from,
+                         struct law_vector x, int k) {
+    const struct walls *walls = task->walls;
+    const struct wall_records *old = &walls->records[walls->now];
+    struct force_batch *b = &task->scratch->batch->contact;
+    size_t record = walls->first[task->candidate] + (size_t)(from < 0 ? 0 : from);
+    int components = walls->law->history_components;
+    for (int c = 0; c < components; c++)
+        b->walk.history[c][k] = from < 0 ? 0.0 : old->value[record * (size_t)components + (size_t)c];
+    if (from < 0 || old->key[record].feature == touch->feature)
+        return;
+    double distance;
+    struct law_vector before = walls_toward(&walls->wall[w], old->key[record].feature, x, &distance);
+    for (int c = 0; c < walls->law->history_odd; c += 3)
+        put(b->walk.history + c, k, walls_carry(get(b->walk.history + c, k), before, touch->normal));
+}
+
 /* The lever for the slip velocity: the lever of half a step ago, if springs advance in that plane. */
 static double lever_of_slip(const struct wall_task *task, int k, double lever, double radius) {
     struct force_batch *b = &task->scratch->batch->contact;
+    if (task->context->law->options.lammps_granular)
+        return radius;
     if (!task->law.synchronised)
         return lever;
     double growth = -law_dot(get(b->velocity, k), get(b->normal, k)); /* of the overlap */
@@ -95,6 +117,12 @@ static void collect(const struct wall_task *task, int w, const struct wall_touch
     put(b->velocity, k, law_add(wall_twist_at(&wall->twist, at), -1.0, sphere.v));
     int material = material_of(task->material, task->particle);
     force_set_coefficients(b, k, &task->context->law->pair[material][wall->options.material]);
+    if (task->context->law->general) {
+        b->extra[k] = &task->context->law->extra[material][wall->options.material];
+        b->walk.radius[0][k] = state->radius;
+        b->walk.radius[1][k] = INFINITY;
+        recall_parts(task, w, touch, from, sphere.x, k);
+    }
     if (!task->law.friction)
         return;
     struct law_vector omega = wall_vector(task->omega[task->particle]);
@@ -102,7 +130,8 @@ static void collect(const struct wall_task *task, int w, const struct wall_touch
     put(b->spin, k, law_add(wall->twist.omega, -1.0, omega));
     put(b->half_normal, k,
         task->law.synchronised ? walls_half_normal(wall, touch, &sphere, task->step.dt) : touch->normal);
-    recall_springs(task, w, touch, from, sphere.x, k);
+    if (!task->context->law->general)
+        recall_springs(task, w, touch, from, sphere.x, k);
 }
 
 static void add_to(double *out, double s, struct law_vector v) {
@@ -204,8 +233,14 @@ static void flush(struct wall_task *task) {
     struct force_batch *b = &task->scratch->batch->contact;
     if (b->walk.count == 0)
         return;
-    task->walls->kernel->respond(&task->context->law->options, task->law.energies, b, task->step);
+    bool general = task->context->law->general;
+    if (general)
+        force_general_respond(task->context->law, task->step, b, b->walk.count);
+    else
+        task->walls->kernel->respond(&task->context->law->options, task->law.energies, b, task->step);
     for (int k = 0; k < b->walk.count; k++) {
+        if (general && !b->active[k])
+            continue;
         if (task->list) {
             task->list[task->listed++] = contact_of(task, k);
             continue;
@@ -218,8 +253,8 @@ static void flush(struct wall_task *task) {
     b->walk.count = 0;
 }
 
-/* Finds the contacts of candidate k with the wall of the pieces from `first` on, in scratch; sets *last to
- * the end of those pieces. */
+/* Finds the contacts of candidate k, which reaches as far as `radius`, with the wall of the pieces from `first`
+ * on, in scratch; sets *last to the end of those pieces. */
 static size_t find_contacts(const struct walls *walls, size_t k, size_t first, size_t *last,
                             struct law_vector x, double radius, struct wall_scratch *scratch) {
     int w = walls->piece[first].wall;
@@ -243,9 +278,11 @@ static void take_particle(struct wall_task *task) {
     struct wall_scratch *scratch = task->scratch;
     const struct particle_state *state = &task->context->particles->state[task->particle];
     size_t k = task->candidate, last;
+    const struct law *law = task->context->law;
+    double reach = state->radius + (law->general ? law_range(law, state->radius, INFINITY) : 0.0);
     for (size_t first = walls->first[k]; first < walls->first[k + 1]; first = last) {
         int w = walls->piece[first].wall;
-        size_t count = find_contacts(walls, k, first, &last, wall_vector(state->x), state->radius, scratch);
+        size_t count = find_contacts(walls, k, first, &last, wall_vector(state->x), reach, scratch);
         for (size_t c = 0; c < count; c++) {
             if (scratch->batch->contact.walk.count == FORCE_BATCH)
                 flush(task);
@@ -254,12 +291,16 @@ static void take_particle(struct wall_task *task) {
     }
 }
 
+static struct law_step wall_step(const struct law *law, double dt) {
+    return law->general ? law_general_step(&law->options, dt) : law_step_of(&law->options, dt);
+}
+
 void walls_force_share(struct walls *walls, const struct force_context *context, int thread) {
     struct wall_task task = {.walls = walls,
                              .context = context,
                              .scratch = walls->scratch[thread],
                              .law = law_case_of(&context->law->options, context->want_sums),
-                             .step = law_step_of(&context->law->options, context->dt),
+                             .step = wall_step(context->law, context->dt),
                              .omega = spin_values(context->particles),
                              .material = material_numbers(context->particles)};
     size_t first = walls->candidates * (size_t)thread / (size_t)walls->threads;
@@ -362,7 +403,7 @@ size_t walls_contacts(const struct walls *walls, const struct force_context *con
                              .context = context,
                              .scratch = &scratch,
                              .law = law_case_of(&context->law->options, false),
-                             .step = law_step_of(&context->law->options, 0.0),
+                             .step = wall_step(context->law, 0.0),
                              .omega = spin_values(context->particles),
                              .material = material_numbers(context->particles)};
     *contacts = memory_allocate(walls->first[walls->candidates], sizeof **contacts, "contact list");

@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* A batch of contacts of a law with parts. Read force_general.h first. */
+#include "contact/force_general.h"
+#include "contact/law_general.h"
+#include "contact/material.h"
+#include <string.h>
+
+_Static_assert((int)LAW_MEMORY_MAX <= (int)HISTORY_COMPONENTS_MAX, "a law remembers more than history holds");
+
+static struct law_vector vector_of(double row[3][FORCE_BATCH], int k) {
+    return (struct law_vector){row[0][k], row[1][k], row[2][k]};
+}
+
+static void vector_set(double row[3][FORCE_BATCH], int k, struct law_vector v) {
+    row[0][k] = v.x;
+    row[1][k] = v.y;
+    row[2][k] = v.z;
+}
+
+/* Contact k of the batch. */
+static void contact_take(const struct law *law, struct force_batch *b, int k, struct law_general *in) {
+    const double radius[2] = {b->walk.radius[0][k], b->walk.radius[1][k]};
+    *in = (struct law_general){
+        .contact = {.overlap = b->overlap[k],
+                    .mass = b->mass[k],
+                    .radius = isinf(radius[1]) ? radius[0] : radius[0] * radius[1] / (radius[0] + radius[1]),
+                    .normal = vector_of(b->normal, k),
+                    .velocity = vector_of(b->velocity, k),
+                    .coefficients = {b->coefficient[0][k], b->coefficient[1][k], b->coefficient[2][k],
+                                     b->coefficient[3][k], b->coefficient[4][k], b->coefficient[5][k]}},
+        .extra = b->extra[k],
+        .radius = {radius[0], radius[1]}};
+    if (law->spin) {
+        in->contact.half_normal = vector_of(b->half_normal, k);
+        in->contact.surface = vector_of(b->surface, k);
+        in->contact.spin = vector_of(b->spin, k);
+    }
+    for (int c = 0; c < law->history_components; c++)
+        in->value[c] = b->walk.history[c][k];
+}
+
+void force_general_respond(const struct law *law, struct law_step step, struct force_batch *b, int count) {
+    for (int k = 0; k < count; k++) {
+        struct law_general in;
+        struct law_response out;
+        contact_take(law, b, k, &in);
+        b->active[k] = law_general_respond(law, step, &in, &out);
+        vector_set(b->walk.out + FORCE_OUT, k, out.force);
+        vector_set(b->walk.out + FORCE_MOMENT, k, out.moment);
+        vector_set(b->walk.out + FORCE_ROLLING, k, out.rolling);
+        b->energy[0][k] = out.normal_energy;
+        b->energy[1][k] = out.spring_energy;
+        b->energy[2][k] = out.taken;
+        for (int c = 0; c < law->history_components; c++)
+            b->walk.history[c][k] = in.value[c];
+    }
+}
+
+/* LAMMPS's slip of pair_style granular: the radii are the levers. */
+static void slip_lammps(struct force_batch *b, int k) {
+    const double *omega = b->walk.gathered[0][k], ri = b->walk.radius[0][k], rj = b->walk.radius[1][k];
+    vector_set(b->surface, k,
+               (struct law_vector){ri * omega[0] + rj * omega[4], ri * omega[1] + rj * omega[5],
+                                   ri * omega[2] + rj * omega[6]});
+}
+
+void force_general_compute(const struct walk_task *task, struct walk_batch *batch) {
+    const struct force_context *context = task->work->context;
+    const struct law *law = context->law;
+    struct force_thread *thread = (struct force_thread *)batch;
+    struct force_batch *b = &thread->batch;
+    thread->measure(b, thread->step);
+    for (int k = 0; k < batch->padded; k++) {
+        int p = material_of(thread->material, batch->i[k]), q = material_of(thread->material, batch->j[k]);
+        force_set_coefficients(b, k, &law->pair[p][q]);
+        b->extra[k] = &law->extra[p][q];
+        if (law->options.lammps_granular && law->spin)
+            slip_lammps(b, k);
+    }
+    force_general_respond(law, law_general_step(&law->options, context->dt), b, batch->padded);
+}
+
+void force_general_note(const struct walk_task *task, struct walk_batch *batch) {
+    const struct force_context *context = task->work->context;
+    struct force_thread *thread = (struct force_thread *)batch;
+    for (int k = 0; k < batch->count; k++)
+        if (thread->batch.active[k])
+            thread->sums.contact_sides += k >= batch->both && k < batch->one ? 1 : 2;
+    force_kernel_find(NULL)->account(context, thread);
+}

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The general loop of the force loop: a batch of contacts of a law with parts, one after another. Scenes
+ * whose law has no parts never come here. */
+#ifndef SCREE_CONTACT_FORCE_GENERAL_H
+#define SCREE_CONTACT_FORCE_GENERAL_H
+
+#include "contact/force_kernel.h"
+
+/* The law over the first `count` contacts of a batch whose overlap ... spin, coefficients, extra, radius and
+ * history are filled in: fills out, history, energy and `active`. */
+void force_general_respond(const struct law *law, struct law_step step, struct force_batch *batch, int count);
+
+/* `compute` and `note` of the client for a law with parts. */
+void force_general_compute(const struct walk_task *task, struct walk_batch *batch);
+void force_general_note(const struct walk_task *task, struct walk_batch *batch);
+
+#endif

@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* A contact of a law with parts. Read law_general.h first. */
+#include "contact/law_general.h"
+#include "contact/law_resist.h"
+#include <string.h>
+
+struct law_step law_general_step(const struct law_options *options, double dt) {
+    struct law_step step = law_step_of(options, dt);
+    if (!options->lammps_granular)
+        return step;
+    step.spring_least = 0.0;
+    step.relaxation = 0.0;
+    return step;
+}
+
+/* The normal damper's coefficient over c_n: the base of all dampers. */
+static double damper_base(const struct law_options *options, const struct law_grip *grip, double mass) {
+    switch (options->damping) {
+    case LAW_DAMPING_COEFFICIENT:
+        return mass * grip->factor;
+    case LAW_DAMPING_VISCOELASTIC: /* A dF/dd of the spring alone */
+        return law_row_get(options->normal)->form->tangent * grip->spring;
+    case LAW_DAMPING_RESTITUTION:
+    case LAW_DAMPING_TSUJI:
+    case LAW_DAMPING_COUNT:
+        break;
+    }
+    return sqrt(mass * grip->spring);
+}
+
+bool law_general_respond(const struct law *law, struct law_step step, struct law_general *in,
+                         struct law_response *out) {
+    const struct law_options *options = &law->options;
+    const struct law_contact *contact = &in->contact;
+    struct law_surfaces surfaces = {
+        &contact->coefficients, in->extra, {in->radius[0], in->radius[1]}, contact->radius};
+    int held = law->memory.held;
+    struct law_grip grip =
+        law_grip_at(options, &surfaces, contact->overlap, held >= 0 && in->value[held] != 0.0);
+    *out = (struct law_response){0};
+    if (!grip.interacts) {
+        memset(in->value, 0, sizeof in->value);
+        return false;
+    }
+    if (held >= 0)
+        in->value[held] = 1.0;
+    double base = grip.touches ? damper_base(options, &grip, contact->mass) : 0.0;
+    double rate = law_dot(contact->velocity, contact->normal);
+    double force = grip.force - contact->coefficients.c_n * base * rate;
+    if (options->end == LAW_END_FORCE)
+        force = fmax(force, grip.least);
+    out->force = law_scale(force, contact->normal);
+    out->normal_energy = grip.energy;
+    out->taken = (grip.force - force) * rate * step.dt;
+    bool fixed = options->cohesion == LAW_COHESION_JKR || options->cohesion == LAW_COHESION_DMT;
+    double press = fabs((fixed ? grip.force : force) + grip.press);
+    if (law->spin)
+        law_resist(law, step, in, &(struct law_hold){&grip, press, base}, out);
+    return true;
+}
+
+struct law_stiff law_general_stiff(const struct law *law, const struct law_surfaces *surfaces, double mass,
+                                   double overlap) {
+    const struct law_options *options = &law->options;
+    struct law_grip grip = law_grip_at(options, surfaces, overlap, true);
+    double base = grip.touches ? damper_base(options, &grip, mass) : 0.0;
+    struct law_stiff stiff = {.k_n = fmax(grip.tangent, 0.0), .c_n = surfaces->c->c_n * base};
+    if (law->spin && grip.touches)
+        law_resist_stiff(law, surfaces, &(struct law_hold){&grip, 0.0, base}, mass, &stiff);
+    return stiff;
+}

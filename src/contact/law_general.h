@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* A contact of a law with parts (law_parts.h): one contact in, forces and torques out, as law_respond of
+ * law_kernel.h, whose signs hold here, too. One function for all parts, with branches; force_general.c calls
+ * it for each contact of a batch. */
+#ifndef SCREE_CONTACT_LAW_GENERAL_H
+#define SCREE_CONTACT_LAW_GENERAL_H
+
+#include "contact/law_grip.h"
+
+/* Forces and torques of the contact; false if the surfaces do not interact: then all results and `value` are 0. */
+bool law_general_respond(const struct law *law, struct law_step step, struct law_general *in,
+                         struct law_response *out);
+
+/* The step's numbers for a law with parts. */
+struct law_step law_general_step(const struct law_options *options, double dt);
+
+/* Springs and dampers of a contact for small changes. */
+struct law_stiff law_general_stiff(const struct law *law, const struct law_surfaces *surfaces, double mass,
+                                   double overlap);
+
+#endif

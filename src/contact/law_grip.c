@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The normal direction of a law with parts. Read law_grip.h first. */
+#include "contact/law_grip.h"
+#include "contact/law_jkr.h"
+
+/* JKR takes the place of Hertz's force. */
+static struct law_grip grip_jkr(const struct law_options *options, const struct law_surfaces *s,
+                                double overlap) {
+    double modulus = law_modulus(s->c), gamma = s->extra->surface_energy, end = overlap;
+    double a = law_jkr_radius(modulus, gamma, s->effective, overlap);
+    struct law_jkr now = law_jkr_at(modulus, gamma, s->effective, a);
+    end = law_jkr_end_radius(modulus, gamma, s->effective, options->jkr_end);
+    double left = law_jkr_at(modulus, gamma, s->effective, end).energy;
+    return (struct law_grip){.force = now.force,
+                             .least = fmin(now.force, 0.0),
+                             .press = 2.0 * law_cohesion_largest(LAW_COHESION_JKR, s),
+                             .a = a,
+                             .spring = s->c->k_n * a,
+                             .factor = a,
+                             .tangent = now.tangent,
+                             .tangential = s->c->k_t * a,
+                             .energy = now.energy - fmin(left, 0.0)};
+}
+
+struct law_grip law_grip_at(const struct law_options *options, const struct law_surfaces *s, double overlap,
+                            bool held) {
+    struct law_grip grip = {0};
+    bool remembers = law_cohesion_remembers(options->cohesion), touches = overlap > 0.0;
+    bool reached = -overlap < law_cohesion_range(options, s);
+    bool interacts = touches || (reached && (held || !remembers));
+    if (!interacts)
+        return grip;
+    if (options->cohesion == LAW_COHESION_JKR && s->extra->surface_energy > 0.0) {
+        grip = grip_jkr(options, s, overlap);
+        grip.interacts = grip.touches = true;
+        return grip;
+    }
+    if (touches) {
+        struct law_springs springs = law_springs(options->normal, s->c, s->effective, overlap);
+        grip = (struct law_grip){.force = springs.force,
+                                 .a = sqrt(s->effective * overlap),
+                                 .spring = springs.stiffness,
+                                 .factor = springs.contact,
+                                 .tangent = springs.tangent,
+                                 .tangential = springs.tangential,
+                                 .energy = springs.energy};
+    }
+    struct law_pull pull = law_cohesion_pull(options->cohesion, s, overlap);
+    grip.interacts = true;
+    grip.touches = touches;
+    grip.force -= pull.force;
+    grip.least = -pull.force;
+    grip.press = options->cohesion == LAW_COHESION_DMT ? 2.0 * pull.force : pull.force;
+    grip.tangent -= pull.slope;
+    grip.energy += pull.energy;
+    return grip;
+}
+
+double law_grip_rest(const struct law_options *options, const struct law_surfaces *surfaces) {
+    double low = 0.0, high = surfaces->effective;
+    if (options->cohesion == LAW_COHESION_NONE)
+        return 0.0;
+    for (int k = 0; k < 60; k++) {
+        double middle = 0.5 * (low + high);
+        if (law_grip_at(options, surfaces, middle, true).force < 0.0)
+            low = middle;
+        else
+            high = middle;
+    }
+    return low;
+}

@@ -1,0 +1,357 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Parts of laws: closed forms of cohesion, forces against energies, memory, symmetry, what combines. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+#include "contact/law_general.h"
+#include "contact/law_jkr.h"
+#include "laws_by_hand.h"
+
+static const struct law_extra sticky = {.surface_energy = 0.5,
+                                        .cohesion_density = 1e6,
+                                        .surface_tension = 0.1,
+                                        .contact_angle = 0.4,
+                                        .bridge_volume = 1e-3,
+                                        .hamaker = 1e-3,
+                                        .gap_least = 1e-3,
+                                        .cut_off = 0.05,
+                                        .dissipative_time = 1e-4,
+                                        .rolling_damping_ratio = 0.3,
+                                        .twisting_stiffness = 100.0,
+                                        .twisting_damping = 0.1,
+                                        .twisting_friction = 0.01};
+static const struct law_material soft[2] = {{"soft", 2500.0, 1e6, 0.2}, {"soft too", 2500.0, 1e6, 0.2}};
+
+static struct law law_of(struct law_options options, struct law_extra extra) {
+    struct law_pair pair = {.restitution = 0.6,
+                            .friction = 0.4,
+                            .rolling_friction = 0.2,
+                            .k_n = 1e5,
+                            .k_t = 3e4,
+                            .gamma_n = 50.0,
+                            .gamma_t = 20.0,
+                            .extra = extra};
+    return law_for(options, soft, pair);
+}
+
+static struct law_surfaces surfaces_of(const struct law *law, double ri, double rj) {
+    return (struct law_surfaces){&law->pair[0][1], &law->extra[0][1], {ri, rj}, 1.0 / (1.0 / ri + 1.0 / rj)};
+}
+
+/* The next combination of normal law and cohesion; false after the last. */
+static bool next_cohesion(struct law_options *o) {
+    int count;
+    const struct law_part_row *rows = law_part_rows(LAW_PART_COHESION, &count);
+    do {
+        o->cohesion = (enum law_cohesion)(o->cohesion + 1);
+        if ((int)o->cohesion == count) {
+            o->cohesion = LAW_COHESION_NONE;
+            o->normal = (enum law_normal)(o->normal + 1);
+            if (o->normal == LAW_COUNT)
+                return false;
+        }
+    } while (!law_part_combines(&rows[o->cohesion], law_row_get(o->normal)->traits));
+    return true;
+}
+
+/* Forces are slopes of energies, tangents slopes of forces, at touch and across gaps, for spheres and a wall. */
+static void test_energies(void **state) {
+    (void)state;
+    struct random_sequence r = random_sequence(1, RANDOM_TEST, 0);
+    struct law_options o = law_options_default();
+    int tried = 0;
+    for (o.normal = (enum law_normal)0, o.cohesion = LAW_COHESION_NONE; next_cohesion(&o);) {
+        struct law law = law_of(o, sticky);
+        for (int trial = 0; trial < 400; trial++) {
+            double ri = 0.5 + random_uniform(&r), rj = trial % 5 ? 0.5 + random_uniform(&r) : INFINITY;
+            struct law_surfaces s = surfaces_of(&law, ri, rj);
+            double range = law_cohesion_range(&o, &s), h = 1e-7;
+            double overlap = -range + (0.03 + range) * random_uniform(&r);
+            if (fabs(overlap) < 1e-5 || fabs(overlap + sticky.gap_least) < 1e-5 || overlap < 1e-5 - range)
+                continue;
+            struct law_grip at = law_grip_at(&o, &s, overlap, true);
+            struct law_grip up = law_grip_at(&o, &s, overlap + h, true),
+                            down = law_grip_at(&o, &s, overlap - h, true);
+            double scale = fabs(at.force) + fabs(at.tangent) * 1e-3 + 1e-3;
+            if (!at.interacts)
+                continue;
+            assert_near((up.energy - down.energy) / (2.0 * h), at.force, 2e-4 * scale);
+            if (overlap > 1e-3 - range)
+                assert_near((up.force - down.force) / (2.0 * h), at.tangent, 1e-2 * (fabs(at.tangent) + 1.0));
+            tried++;
+        }
+    }
+    assert_true(tried > 2000);
+}
+
+/* JKR: a solves the overlap's equation; largest pull 3/2 pi W R*, W = 2 gamma, and both ends. */
+static void test_jkr(void **state) {
+    (void)state;
+    const double modulus = 3e6, gamma = 0.7, radius = 0.3, work = 2.0 * gamma;
+    double s = sqrt(2.0 * M_PI * work / modulus), pull = 0.0, where = 0.0;
+    double end = law_jkr_end_overlap(modulus, gamma, radius, LAW_JKR_END_DISTANCE);
+    assert_near(end / (-0.75 * cbrt(M_PI * M_PI * work * work * radius / (modulus * modulus))), 1.0, 1e-12);
+    for (int k = 1; k <= 20000; k++) {
+        double overlap = end + (0.01 - end) * k / 20000.0;
+        double a = law_jkr_radius(modulus, gamma, radius, overlap);
+        double force = law_jkr_at(modulus, gamma, radius, a).force;
+        assert_near(a * a / radius - s * sqrt(a), overlap, 1e-11);
+        where = force < pull ? overlap : where;
+        pull = fmin(pull, force);
+    }
+    assert_near(pull / (-1.5 * M_PI * work * radius), 1.0, 2e-6);
+    assert_near(where, law_jkr_end_overlap(modulus, gamma, radius, LAW_JKR_END_FORCE), 2.0 * 0.011 / 20000.0);
+    double a = law_jkr_end_radius(modulus, gamma, radius, LAW_JKR_END_DISTANCE);
+    assert_near(law_jkr_at(modulus, gamma, radius, a).force / pull, 5.0 / 9.0, 2e-6);
+    assert_near(a * a / radius - s * sqrt(a), end, 1e-14);
+    /* without surface energy: Hertz */
+    a = law_jkr_radius(modulus, 1e-12, radius, 0.01);
+    assert_near(law_jkr_at(modulus, 1e-12, radius, a).force / (4.0 / 3.0 * modulus * sqrt(radius) * 1e-3),
+                1.0, 1e-4);
+}
+
+/* DMT, capillary bridge and van der Waals at chosen places. */
+static void test_pulls(void **state) {
+    (void)state;
+    struct law_options o = law_options_default();
+    o.cohesion = LAW_COHESION_DMT;
+    struct law law = law_of(o, sticky);
+    struct law_surfaces s = surfaces_of(&law, 0.5, 1.0);
+    double work = 2.0 * sticky.surface_energy;
+    assert_near(law_grip_at(&o, &s, 1e-14, true).force, -2.0 * M_PI * work / 3.0, 1e-12);
+    assert_false(law_grip_at(&o, &s, -1e-14, true).interacts);
+
+    o.cohesion = LAW_COHESION_CAPILLARY;
+    law = law_of(o, sticky);
+    s = surfaces_of(&law, 0.5, 1.0);
+    double most = 4.0 * M_PI / 3.0 * 0.1 * cos(0.4), rupture = (1.0 + 0.2) * 0.1,
+           reduced = sqrt(2.0 / 3.0 / 1e-3);
+    assert_near(law_cohesion_range(&o, &s), rupture, 1e-15);
+    assert_near(law_grip_at(&o, &s, -1e-15, true).force, -most, 1e-12);
+    double at = 0.07 * reduced;
+    assert_near(law_grip_at(&o, &s, -0.07, true).force, -most / (1.0 + 1.05 * at + 2.5 * at * at), 1e-12);
+    assert_true(law_grip_at(&o, &s, -rupture * (1.0 - 1e-12), true).interacts);
+    assert_false(law_grip_at(&o, &s, -rupture, true).interacts);
+    assert_false(law_grip_at(&o, &s, -1e-9, false).interacts); /* no bridge yet */
+    assert_near(law_grip_at(&o, &s, -rupture * (1.0 - 1e-12), true).energy, 0.0, 1e-9);
+
+    o.cohesion = LAW_COHESION_VAN_DER_WAALS;
+    law = law_of(o, sticky);
+    s = surfaces_of(&law, 0.5, INFINITY);
+    assert_near(law_grip_at(&o, &s, -0.01, false).force, -1e-3 * 0.5 / (6.0 * 1e-4), 1e-12);
+    assert_near(law_grip_at(&o, &s, -1e-5, false).force, -1e-3 * 0.5 / (6.0 * 1e-6), 1e-10);
+    assert_false(law_grip_at(&o, &s, -0.05, true).interacts);
+
+    o.cohesion = LAW_COHESION_SJKR; /* the area of the circle where spheres intersect, and that of a wall */
+    law = law_of(o, sticky);
+    s = surfaces_of(&law, 0.5, 1.0);
+    double distance = 1.48, from = (distance * distance + 0.25 - 1.0) / (2.0 * distance);
+    assert_near(law_cohesion_pull(o.cohesion, &s, 0.02).force / (1e6 * M_PI * (0.25 - from * from)), 1.0,
+                1e-11);
+    s = surfaces_of(&law, 0.5, INFINITY);
+    assert_near(law_cohesion_pull(o.cohesion, &s, 0.02).force / (1e6 * M_PI * (0.25 - 0.48 * 0.48)), 1.0,
+                1e-11);
+}
+
+static struct law_vector random_vector(struct random_sequence *r) {
+    double x = 2.0 * random_uniform(r) - 1.0, y = 2.0 * random_uniform(r) - 1.0;
+    return (struct law_vector){x, y, 2.0 * random_uniform(r) - 1.0};
+}
+
+static struct law_general random_contact(const struct law *law, struct random_sequence *r) {
+    struct law_general in = {.extra = &law->extra[0][1],
+                             .radius = {0.5 + random_uniform(r), 0.5 + random_uniform(r)}};
+    struct law_vector n = random_vector(r), half;
+    n = law_scale(1.0 / sqrt(law_dot(n, n)), n);
+    half = law_add(n, 0.05, random_vector(r));
+    in.contact = (struct law_contact){.overlap = 0.03 * random_uniform(r) - 0.01,
+                                      .mass = 0.5 + random_uniform(r),
+                                      .radius = in.radius[0] * in.radius[1] / (in.radius[0] + in.radius[1]),
+                                      .normal = n,
+                                      .half_normal = law_scale(1.0 / sqrt(law_dot(half, half)), half),
+                                      .velocity = random_vector(r),
+                                      .surface = random_vector(r),
+                                      .spin = random_vector(r),
+                                      .coefficients = law->pair[0][1]};
+    for (int c = 0; c < law->history_components; c++)
+        in.value[c] = 0.02 * random_uniform(r);
+    return in;
+}
+
+/* Options number k of the parts. */
+static struct law_options options_of(int k) {
+    struct law_options o = law_options_default();
+    o.tangential = (enum law_tangential)(k % LAW_TANGENTIAL_COUNT);
+    k /= LAW_TANGENTIAL_COUNT;
+    o.rolling = (enum law_rolling)(k % LAW_ROLLING_COUNT);
+    k /= LAW_ROLLING_COUNT;
+    o.twisting = (enum law_twisting)(k % LAW_TWISTING_COUNT);
+    k /= LAW_TWISTING_COUNT;
+    o.cohesion = (enum law_cohesion)(k % LAW_COHESION_COUNT);
+    k /= LAW_COHESION_COUNT;
+    o.damping = (enum law_damping)(k % LAW_DAMPING_COUNT);
+    o.synchronised = k % 3;
+    o.end = k % 2 ? LAW_END_FORCE : LAW_END_OVERLAP;
+    if (o.tangential == LAW_FRICTIONLESS) {
+        o.rolling = LAW_ROLLING_NONE;
+        o.twisting = LAW_TWISTING_NONE;
+    }
+    return o;
+}
+
+enum {
+    OPTIONS =
+        LAW_TANGENTIAL_COUNT * LAW_ROLLING_COUNT * LAW_TWISTING_COUNT * LAW_COHESION_COUNT * LAW_DAMPING_COUNT
+};
+
+static void assert_opposite(struct law_vector a, struct law_vector b) {
+    assert_true(a.x == -b.x && a.y == -b.y && a.z == -b.z);
+}
+
+/* All combinations, seen from both sides: opposite results to the last bit; vectors of the history change sign,
+ * numbers do not. */
+static void test_mirror(void **state) {
+    (void)state;
+    struct random_sequence r = random_sequence(2, RANDOM_TEST, 0);
+    for (int k = 0; k < OPTIONS; k++) {
+        struct law law = law_of(options_of(k), sticky);
+        struct law_step step = law_general_step(&law.options, 1e-3);
+        for (int trial = 0; trial < 10; trial++) {
+            struct law_general in = random_contact(&law, &r), back = in;
+            struct law_vector *odd[] = {&back.contact.normal, &back.contact.half_normal,
+                                        &back.contact.velocity, &back.contact.spin};
+            for (size_t v = 0; v < sizeof odd / sizeof odd[0]; v++)
+                *odd[v] = law_scale(-1.0, *odd[v]);
+            back.radius[0] = in.radius[1];
+            back.radius[1] = in.radius[0];
+            for (int c = 0; c < law.history_odd; c++)
+                back.value[c] = -back.value[c];
+            struct law_response a, b;
+            bool acts = law_general_respond(&law, step, &in, &a);
+            assert_true(acts == law_general_respond(&law, step, &back, &b));
+            assert_opposite(a.force, b.force);
+            assert_opposite(a.rolling, b.rolling);
+            assert_opposite(a.moment, law_scale(-1.0, b.moment));
+            assert_true(a.normal_energy == b.normal_energy && a.taken == b.taken);
+            for (int c = 0; c < law.history_components; c++)
+                assert_true(in.value[c] == (c < law.history_odd ? -back.value[c] : back.value[c]));
+        }
+    }
+}
+
+/* A contact that sticks holds up to the static limit; once it slides, the kinetic one counts until the force
+ * falls below it. */
+static void test_static_friction(void **state) {
+    (void)state;
+    struct law_options o = law_options_default();
+    o.normal = LAW_HOOKE;
+    o.tangential_damping_ratio = 0.0;
+    o.synchronised = false;
+    struct law_extra extra = {.static_friction = 0.8};
+    struct law law = law_of(o, extra);
+    assert_true(law.general && law.history_components == 4);
+    double normal = 1e5 * 1e-3, most = 0.0, dt = 1e-4;
+    struct law_general in = {.extra = &law.extra[0][1], .radius = {1.0, 1.0}};
+    in.contact = (struct law_contact){.overlap = 1e-3,
+                                      .mass = 1.0,
+                                      .radius = 0.5,
+                                      .normal = {1.0, 0.0, 0.0},
+                                      .velocity = {0.0, 1.0, 0.0},
+                                      .coefficients = law.pair[0][1]};
+    double last = 0.0;
+    for (int k = 0; k < 100; k++) {
+        struct law_response out;
+        law_general_respond(&law, law_general_step(&o, dt), &in, &out);
+        last = -out.force.y;
+        most = fmax(most, last);
+    }
+    assert_near(most / normal, 0.8, 3e4 * dt / normal);
+    assert_near(last / normal, 0.4, 1e-12);
+    in.contact.velocity.y = -1.0;
+    struct law_response out;
+    law_general_respond(&law, law_general_step(&o, dt), &in, &out);
+    assert_true(in.value[law.memory.slides] == 0.0);
+}
+
+/* Restitution of a head-on impact, by small steps. */
+static double restitution_of(const struct law *law, double speed) {
+    struct law_general in = {.extra = &law->extra[0][1], .radius = {1.0, 1.0}};
+    in.contact = (struct law_contact){
+        .mass = 1.0, .radius = 0.5, .normal = {1.0, 0.0, 0.0}, .coefficients = law->pair[0][1]};
+    double overlap = 0.0, v = speed, dt = 2e-5 / pow(speed, 0.2);
+    do {
+        struct law_response out;
+        overlap += dt * v;
+        in.contact.overlap = overlap;
+        in.contact.velocity.x = -v;
+        law_general_respond(law, law_general_step(&law->options, dt), &in, &out);
+        v -= dt * out.force.x;
+    } while (overlap > 0.0);
+    return -v / speed;
+}
+
+/* Viscoelastic spheres: 1 - e grows as the fifth root of the speed, where it is small. */
+static void test_viscoelastic(void **state) {
+    (void)state;
+    struct law_options o = law_options_default();
+    o.tangential = LAW_FRICTIONLESS;
+    o.damping = LAW_DAMPING_VISCOELASTIC;
+    struct law_extra extra = {.dissipative_time = 3e-5};
+    struct law law = law_of(o, extra);
+    double slow = 1.0 - restitution_of(&law, 1e-3), fast = 1.0 - restitution_of(&law, 0.032);
+    assert_true(slow > 1e-3 && fast < 0.05);
+    assert_near(fast / slow, 2.0, 0.05);
+}
+
+/* What does not combine is refused, and the message names what does. */
+static void test_refused(void **state) {
+    (void)state;
+    struct law law;
+    struct error error = {0};
+    struct law_options o = law_options_default();
+    static struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
+    pair[0][0] = (struct law_pair){.restitution = 0.5, .k_n = 1.0, .k_t = 1.0, .extra = sticky};
+    o.normal = LAW_HOOKE;
+    o.cohesion = LAW_COHESION_JKR;
+    assert_false(law_prepare(&law, &o, 1, soft, pair, &error));
+    assert_non_null(strstr(error.text, "contact.cohesion.law: jkr goes with contact.law hertz"));
+    assert_non_null(strstr(error.text, "none, sjkr, capillary, van_der_waals"));
+    error = (struct error){0};
+    o.cohesion = LAW_COHESION_CAPILLARY;
+    pair[0][0].extra.bridge_fraction = 0.1;
+    assert_false(law_prepare(&law, &o, 1, soft, pair, &error));
+    assert_non_null(strstr(error.text, "one of bridge_volume and bridge_fraction"));
+    error = (struct error){0};
+    o.cohesion = LAW_COHESION_VAN_DER_WAALS;
+    pair[0][0].extra.gap_least = 1.0;
+    assert_false(law_prepare(&law, &o, 1, soft, pair, &error));
+    assert_non_null(strstr(error.text, "gap_least is 1; allowed is above 0 up to 0.05"));
+}
+
+/* A law without parts keeps its history and its loops. */
+static void test_absent(void **state) {
+    (void)state;
+    struct law law = law_of(law_options_default(), (struct law_extra){0});
+    assert_true(!law.general && law.history_components == 3 && law.history_odd == 3);
+    struct law_options o = law_options_default();
+    o.rolling = LAW_ROLLING_SPRING;
+    law = law_of(o, (struct law_extra){0});
+    assert_true(!law.general && law.history_components == 6);
+    o.cohesion = LAW_COHESION_JKR;
+    o.twisting = LAW_TWISTING_MARSHALL;
+    o.tangential = LAW_TANGENTIAL_RESCALE;
+    law = law_of(o, sticky);
+    assert_true(law.general && law.history_components == 9 && law.history_odd == 6);
+    assert_true(law_range(&law, 1.0, 1.0) > 0.0 &&
+                law_range(&law, 1.0, INFINITY) > law_range(&law, 1.0, 1.0));
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_energies),        cmocka_unit_test(test_jkr),
+        cmocka_unit_test(test_pulls),           cmocka_unit_test(test_mirror),
+        cmocka_unit_test(test_static_friction), cmocka_unit_test(test_viscoelastic),
+        cmocka_unit_test(test_refused),         cmocka_unit_test(test_absent)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
