@@ -9,6 +9,7 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/beverloo/scene.yaml \
 	examples/verify/bouncing/scene.yaml \
 	examples/verify/bowl/scene.yaml \
+	examples/verify/capillary-bridge/scene.yaml \
 	examples/verify/case.sh \
 	examples/verify/chain/particles.txt \
 	examples/verify/chain/scene.yaml \
@@ -38,6 +39,7 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/chung-ooi-8/scene.yaml \
 	examples/verify/cradle/scene.yaml \
 	examples/verify/curve.gp \
+	examples/verify/dmt-pull-off/scene.yaml \
 	examples/verify/drift-hertz/plot.gp \
 	examples/verify/drift-hertz/scene.yaml \
 	examples/verify/drift-hooke/plot.gp \
@@ -58,6 +60,7 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/impacts.sh \
 	examples/verify/incline/scene.yaml \
 	examples/verify/janssen/scene.yaml \
+	examples/verify/jkr-pull-off/scene.yaml \
 	examples/verify/line.awk \
 	examples/verify/many-body/scene.yaml \
 	examples/verify/maw.c \
@@ -78,6 +81,7 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/settling/scene.yaml \
 	examples/verify/slide-to-roll/scene.yaml \
 	examples/verify/stack/scene.yaml \
+	examples/verify/sticking-velocity/scene.yaml \
 	examples/verify/style.gp \
 	examples/verify/turning-wall/disc.txt \
 	examples/verify/turning-wall/hertz.yaml \
@@ -97,6 +101,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/beverloo/check \
 	examples/verify/bouncing/check \
 	examples/verify/bowl/check \
+	examples/verify/capillary-bridge/check \
 	examples/verify/chain/check \
 	examples/verify/chung-ooi-1/check \
 	examples/verify/chung-ooi-2/check \
@@ -107,6 +112,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/chung-ooi-7/check \
 	examples/verify/chung-ooi-8/check \
 	examples/verify/cradle/check \
+	examples/verify/dmt-pull-off/check \
 	examples/verify/drift-hertz/check \
 	examples/verify/drift-hooke/check \
 	examples/verify/drum-angle/check \
@@ -120,6 +126,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/haff/check \
 	examples/verify/incline/check \
 	examples/verify/janssen/check \
+	examples/verify/jkr-pull-off/check \
 	examples/verify/many-body/check \
 	examples/verify/moving-wall/check \
 	examples/verify/order-hertz/check \
@@ -132,6 +139,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/settling/check \
 	examples/verify/slide-to-roll/check \
 	examples/verify/stack/check \
+	examples/verify/sticking-velocity/check \
 	examples/verify/turning-wall/check \
 	examples/verify/vyas/check \
 	examples/verify/wall-edge/check

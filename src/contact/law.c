@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* From a scene's options and materials to the coefficients of each pair of materials. */
 #include "contact/law.h"
-#include "contact/law_cohesion.h"
 #include "contact/law_restitution.h"
 #include <math.h>
 #include <string.h>
@@ -206,23 +205,4 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
     law->general = law_has_parts(law);
     law_lay_out(law);
     return true;
-}
-
-/* The range of a pair of materials. */
-static double law_pair_range(const struct law *law, int a, int b, double radius_a, double radius_b) {
-    const struct law_form *form = law_row_get(law->options.normal)->form;
-    double effective = 1.0 / (1.0 / radius_a + 1.0 / radius_b);
-    struct law_surfaces surfaces = {&law->pair[a][b], &law->extra[a][b], {radius_a, radius_b}, effective};
-    double range = form->range ? form->range(&law->pair[a][b], radius_a, radius_b) : 0.0;
-    return fmax(range, law_cohesion_range(&law->options, &surfaces));
-}
-
-double law_range(const struct law *law, double radius_a, double radius_b) {
-    double most = law->materials ? 0.0 : -INFINITY;
-    if (law->options.cohesion == LAW_COHESION_NONE && law_row_get(law->options.normal)->form->range == NULL)
-        return most;
-    for (int a = 0; a < law->materials; a++)
-        for (int b = 0; b <= a; b++)
-            most = fmax(most, law_pair_range(law, a, b, radius_a, radius_b));
-    return most;
 }

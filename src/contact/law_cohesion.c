@@ -2,6 +2,7 @@
 /* The cohesive forces, one function each (law_cohesion.h; docs/physics.md). */
 #include "contact/law_cohesion.h"
 #include "contact/law_jkr.h"
+#include <stddef.h>
 
 /* Derjaguin, Muller and Toporov (1975): 2 pi W R*, W = 2 gamma, while the spheres touch. */
 static struct law_pull pull_dmt(const struct law_surfaces *s, double overlap) {
@@ -101,11 +102,26 @@ double law_cohesion_range(const struct law_options *options, const struct law_su
     return 0.0;
 }
 
-bool law_cohesion_remembers(enum law_cohesion cohesion) {
-    return cohesion == LAW_COHESION_JKR || cohesion == LAW_COHESION_CAPILLARY;
-}
-
 double law_cohesion_largest(enum law_cohesion cohesion, const struct law_surfaces *s) {
     double scale = M_PI * s->extra->surface_energy * s->effective;
     return cohesion == LAW_COHESION_JKR ? 3.0 * scale : cohesion == LAW_COHESION_DMT ? 4.0 * scale : 0.0;
+}
+
+/* The range of a pair of materials. */
+static double law_pair_range(const struct law *law, int a, int b, double radius_a, double radius_b) {
+    const struct law_form *form = law_row_get(law->options.normal)->form;
+    double effective = 1.0 / (1.0 / radius_a + 1.0 / radius_b);
+    struct law_surfaces surfaces = {&law->pair[a][b], &law->extra[a][b], {radius_a, radius_b}, effective};
+    double range = form->range ? form->range(&law->pair[a][b], radius_a, radius_b) : 0.0;
+    return fmax(range, law_cohesion_range(&law->options, &surfaces));
+}
+
+double law_range(const struct law *law, double radius_a, double radius_b) {
+    double most = law->materials ? 0.0 : -INFINITY;
+    if (law->options.cohesion == LAW_COHESION_NONE && law_row_get(law->options.normal)->form->range == NULL)
+        return most;
+    for (int a = 0; a < law->materials; a++)
+        for (int b = 0; b <= a; b++)
+            most = fmax(most, law_pair_range(law, a, b, radius_a, radius_b));
+    return most;
 }

@@ -27,9 +27,6 @@ struct law_pull law_cohesion_pull(enum law_cohesion cohesion, const struct law_s
  * or an attraction ends. 0 where there is no cohesion, or none beyond touch. */
 double law_cohesion_range(const struct law_options *options, const struct law_surfaces *s);
 
-/* True if two surfaces need to have touched to attract each other across a gap. */
-bool law_cohesion_remembers(enum law_cohesion cohesion);
-
 /* The largest pull on the surfaces at rest, force: 3/2 pi W R* of JKR, 2 pi W R* of DMT. */
 double law_cohesion_largest(enum law_cohesion cohesion, const struct law_surfaces *s);
 

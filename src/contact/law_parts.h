@@ -105,4 +105,7 @@ bool law_part_combines(const struct law_part_row *row, const char *traits);
  * a given distance; or at the largest pull, which a given force cannot exceed (LAMMPS). */
 enum law_jkr_end { LAW_JKR_END_DISTANCE, LAW_JKR_END_FORCE };
 
+/* True if two surfaces need to have touched to attract each other across a gap. */
+bool law_cohesion_remembers(enum law_cohesion cohesion);
+
 #endif
