@@ -35,7 +35,7 @@
 
 #define LAW_TANGENTIAL_TABLE(ROW)                                                                            \
     ROW(NONE, none, "stiffness moduli", "no friction: no spin, no torque, no history anywhere")              \
-    ROW(HISTORY, history, "stiffness moduli", "a spring with history, up to Coulomb's limit")              \
+    ROW(HISTORY, history, "stiffness moduli", "a spring with history, up to Coulomb's limit")                \
     ROW(RESCALE, rescale, "moduli",                                                                          \
         "the same, and the spring shrinks with the contact radius on unloading (mindlin_rescale)")           \
     ROW(FORCE, force, "stiffness moduli", "remembers the force, not the displacement (mindlin/force)")       \
@@ -61,9 +61,9 @@
         "from the tangential spring and the contact radius, nothing given (twisting marshall of LAMMPS)")
 
 #define LAW_DAMPING_TABLE(ROW)                                                                               \
-    ROW(RESTITUTION, restitution, "stiffness moduli", "from the given restitution, at any speed")        \
+    ROW(RESTITUTION, restitution, "stiffness moduli", "from the given restitution, at any speed")            \
     ROW(COEFFICIENT, coefficient, "stiffness moduli",                                                        \
-        "from gamma_n and gamma_t, per unit of effective mass, as in LAMMPS")                            \
+        "from gamma_n and gamma_t, per unit of effective mass, as in LAMMPS")                                \
     ROW(VISCOELASTIC, viscoelastic, "stiffness moduli",                                                      \
         "viscoelastic material, whose restitution falls with the speed (Brilliantov et al. 1996)")           \
     ROW(TSUJI, tsuji, "moduli", "from the restitution by the fit of Tsuji et al. 1992, for comparisons")
