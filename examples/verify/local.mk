@@ -50,6 +50,7 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/end-of-contact/scene.yaml \
 	examples/verify/fluid-cavity/scene.yaml \
 	examples/verify/fluid-couette/scene.yaml \
+	examples/verify/fluid-operators/scene.yaml \
 	examples/verify/fluid-poiseuille/scene.yaml \
 	examples/verify/fluid-sphere-array/scene.yaml \
 	examples/verify/fluid-taylor-green/scene.yaml \
@@ -119,6 +120,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/end-of-contact/check \
 	examples/verify/fluid-cavity/check \
 	examples/verify/fluid-couette/check \
+	examples/verify/fluid-operators/check \
 	examples/verify/fluid-poiseuille/check \
 	examples/verify/fluid-sphere-array/check \
 	examples/verify/fluid-taylor-green/check \

@@ -22,6 +22,8 @@ libfluid_la_SOURCES = \
 	src/fluid/forces.h \
 	src/fluid/kernel.c \
 	src/fluid/kernel.h \
+	src/fluid/look.c \
+	src/fluid/look.h \
 	src/fluid/march.c \
 	src/fluid/march.h \
 	src/fluid/mirror.c \

@@ -7,6 +7,7 @@
 #include "fluid/drag.h"
 #include "fluid/fields.h"
 #include "fluid/flow_fields.h"
+#include "fluid/look.h"
 #include "fluid/mirror.h"
 #include "fluid/state.h"
 #include "particles/fields.h"
@@ -232,6 +233,10 @@ void march_look(const struct physics_context *context) {
     double *divergence = fluid_divergence(context->particles);
     operators_divergence(&fluid->weights, flow_velocity(&fluid->flow), divergence + fluid->weights.first);
     drag_on_grains(context, &fluid->flow, fluid->options->viscosity);
+    look_viscous(&fluid->flow,
+                 fluid->options->viscosity * kernel_power(fluid->options->spacing, context->box->dimension),
+                 fluid_drag(context->particles));
+    look_vorticity(&fluid->flow);
 }
 
 void march_end(void *self) {

@@ -26,9 +26,17 @@ struct dump_column {
 };
 
 static const struct dump_column dump_columns[] = {
-    {"material", "type", 1},  {"radius", "radius", 0},      {"mass", "mass", 0},
-    {"position", "x y z", 0}, {"velocity", "vx vy vz", 0},  {"angular_velocity", "omegax omegay omegaz", 0},
-    {"force", "fx fy fz", 0}, {"torque", "tqx tqy tqz", 0}, {"image", "ix iy iz", 0},
+    {"material", "type", 1},
+    {"radius", "radius", 0},
+    {"mass", "mass", 0},
+    {"position", "x y z", 0},
+    {"velocity", "vx vy vz", 0},
+    {"angular_velocity", "omegax omegay omegaz", 0},
+    {"force", "fx fy fz", 0},
+    {"torque", "tqx tqy tqz", 0},
+    {"image", "ix iy iz", 0},
+    {"drag", "dragx dragy dragz", 0},
+    {"vorticity", "curlx curly curlz", 0},
 };
 enum {
     DUMP_COLUMNS = sizeof dump_columns / sizeof dump_columns[0],
