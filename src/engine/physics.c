@@ -84,9 +84,11 @@ void physics_rebuilt(struct physics_set *set, struct ghosts *ghosts) {
 void physics_look(const struct physics_set *set) {
     for (int k = 0; k < set->count; k++) {
         const struct physics_active *active = &set->active[k];
-        for (int p = 0; p < active->row->passes; p++)
-            if (active->row->pass[p].stage == PASS_LOOK)
-                active->row->pass[p].whole(&active->context);
+        for (int p = 0; p < active->row->passes; p++) {
+            const struct physics_pass *pass = &active->row->pass[p];
+            if (pass->stage == PASS_LOOK && (pass->needed == NULL || pass->needed(&active->context)))
+                pass->whole(&active->context);
+        }
     }
 }
 

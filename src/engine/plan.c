@@ -24,13 +24,15 @@ static void add_engine(struct plan *plan, const struct engine_pass *pass, const 
                                           .run = pass->run});
 }
 
-static struct plan_pass entry_of(const struct physics_active *active, const struct physics_pass *pass,
-                                 const struct timers *timers) {
+static struct plan_pass entry_of(const struct physics_set *set, const struct physics_active *active,
+                                 const struct physics_pass *pass, const struct timers *timers) {
+    assert(pass->block == NULL || active->row->interactions > 0);
     return (struct plan_pass){.name = pass->name,
                               .why = pass->why,
                               .timer = stages_of_pass(timers, pass),
                               .pass = pass,
-                              .context = &active->context};
+                              .context = &active->context,
+                              .list = pass->rows ? set->active[0].context.list[0] : active->context.list[0]};
 }
 
 /* Adds the passes of a stage to the plan; passes that fit the visit go to `visit` instead. */
@@ -42,9 +44,8 @@ static void add_stage(struct plan *plan, struct plan_visit *visit, const struct 
             const struct physics_pass *pass = &active->row->pass[p];
             if (pass->stage != stage || (pass->needed && !pass->needed(&active->context)))
                 continue;
-            struct plan_pass entry = entry_of(active, pass, timers);
-            bool joins = visit && (visit->count == 0 || stage != PASS_PAIRS ||
-                                   active->context.list[0] == visit->pass[0].context->list[0]);
+            struct plan_pass entry = entry_of(set, active, pass, timers);
+            bool joins = visit && (stage != PASS_PAIRS || entry.list == set->active[0].context.list[0]);
             if (joins)
                 visit_add(visit, &entry);
             else
@@ -124,9 +125,9 @@ static void pass_run(const struct plan_pass *entry, struct simulation *simulatio
     } else {
         struct plan_visit one = {.count = 1, .pass = {*entry}};
         if (pass->rows)
-            plan_move_all(&one, context->list[0]);
+            plan_move_all(&one, entry->list);
         else
-            plan_block_all(&one, context->list[0]);
+            plan_block_all(&one, entry->list);
     }
 }
 

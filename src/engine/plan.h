@@ -6,8 +6,8 @@
  * In the fused one the passes by rows that move particles, and the passes by block that follow them, share
  * one visit to each block: the particles of a block move just before the first pair that reads them, while
  * the particles are in the cache (pairs/sweep.h). A pass by block joins the visit if the pass walks over the
- * list of the sweep, which is the list of the first pass by block. Other passes run by themselves, after the
- * copies have arrived. */
+ * list of the sweep, which is the list of grains. Other passes run by themselves, after the copies have
+ * arrived. */
 #ifndef SCREE_ENGINE_PLAN_H
 #define SCREE_ENGINE_PLAN_H
 
@@ -34,6 +34,7 @@ struct plan_pass {
     void (*run)(struct simulation *simulation);
     const struct physics_pass *pass;
     const struct physics_context *context; /* borrowed from the physics set */
+    const struct pairlist *list;           /* whose blocks the pass visits; by rows: the list of the sweep */
 };
 
 struct plan {
