@@ -22,6 +22,7 @@ libengine_la_SOURCES = \
 	src/engine/outputs.h \
 	src/engine/physics.c \
 	src/engine/physics.h \
+	src/fields_table.h \
 	src/physics_table.h \
 	src/engine/plan.c \
 	src/engine/plan.h \

@@ -7,9 +7,8 @@
 
 #include "comm/exchange.h"
 #include "comm/groups.h"
-#include "contact/material.h"
-#include "contact/spin.h"
 #include "core/memory.h"
+#include "fields_table.h"
 #include "integrate/groups.h"
 #include "physics_table.h"
 
@@ -59,10 +58,9 @@ static struct shown shown_of(const struct field *field) {
 }
 
 void frame_register_all(struct particles *particles) {
-    spin_register(particles);
-    material_register(particles);
-    groups_register(particles);
-    particles_count_images(particles);
+#define FIELDS_REGISTER(register_fields, needed) register_fields(particles);
+    FIELDS_TABLE(FIELDS_REGISTER)
+#undef FIELDS_REGISTER
 #define FIELDS_OF(name, key, whose, summary) name##_fields(particles);
     PHYSICS_TABLE(FIELDS_OF)
 #undef FIELDS_OF

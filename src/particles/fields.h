@@ -3,17 +3,21 @@
  * that has it; there is no list of all fields. Allocation, growth, reorder, packing for MPI, H5MD, restart,
  * the docs and `scree check` walk the table of the set.
  *
- * How to add a field, in four steps:
+ * How to add a field, in five steps:
  *   1. Describe the field in one row, `static const struct field temperature = {.name = "temperature",
  *      .type = FIELD_DOUBLE, .components = 1, .use = ..., .unit = "K", .help = "..."}`, in the file of its
- *      owner. The row says where the values travel; nothing else in the program lists the field.
- *   2. Call `fields_register(particles, &temperature)` where the scene decides that the field is needed.
- *   3. Take the values from fields_base (or a function of the owner that calls it) before a loop, never
- *      inside. Pointers become invalid when the set grows: at rebuilds, and when particles or fields are
- *      added.
+ *      owner. `use` says where the values travel: FIELD_TRAVELS | FIELD_OUTPUT for what a particle remembers
+ *      and files show. A particle begins with `fill`; a pass changes the values (engine/physics.h).
+ *   2. Write the owner's function that calls `fields_register(particles, &temperature)`. A field of grains
+ *      then has one row in src/fields_table.h: the function, and the scenes that need the field. A physics
+ *      registers its fields in NAME_fields (physics_table.h).
+ *   3. Take the values from fields_values (or a function of the owner that calls it) before a loop, never
+ *      inside; they are NULL where the scene has no such field. Pointers become invalid when the set grows:
+ *      at rebuilds, and when particles or fields are added.
  *   4. Values of copies: a FORWARD field comes with every exchange of the step, a REVERSE field is summed
  *      back with the forces; a pass of its own sends any list of fields (comm/ghosts.h).
- * `src/contact/spin.c` is an example.
+ *   5. `make pages` writes the row of docs/output.md.
+ * `src/contact/spin.c` is an example of grains, src/density of a physics.
  *
  * Every set begins with the fields of enum field_first: the hot record of a cache line, the force, the id
  * and the size class; struct particles has pointers to these. */

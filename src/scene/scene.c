@@ -2,10 +2,8 @@
 /* The queries of modules to a scene, and messages about it. */
 #include "scene/scene.h"
 
-#include "contact/material.h"
-#include "contact/spin.h"
 #include "core/memory.h"
-#include "integrate/groups.h"
+#include "fields_table.h"
 #include "scene/tree.h"
 
 #include <stdarg.h>
@@ -38,14 +36,11 @@ bool scene_gives(const struct scene *scene, const char *section, const char *key
 }
 
 void scene_register(const struct scene *scene, const struct law *law, struct particles *particles) {
-    if (law->spin)
-        spin_register(particles);
-    if (scene->materials > 1)
-        material_register(particles);
-    if (scene->groups > 1)
-        groups_register(particles);
-    if (scene->box.periodic[0] || scene->box.periodic[1] || scene->box.periodic[2])
-        particles_count_images(particles);
+#define FIELDS_REGISTER(register_fields, needed)                                                             \
+    if (needed)                                                                                              \
+        register_fields(particles);
+    FIELDS_TABLE(FIELDS_REGISTER)
+#undef FIELDS_REGISTER
 }
 
 void scene_integrator(const struct scene *scene, struct integrator_context *context) {
