@@ -38,13 +38,18 @@
  *   destroy      once                                its own state                one
  *
  * How to add an index, in six steps:
- *   1. Copy brute.c to NAME.c: it is the oracle of every test and the shortest example.
- *   2. Put your state into a struct whose first member is `struct index base`.
- *   3. Fill one `const struct index_ops NAME_ops` with designated initialisers, no casts.
- *   4. Declare it in registry.c and add one line to its table. No other file of the program knows the name.
- *   5. Add the file to local.mk, and run `make check`: tests/index compares every registered index with
- *      `brute`.
- *   6. Describe it in docs/indexes.md.
+ *   1. Copy index/brute.c to index/NAME.c: it is the oracle of every test and the shortest example. An index
+ *      on grids is a plan for the body that they share: index/linkcell.c.
+ *   2. Put your state into a struct whose first member is `struct index base`; the build makes it, from all
+ *      particles, copies included.
+ *   3. Fill one `const struct index_ops NAME_ops` with designated initialisers, no casts. `applicable`,
+ *      `order`, `check`, `trials` and `select` may be NULL, as in brute; the tests want a `check` of every
+ *      index but brute. An index without cells describes no levels.
+ *   4. Declare it in index/registry.c, and add one entry at the end of its table. No other file of the
+ *      program knows the name; tests/app take the names from `scree help index.name`.
+ *   5. Add the file to index/local.mk. tests/index/test_index, test_levels and test_wanted compare every
+ *      registered index with `brute`, tests/app/density.sh does so on several ranks.
+ *   6. Describe it in docs/indexes.md and README.md; `make pages` writes docs/scene.md.
  *
  * Only index.c calls through the table; all other files use the wrappers below, which check, count and time.
  */
@@ -148,7 +153,7 @@ struct index_level {
 };
 
 struct index_description {
-    int levels;
+    int levels; /* 0: an index without cells */
     struct index_level level[INDEX_CLASS_MAX];
     /* of an index that chooses (`auto`); else empty */
     char choice[16];         /* the index that the choice amounts to */
@@ -178,6 +183,8 @@ struct index_ops {
      * unchanged. */
     void (*visit)(const struct index *self, const struct index_view *view, size_t first, size_t last,
                   struct index_sink *sink);
+    /* False, with one line in `why`, if the state does not fit the view: if a particle moved since the build,
+     * say. */
     bool (*check)(const struct index *self, const struct index_view *view, char why[INDEX_WHY_MAX]);
     void (*describe)(const struct index *self, struct index_description *description);
     size_t (*memory)(const struct index *self); /* bytes held */

@@ -54,6 +54,11 @@ run_scene() {
     on "$ranks" "$scree" run "$scene" -o "$dir" --quiet "$@" >"$out/said" 2>&1 || { local status=$?; cat "$out/said"; return $status; }
 }
 
+# indexes: the names of all indexes
+indexes() {
+    "$scree" help index.name | sed -n 's/,//g; s/^ *one of \(.*\); default .*/\1/p'
+}
+
 # number FILE KEY: a number of a report.json
 number() {
     sed -n 's/^ *"'"$2"'": \([-0-9.e+]*\),*$/\1/p' "$1" | head -n 1

@@ -58,7 +58,7 @@ follows() { # RANKS THREADS EDGE DIMENSION SETTING...
     rm -rf run
     run_scene "$ranks" cloud.yaml run --set "threads=$threads" "$@" && sums run "$edge" "$dimension" 251
 }
-for index in brute linkcell multi bytype hgrid auto; do
+for index in $(indexes); do
     check "$index" follows 1 2 5 3 --set index.name=$index
 done
 check 'open' follows 1 1 0 3 --set box.periodic=false

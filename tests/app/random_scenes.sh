@@ -13,6 +13,7 @@
 set -u
 . "$top_srcdir/tests/app/common.sh"
 find_bisection
+all_indexes=$(indexes)
 cd "$out" || exit 1
 
 first=${1:-1}
@@ -211,7 +212,7 @@ draw_layout() {
     ranks=$picked
     pick 1 1 2 3
     layout="threads=$picked"
-    pick brute linkcell multi bytype hgrid auto
+    pick $all_indexes
     layout+=" index=$picked"
     pick auto auto shadow shadow neighbours
     layout+=" sync=$picked"

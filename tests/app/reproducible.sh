@@ -203,7 +203,7 @@ done
 
 if [ -n "${SCREE_LONG:-}" ]; then
     for case in bed ten boulder thin flow; do
-        for index in brute linkcell multi bytype hgrid auto; do
+        for index in $(indexes); do
             for place in 'brick shadow' 'brick auto' 'bisection shadow' 'bisection auto'; do
                 for ranks in 1 2 4 8; do
                     for threads in 1 2; do

@@ -208,6 +208,10 @@ static void who_meets_nobody_needs_no_cells(void **state) {
             struct index *index = cloud_index(&cloud, index_registry_get(k)->name, &params);
             struct index_description description;
             index_describe(index, &description);
+            if (description.levels == 0) { /* an index without cells */
+                index_destroy(&index);
+                continue;
+            }
             assert_int_equal(description.levels, 2);
             const struct index_level *none = &description.level[alone], *some = &description.level[1 - alone];
             assert_true(none->cell == 0 && none->cells == 0 && !none->sparse);
