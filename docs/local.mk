@@ -63,3 +63,9 @@ EXTRA_DIST += docs/results/scaling/hybrid.jsonl docs/results/scaling/lengths.jso
 	docs/results/scaling/ghosts/lines.jsonl docs/results/scaling/ghosts/section.md \
 	docs/results/scaling/pupcs/lines.jsonl docs/results/scaling/pupcs/section.md \
 	docs/results/scaling/pupcs/sizes.jsonl docs/results/scaling/pupcs/sizes.md
+
+# The pages that the program writes, after a change of the schema, a field, an observable, a stage or the report
+.PHONY: pages
+pages: src/scene/document src/engine/document
+	src/scene/document >scene.md.new && mv scene.md.new $(top_srcdir)/docs/scene.md
+	src/engine/document <$(top_srcdir)/docs/output.md >output.md.new && mv output.md.new $(top_srcdir)/docs/output.md

@@ -53,14 +53,15 @@ static char *described(char *page, struct error *error) {
     return text;
 }
 
-/* `make src/engine/document && src/engine/document <docs/output.md >new` */
+/* The tables of docs/output.md are what the program writes. */
 static void page_is_current(void **state) {
     (void)state;
     struct error error = {0};
     char *page = read_page(), *now = described(page, &error);
     if (!now)
         fail_msg("%s", error.text);
-    assert_string_equal(now, page);
+    if (strcmp(now, page) != 0)
+        fail_msg("docs/output.md has other tables than the program: run `make pages`");
     /* of each table a row that was computed by hand */
     assert_non_null(strstr(page, "| `velocity` | `vx vy vz` | float64 | N × D | m s-1 | each frame | any |"));
     assert_non_null(strstr(page, "| `mass` | `mass` | float64 | N | kg | fixed | any | mass |"));

@@ -188,6 +188,19 @@ static void print_classes(const struct simulation *s) {
                (unsigned long long)s->classes.population[c], s->classes.skin[c][c]);
 }
 
+/* Prints the interactions where there are several, and the pairs that each goes through. Without materials
+ * nothing touches, and the first, that of grains, has none. */
+static void print_interactions(const struct simulation *s) {
+    const struct interactions *found = &s->search.interactions;
+    if (found->count < 2)
+        return;
+    printf("\ninteractions, rank 0; the index finds %zu pairs\n  %-18s %12s\n", found->all->primary_count,
+           "interaction", "pairs");
+    for (int k = s->scene->materials > 0 ? 0 : 1; k < found->count; k++)
+        printf("  %-18s %12zu  %s\n", found->row[k].name, interaction_list(found, k)->primary_count,
+               found->own[k] ? "in a list of its own" : "in the list of all");
+}
+
 static void print_levels(const struct simulation *s) {
     struct index_description description;
     index_describe(s->search.index, &description);
@@ -326,6 +339,7 @@ static void print_all(const struct simulation *s, const struct notes *notes) {
     print_fields(s);
     print_wire(s);
     print_classes(s);
+    print_interactions(s);
     print_levels(s);
     print_step(s);
     print_guards(s);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Makes the tables of a page again: make src/engine/document && src/engine/document <docs/output.md >new */
+/* Makes the tables of docs/output.md again, from the page to the page: `make pages` runs it */
 #include "engine/grains.h"
 #include "engine/stages.h"
 #include "observe/describe.h"

@@ -14,7 +14,18 @@
  *   2. Write its `struct physics`: interactions, create and destroy, passes.
  *   3. Add its row to PHYSICS_TABLE, and `include src/NAME/local.mk` to Makefile.am.
  *   4. Write its test against a plain double loop, on several ranks and threads and on every index.
- *   5. Make the pages: docs/scene.md by src/scene/document, docs/output.md by src/engine/document.
+ *   5. `make pages` writes docs/scene.md and docs/output.md.
+ *
+ * How to add a pass of the step, in four steps:
+ *
+ *   1. Choose its stage (enum pass_stage). Forces are added in PASS_PAIRS, PASS_SHARES or PASS_CLOSE. They are
+ *      complete when the step ends: a pass that reads the force on a particle runs in PASS_LOOK, or in
+ *      PASS_FIRST of the next step.
+ *   2. Write its function: `whole`, `rows`, `block` or `share`, see struct physics_pass.
+ *   3. Add its row to the array of passes of the physics, for grains in engine/grains.c, and count it in
+ *      `passes`. `scree check SCENE` prints the plan in which the pass then is.
+ *   4. The time of a pass is a stage of the report, unless its row names the stage of another pass as `timer`:
+ *      `make pages` writes it to docs/output.md. (Passes of PASS_LOOK count as output.)
  *
  * A physics sees only its context, never the simulation. */
 #ifndef SCREE_ENGINE_PHYSICS_H
@@ -68,11 +79,12 @@ struct physics_pass {
     const char *does;           /* its work in a few words, for the report's description of its stage */
     const char *timer;          /* stage of the report for the time (stages.h); NULL: named as the pass */
     const char *reads, *writes; /* names of fields, as "position velocity"; only shown to people */
-    bool (*needed)(const struct physics_context *context);
+    bool (*needed)(const struct physics_context *context); /* NULL: always */
     /* Called once; opens its own teams of threads. */
     void (*whole)(const struct physics_context *context);
-    /* MOVE: the particles [first, last) of one size class. Adjacent passes by rows and by block share one
-     * visit to each block (plan.h). Called by many threads at once, each with its own particles. */
+    /* MOVE: the owned particles [first, last) of one size class; needs no interaction. Adjacent passes by
+     * rows and by block share one visit to each block (plan.h). Called by many threads at once, each with its
+     * own particles. */
     void (*rows)(const struct physics_context *context, int thread, size_t first, size_t last,
                  int size_class);
     /* PAIRS: one block of the list of the physics' first interaction. Called by many threads at once, each
@@ -80,7 +92,8 @@ struct physics_pass {
      * repeated. */
     void (*block)(const struct physics_context *context, int thread, int block);
     void (*abandon)(const struct physics_context *context);
-    /* SHARES: computes the share of one thread. */
+    /* SHARES: computes the share of one thread, 0 ... context->threads - 1, of a division of its own: of the
+     * particles from owned * thread / threads on, say. Called by many threads at once. */
     void (*share)(const struct physics_context *context, int thread);
 };
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables: numbers about the whole run, a row at a time, in DIR/observables.csv. One registry row an
- * observable: name, unit, how the part of one rank is found and how parts combine. To add one: write its
- * local function, add its row, name it in docs. Velocities are those of the full step. */
+ * observable: name, unit, how the part of one rank is found and how parts combine. observables_kinds.h has
+ * the recipe for adding one. Velocities are those of the full step. */
 #ifndef SCREE_OBSERVE_OBSERVABLES_H
 #define SCREE_OBSERVE_OBSERVABLES_H
 

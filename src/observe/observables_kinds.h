@@ -1,5 +1,15 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The registry of observables, for observables.c alone. */
+/* The registry of observables: one row an observable, by which requests of a scene, columns, help and
+ * docs/output.md go.
+ *
+ * How to add an observable, in three steps:
+ *   1. Write its function: `of_particle`, the part of one particle, or `of_rank`, this rank's part.
+ *   2. Add its row: what concerns the whole run to observables_bulk.c, a wall, a particle or a region to
+ *      observables_single.c, fields of a physics to NAME_observables (physics_table.h). `relevant` says in
+ *      which scenes a family has the row; a request by its name is always served, so the function must do
+ *      without its field.
+ *   3. `make pages` writes docs/output.md.
+ * Velocities of the state are those of half a step before: integrator_full_step gives those of the moment. */
 #ifndef SCREE_OBSERVE_OBSERVABLES_KINDS_H
 #define SCREE_OBSERVE_OBSERVABLES_KINDS_H
 
@@ -41,8 +51,10 @@ struct observable_kind {
     bool needs_sums;     /* force_sums beyond contacts and overlap */
     bool needs_work;     /* force_sums.taken of every step */
     bool needs_contacts; /* the contact list, of a region (then no sums) */
-    /* Computes this rank's parts, which begin as zero. A row has one of the two functions: for the whole
-     * rank, or for one free particle, added up over all of them. */
+    /* Add to this rank's parts, which begin as zero. A row has one of the two functions or both: for the whole
+     * rank, called once and last, and for one particle, called for all owned ones, prescribed and of any kind
+     * (kinds.h), by many threads at once. With OBSERVABLE_MAX each takes the larger of its value and part[k],
+     * so what can be negative needs another form: a least value is 1 / the largest inverse. */
     void (*of_rank)(const struct observable_context *context, struct observable_item *item, double *part);
     void (*of_particle)(const struct output_view *view, const struct observable_item *item, size_t i,
                         double *part);

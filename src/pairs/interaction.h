@@ -9,10 +9,14 @@
  *
  * How to add an interaction:
  *   1. Write `range`: how far beyond touch two particles of these kinds and radii interact; -INFINITY where
- *      they never meet; a kernel of support h gives h - radius_a - radius_b.
- *   2. Name the interaction in your physics (engine/physics.h), which hands you its pair list at each rebuild.
+ *      they never meet; a kernel of support h gives h - radius_a - radius_b. Its `context` are the options of
+ *      the physics, its promises those of struct classes_range: symmetric, monotonic in each radius.
+ *   2. Add a row to `interaction` of your physics, and count it in `interactions` (engine/physics.h). The pair
+ *      list of row k is context->list[k], new after each rebuild. It has at least the pairs within the range
+ *      and the skin: who walks over it tests the distance. `scree check SCENE` prints the interactions.
  *   3. Walk over the list (walk.h); where you need each pair in the rows of both particles, as a matrix does,
- *      make them by pair_rows_build. */
+ *      make them by pair_rows_build.
+ * src/density/density.c is an example. */
 #ifndef SCREE_PAIRS_INTERACTION_H
 #define SCREE_PAIRS_INTERACTION_H
 

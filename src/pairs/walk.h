@@ -14,7 +14,7 @@
  *   remember   the new record of the pair goes to the other buffer of the history
  *   note       the client's sums over the batch
  *
- * How to add a client, in six steps:
+ * How to add a client, in seven steps (src/density/density.c is one in 40 lines):
  *
  *   1. Choose the result of a pair: an enum walk_scatter.
  *   2. Write a struct that begins with a struct walk_batch and holds the data of your physics for a batch.
@@ -22,8 +22,12 @@
  * the entries [0, padded). `compute` runs for WALK_BATCH pairs at a time, so a call through a pointer is
  * cheap.
  *   4. Fill a struct walk_client with these, and create a walk with it.
- *   5. After each rebuild walk_prepare; in a step walk_run, or walk_block for all blocks and walk_finish.
- *   6. Fields beyond the gathered ones are read in `compute` by the numbers i[k] and j[k].
+ *   5. Fill a struct walk_work: the list of your interaction, the cut-off as `range`, and the target, which the
+ * caller sets to zero before, for owned particles and copies.
+ *   6. After each rebuild walk_prepare; in a step walk_run, or walk_block for all blocks and walk_finish. The
+ * shares of copies then belong to their originals: a field with FIELD_REVERSE goes back with the forces, any
+ * other by ghosts_reverse (comm/ghosts.h).
+ *   7. Fields beyond the gathered ones are read in `compute` by the numbers i[k] and j[k].
  *
  * Entries of a batch lie in the order of the pairs. Separations are formed as (x_j - x_i) + shift, so that a
  * pair and its mirrored copy have exactly opposite ones. The stages are compiled for several instruction sets

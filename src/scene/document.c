@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Writes docs/scene.md: make src/scene/document && src/scene/document > docs/scene.md */
+/* Writes docs/scene.md: `make pages` runs it */
 #include "scene/schema_help.h"
 
 int main(void) {

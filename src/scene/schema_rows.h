@@ -5,7 +5,18 @@
  * A table lists the keys of one section (a mapping); sections and lists name the table of their entries. A
  * row says where in the section's struct its value lies, as offset and size. Rows are read in order: a row
  * may depend (`when`) on those before it. A key may have several rows, side by side, of whose conditions at most
- * one holds (its unit depends on a law, say). */
+ * one holds (its unit depends on a law, say).
+ *
+ * How to add a key, in four steps:
+ *   1. Add a member to the struct of its section: struct scene (scene.h) for a key of the top level, else the
+ *      options of a module.
+ *   2. Add a row to the table of its section, its place by AT or ARRAY_AT: schema_root.c (top level, box, step,
+ *      index, classes, skin, domain, guards), schema_contact.c, schema_particles.c, schema_walls.c,
+ *      schema_output.c, or the table of a physics (physics_table.h).
+ *   3. What one row cannot say: derived values, and numbers that are NAN where not given, in finish.c;
+ *      combinations of keys that are refused in scene_check.c, with a line in tests/test_scene_check.c.
+ *   4. `make pages` writes docs/scene.md. tests/test_schema looks at each row: its help, range, default, example.
+ * Reading, `--set`, help, the echo in files and the list of changes at a resume then know the key. */
 #ifndef SCREE_SCENE_SCHEMA_ROWS_H
 #define SCREE_SCENE_SCHEMA_ROWS_H
 
