@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 EXTRA_DIST += docs/architecture.md docs/building.md docs/scene.md
 EXTRA_DIST += docs/indexes.md docs/images/penetration.png
-EXTRA_DIST += docs/physics.md
+EXTRA_DIST += docs/physics.md docs/fluid.md \
+	docs/images/fluid-cavity.png docs/images/fluid-spheres.png docs/images/fluid-vortices.png
 EXTRA_DIST += docs/packing.md
 EXTRA_DIST += docs/scaling.md docs/layouts.md \
 	docs/folders.dot docs/images/folders.svg docs/images/scaling-hybrid.svg docs/images/scaling-model.svg docs/images/scaling-ranks.svg \

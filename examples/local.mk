@@ -2,7 +2,7 @@
 # Examples: all of a folder ships and is installed; results of runs (out*) do not and are not.
 nobase_dist_pkgdata_DATA = \
 	examples/README.md examples/column/README.md examples/column/scene.yaml examples/common.sh
-nobase_dist_pkgdata_SCRIPTS = examples/speed-error.sh
+nobase_dist_pkgdata_SCRIPTS = examples/flow.sh examples/speed-error.sh
 
 bench = examples/bench
 nobase_dist_pkgdata_DATA += \
@@ -21,6 +21,15 @@ nobase_dist_pkgdata_DATA += \
 	$(bidisperse)/energies.awk $(bidisperse)/energies.csv $(bidisperse)/scene.yaml \
 	$(bidisperse)/step0.dump.gz $(bidisperse)/step200.dump.gz
 nobase_dist_pkgdata_SCRIPTS += $(bidisperse)/check $(bidisperse)/run.sh
+
+nobase_dist_pkgdata_DATA += \
+	examples/cavity/README.md examples/cavity/scene.yaml \
+	examples/sphere_array/README.md examples/sphere_array/scene.yaml \
+	examples/taylor_green/README.md examples/taylor_green/scene.yaml
+nobase_dist_pkgdata_SCRIPTS += \
+	examples/cavity/check examples/cavity/run.sh \
+	examples/sphere_array/check examples/sphere_array/run.sh \
+	examples/taylor_green/check examples/taylor_green/run.sh
 
 drum = examples/drum
 nobase_dist_pkgdata_DATA += \

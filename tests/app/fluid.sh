@@ -111,6 +111,37 @@ steady() {
 check "steady flow past an array of spheres" steady 1
 check "steady flow on 2 ranks" steady 2
 
+# A ring of grains closes in a pocket; a row of grains divides the fluid into two regions, of a null space of their own each.
+bodies() { # AWK EXPRESSIONS for x and y of grain k = 0 ... 15
+    cat <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [2, 2, 0], periodic: [true, false, false], dimension: 2}
+walls:
+  - {name: lower, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}
+  - {name: upper, shape: plane, point: [0, 2, 0], normal: [0, -1, 0]}
+groups: [{name: bed, motion: frozen}]
+fluid: {spacing: 0.04, density: 1, viscosity: 0.1, equations: stokes, drive: {body_force: [1, 0, 0]}}
+step: {dt: 0.05, count: 4}
+observables: {every: 1, list: [{name: fluid}]}
+particles:
+  sources:
+YAML
+    awk "BEGIN { pi = atan2(0, -1); for (k = 0; k < 16; k++)
+        printf \"    - {from: single, position: [%.6f, %.6f, 0], radius: 0.1, density: 1, group: bed}\\n\", $1, $2 }"
+}
+bodies '1 + 0.19 * cos(pi * k / 8)' '0.9 + 0.19 * sin(pi * k / 8)' >ring.yaml
+bodies '0.0625 + k / 8' '0.9' >row.yaml
+regions() { # SCENE WORDS RANKS: the flow has a small divergence, the drag is the force on the fluid less that of the walls
+    on 1 "$scree" check "$1.yaml" >told 2>&1
+    grep -q "$2" told || { cat told; return 1; }
+    rm -rf one other
+    run_scene 1 "$1.yaml" one --set threads=1 --set fluid.solver.tolerance=1e-9 &&
+        run_scene "$3" "$1.yaml" other --set threads=1 --set fluid.solver.tolerance=1e-9 && close one/observables.csv other/observables.csv
+}
+check "a closed pocket becomes solid" regions ring 'nodes of the fluid lie in closed pockets' 2
+check "with it the fluid is one region" grep -q '1 connected region$' told
+check "two regions of fluid" regions row '2 connected regions' 3
+
 # refused WHAT WORDS SCENE SETTING...: one line, status 2
 refused() {
     local words=$1 scene=$2 word
