@@ -16,6 +16,7 @@
 #define PHYSICS_TABLE(ROW)                                                                                   \
     ROW(density, number_density, GRAINS,                                                                     \
         "the SPH number density of each particle, sum of W(|x_ij|, support)")                                \
+    ROW(heat, heat, GRAINS, "heat that grains conduct through contacts, with walls and through gas")         \
     ROW(fluid, fluid, OWN, "an incompressible fluid around grains and between walls (implicit SPH)")
 
 #define PHYSICS_ENUMERATOR(name, key, whose, summary) PHYSICS_##name,
@@ -42,6 +43,6 @@ static inline bool physics_has_particles(int k) {
 }
 
 /* Doubles that the options of one physics may take in a scene. */
-enum { PHYSICS_OPTIONS_MAX = 160 };
+enum { PHYSICS_OPTIONS_MAX = 512 };
 
 #endif

@@ -25,7 +25,7 @@ static void converts(void **state) {
         {"36 km/h", "m/s", 10},     {"-9.81 m/s2", "m/s2", -9.81}, {"60 rpm", "rad/s", 2 * M_PI},
         {"180 deg", "rad", M_PI},   {"50 Hz", "1/s", 50},          {"30 %", "", 0.3},
         {"2 min", "s", 120},        {"1e3", "Pa", 1000},           {"1 N*m/m2", "N/m", 1},
-        {"4 g/s", "kg/s", 0.004},   {".inf", "s", INFINITY},
+        {"4 g/s", "kg/s", 0.004},   {".inf", "s", INFINITY},       {"2 kW/m/K", "W/m/K", 2000},
     };
     for (size_t k = 0; k < sizeof(cases) / sizeof(cases[0]); k++) {
         double value;
@@ -52,6 +52,7 @@ static void knows_every_symbol(void **state) {
         {"s", "s", 1, true},
         {"N", "kg m s-2", 1, true},
         {"Pa", "kg m-1 s-2", 1, true},
+        {"K", "K", 1, true},
         {"J", "kg m2 s-2", 1, true},
         {"W", "kg m2 s-3", 1, true},
         {"Hz", "s-1", 1, true},

@@ -55,6 +55,9 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/fluid-sphere-array/scene.yaml \
 	examples/verify/fluid-taylor-green/scene.yaml \
 	examples/verify/free-fall/scene.yaml \
+	examples/verify/heat-chain/scene.yaml \
+	examples/verify/heat-rod/particles.txt \
+	examples/verify/heat-rod/scene.yaml \
 	examples/verify/haff/scene.yaml \
 	examples/verify/hertz.awk \
 	examples/verify/impact.c \
@@ -126,6 +129,8 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/fluid-taylor-green/check \
 	examples/verify/free-fall/check \
 	examples/verify/haff/check \
+	examples/verify/heat-chain/check \
+	examples/verify/heat-rod/check \
 	examples/verify/incline/check \
 	examples/verify/janssen/check \
 	examples/verify/jkr-pull-off/check \

@@ -11,9 +11,11 @@
  * memory of the forces. The forces are restored afterwards. */
 static void sums_home(struct simulation *s, struct stability *stability) {
     struct particles *p = s->particles;
-    struct field_list fields = fields_with(p, FIELD_REVERSE);
+    struct field_list fields = fields_one(FIELD_FORCE);
     size_t stride = (size_t)p->force_stride, sums = (size_t)stability->sums, bytes;
     size_t width = s->grains.law.spin ? 6 : 3;
+    if (s->grains.law.spin)
+        fields.field[fields.count++] = fields_find(p, "torque");
     double *kept = memory_allocate(stability->count * stride, sizeof *kept, "stability of contacts");
     bytes = stability->count * stride * sizeof *kept;
     memcpy(kept, p->force, bytes);

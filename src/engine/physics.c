@@ -44,12 +44,15 @@ void physics_begin(struct physics_set *set, const struct physics *grains,
     }
 }
 
-void physics_create(struct physics_set *set, void *self) {
+bool physics_create(struct physics_set *set, void *self, struct error *error) {
     set->active[0].context.self = self;
     for (int k = 1; k < set->count; k++) {
         struct physics_active *active = &set->active[k];
+        if (active->row->check && !active->row->check(&active->context, error))
+            return false;
         active->context.self = active->row->create ? active->row->create(&active->context) : NULL;
     }
+    return true;
 }
 
 void physics_free(struct physics_set *set) {

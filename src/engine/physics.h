@@ -53,7 +53,7 @@ struct physics_context {
     struct particles *particles;
     const struct size_classes *classes;
     const struct pairlist *list[PHYSICS_INTERACTIONS_MAX]; /* lists of the interactions, in their order */
-    const struct walls *walls;                             /* NULL: none */
+    struct walls *walls;                                   /* NULL: none */
     const struct clock *clock; /* number, time and length of the step; the length may change between steps */
     int threads;
     bool ordered; /* sums in an order that no layout changes */
@@ -112,6 +112,8 @@ struct physics {
     struct interaction interaction[PHYSICS_INTERACTIONS_MAX];
     int passes;
     const struct physics_pass *pass;
+    /* Refuses options that do not go together: a user's error. The same on all ranks. NULL: nothing to refuse. */
+    bool (*check)(const struct physics_context *context, struct error *error);
     /* Makes the physics' own data: after the particles' fields have been registered, before the first
      * rebuild. NULL: no data. */
     void *(*create)(const struct physics_context *context);
@@ -154,8 +156,8 @@ void physics_begin(struct physics_set *set, const struct physics *grains,
 /* The row of a physics of the table. */
 const struct physics *physics_get(enum physics_number number);
 
-/* Creates the own data of all physics but grains, whose data are `self`. */
-void physics_create(struct physics_set *set, void *self);
+/* Checks the options of all physics, and creates the own data of all but grains, whose data are `self`. */
+bool physics_create(struct physics_set *set, void *self, struct error *error);
 void physics_free(struct physics_set *set);
 
 /* Adds the particles of all physics. Collective; errors may differ between ranks. */

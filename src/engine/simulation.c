@@ -279,8 +279,8 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
     scene_register(s->scene, &s->grains.law, s->particles);
     physics_start(s);
     parts_create(s);
-    physics_create(&s->physics, s);
-    simd_choose(s, error);
+    if (physics_create(&s->physics, s, error))
+        simd_choose(s, error);
     if (!comm_agree(s->comm, error)) /* ranks may have different CPUs */
         return false;
     struct rebuild_rows rows = {0};

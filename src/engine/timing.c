@@ -219,10 +219,9 @@ static void dt_change(struct simulation *s, double dt) {
 }
 
 bool timing_contacts(struct simulation *s, struct error *error) {
-    double most = s->timing.limits.stable;
-    if (!isfinite(most))
+    s->timing.limits.stable = physics_limit(&s->physics, s->timing.limits.stable);
+    if (!isfinite(s->timing.limits.stable))
         return true;
-    s->timing.limits.stable = physics_limit(&s->physics, most);
     if (s->clock.dt_fraction > 0 && s->clock.dt > s->clock.dt_fraction * s->timing.limits.stable &&
         (s->resumed.dt != s->clock.dt || s->clock.dt > s->timing.limits.stable))
         dt_change(s, s->clock.dt_fraction * s->timing.limits.stable);

@@ -14,25 +14,16 @@ struct symbol {
 };
 
 static const struct symbol symbols[] = {
-    {"m", {1, 0}, {1, 0, 0, 0}, true},
-    {"g", {1, -3}, {0, 1, 0, 0}, true},
-    {"s", {1, 0}, {0, 0, 1, 0}, true},
-    {"N", {1, 0}, {1, 1, -2, 0}, true},
-    {"Pa", {1, 0}, {-1, 1, -2, 0}, true},
-    {"J", {1, 0}, {2, 1, -2, 0}, true},
-    {"W", {1, 0}, {2, 1, -3, 0}, true},
-    {"Hz", {1, 0}, {0, 0, -1, 0}, true},
-    {"bar", {1, 5}, {-1, 1, -2, 0}, true},
-    {"L", {1, -3}, {3, 0, 0, 0}, true},
-    {"t", {1, 3}, {0, 1, 0, 0}, false},
-    {"min", {60, 0}, {0, 0, 1, 0}, false},
-    {"h", {3600, 0}, {0, 0, 1, 0}, false},
-    {"rad", {1, 0}, {0, 0, 0, 1}, true},
-    {"deg", {M_PI / 180, 0}, {0, 0, 0, 1}, false},
-    {"°", {M_PI / 180, 0}, {0, 0, 0, 1}, false},
-    {"rpm", {2 * M_PI / 60, 0}, {0, 0, -1, 1}, false},
-    {"%", {1, -2}, {0, 0, 0, 0}, false},
-    {"1", {1, 0}, {0, 0, 0, 0}, false},
+    {"m", {1, 0}, {1, 0, 0, 0, 0}, true},           {"g", {1, -3}, {0, 1, 0, 0, 0}, true},
+    {"s", {1, 0}, {0, 0, 1, 0, 0}, true},           {"N", {1, 0}, {1, 1, -2, 0, 0}, true},
+    {"Pa", {1, 0}, {-1, 1, -2, 0, 0}, true},        {"K", {1, 0}, {0, 0, 0, 0, 1}, true},
+    {"J", {1, 0}, {2, 1, -2, 0, 0}, true},          {"W", {1, 0}, {2, 1, -3, 0, 0}, true},
+    {"Hz", {1, 0}, {0, 0, -1, 0, 0}, true},         {"bar", {1, 5}, {-1, 1, -2, 0, 0}, true},
+    {"L", {1, -3}, {3, 0, 0, 0, 0}, true},          {"t", {1, 3}, {0, 1, 0, 0, 0}, false},
+    {"min", {60, 0}, {0, 0, 1, 0, 0}, false},       {"h", {3600, 0}, {0, 0, 1, 0, 0}, false},
+    {"rad", {1, 0}, {0, 0, 0, 1, 0}, true},         {"deg", {M_PI / 180, 0}, {0, 0, 0, 1, 0}, false},
+    {"°", {M_PI / 180, 0}, {0, 0, 0, 1, 0}, false}, {"rpm", {2 * M_PI / 60, 0}, {0, 0, -1, 1, 0}, false},
+    {"%", {1, -2}, {0, 0, 0, 0, 0}, false},         {"1", {1, 0}, {0, 0, 0, 0, 0}, false},
 };
 
 struct prefix {
@@ -110,6 +101,7 @@ static bool read_factor(const char **text, int power, struct units_scale *scale,
     dimension->mass += exponent * symbol->dimension.mass;
     dimension->time += exponent * symbol->dimension.time;
     dimension->angle += exponent * symbol->dimension.angle;
+    dimension->temperature += exponent * symbol->dimension.temperature;
     return true;
 }
 
@@ -143,14 +135,24 @@ double units_convert(double value, const struct units_scale *scale) {
 }
 
 bool units_same(const struct units_dimension *a, const struct units_dimension *b) {
-    return a->length == b->length && a->mass == b->mass && a->time == b->time && a->angle == b->angle;
+    return a->length == b->length && a->mass == b->mass && a->time == b->time && a->angle == b->angle &&
+           a->temperature == b->temperature;
 }
 
 const char *units_name(const char *si) {
-    static const char *const names[][2] = {
-        {"m", "length"},      {"s", "time"},      {"m/s", "velocity"},   {"m/s2", "acceleration"},
-        {"kg/m3", "density"}, {"Pa", "pressure"}, {"N/m", "stiffness"},  {"1/s", "rate"},
-        {"rad", "angle"},     {"N", "force"},     {"kg/s", "mass rate"}, {"rad/s", "angular velocity"}};
+    static const char *const names[][2] = {{"m", "length"},
+                                           {"s", "time"},
+                                           {"m/s", "velocity"},
+                                           {"m/s2", "acceleration"},
+                                           {"kg/m3", "density"},
+                                           {"Pa", "pressure"},
+                                           {"N/m", "stiffness"},
+                                           {"1/s", "rate"},
+                                           {"rad", "angle"},
+                                           {"K", "temperature"},
+                                           {"N", "force"},
+                                           {"kg/s", "mass rate"},
+                                           {"rad/s", "angular velocity"}};
     for (size_t k = 0; k < sizeof(names) / sizeof(names[0]); k++)
         if (strcmp(names[k][0], si) == 0)
             return names[k][1];

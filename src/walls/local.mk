@@ -24,5 +24,6 @@ libwalls_la_SOURCES = \
 	src/walls/walls_near.h \
 	src/walls/walls_overlap.c \
 	src/walls/walls_parts.h \
+	src/walls/walls_visit.c \
 	src/walls/walls_touch.c \
 	src/walls/walls_touch.h

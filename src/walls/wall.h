@@ -180,6 +180,17 @@ void walls_set_forces(struct walls *walls, double (*force_torque)[6]); /* sets t
 double walls_work(const struct walls *walls);
 void walls_set_work(struct walls *walls, double work); /* for a resume */
 
+/* From the next walls_build on, walls_visit finds particles whose motion is prescribed and that do not move. */
+void walls_visit_fixed(struct walls *walls);
+
+/* Calls `visitor` for each owned particle and each place of a wall whose surface is nearer than `range` to that
+ * of the particle, with the gap between the surfaces (overlaps are negative). `range` lies within the range of
+ * the interactions, for which walls_build has found the particles near walls. Each thread takes its own
+ * particles; a particle belongs to one thread. Many threads at once, with different `thread`. */
+typedef void walls_visitor(void *context, size_t particle, int wall, double gap);
+void walls_visit(const struct walls *walls, const struct particles *particles, int thread, double range,
+                 walls_visitor *visitor, void *context);
+
 /* Contacts with walls now, for the contact list: id_j = -(wall + 1). Allocated (memory_free). */
 size_t walls_contacts(const struct walls *walls, const struct force_context *context,
                       struct force_contact **contacts);

@@ -6,6 +6,7 @@
 #include "contact/force_general.h"
 #include "contact/law_general.h"
 #include "contact/material.h"
+#include "walls/walls_near.h"
 #include "contact/spin.h"
 #include "core/memory.h"
 #include <string.h>
@@ -280,9 +281,12 @@ static void take_particle(struct wall_task *task) {
     size_t k = task->candidate, last;
     const struct law *law = task->context->law;
     double reach = state->radius + (law->general ? law_range(law, state->radius, INFINITY) : 0.0);
+    bool fixed = walls->fixed_too && walls_at_rest(task->context->particles, task->particle);
     for (size_t first = walls->first[k]; first < walls->first[k + 1]; first = last) {
         int w = walls->piece[first].wall;
         size_t count = find_contacts(walls, k, first, &last, wall_vector(state->x), reach, scratch);
+        if (fixed && walls->wall[w].options.motions == 0)
+            continue;
         for (size_t c = 0; c < count; c++) {
             if (scratch->batch->contact.walk.count == FORCE_BATCH)
                 flush(task);

@@ -79,9 +79,7 @@ static bool is_zero(const double a[3]) {
     return a[0] == 0 && a[1] == 0 && a[2] == 0;
 }
 
-/* True if nothing moves or turns a particle: such a particle has no contact with a wall at rest, for any
- * overlap. */
-static bool at_rest(const struct particles *particles, size_t i) {
+bool walls_at_rest(const struct particles *particles, size_t i) {
     const struct particle_state *state = &particles->state[i];
     if (state->inverse_mass != 0 || !is_zero(state->v))
         return false;
@@ -96,7 +94,7 @@ static size_t near_particle(const struct walls *walls, const struct particles *p
     const struct particle_state *state = &particles->state[i];
     double reach = state->radius + classes->margin[particles->size_class[i]][classes->count];
     size_t count = 0;
-    bool fixed = at_rest(particles, i);
+    bool fixed = !walls->fixed_too && walls_at_rest(particles, i);
     for (int w = 0; w < walls->count; w++)
         if (!fixed || walls->wall[w].options.motions > 0)
             count += walls_near(walls, w, wall_vector(state->x), reach, out ? out + count : NULL, number);

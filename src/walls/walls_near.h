@@ -10,6 +10,10 @@
 size_t walls_near(const struct walls *walls, int w, struct law_vector x, double reach, struct wall_piece *out,
                   int32_t *number);
 
+/* True if nothing moves or turns a particle: such a particle has no contact with a wall at rest, for any
+ * overlap. */
+bool walls_at_rest(const struct particles *particles, size_t i);
+
 /* Sets the periods by which the images of walls are shifted: for walls that move, by their present place,
  * and for walls at rest that lie wholly outside of the box. Called when walls are made and at each
  * walls_build. */

@@ -93,8 +93,9 @@ struct walls {
     int count, threads;
     struct wall *wall;
     struct box box;
-    double extent[2][3];               /* lower and upper corner: holds the box and all particles */
-    const struct law *law;             /* borrowed */
+    double extent[2][3];   /* lower and upper corner: holds the box and all particles */
+    const struct law *law; /* borrowed */
+    bool fixed_too;        /* particles at rest are candidates of walls at rest, too (walls_visit) */
     const struct force_kernel *kernel; /* the law over a batch of contacts */
     double shift[IMAGE_CODES][4];
 

@@ -4,7 +4,27 @@
 EXTRA_DIST += tests/app/common.sh tests/app/forces.sh tests/app/scenes.sh
 EXTRA_DIST += tests/app/lammps/hertz.data tests/app/lammps/hertz0.dump.gz tests/app/lammps/hertz200.dump.gz \
 	tests/app/lammps/in.hertz
-dist_check_SCRIPTS += tests/app/ablate.sh tests/app/bad_input.sh tests/app/cohesion.sh tests/app/density.sh tests/app/endless.sh tests/app/fluid.sh tests/app/folder.sh tests/app/guards.sh tests/app/hard.sh tests/app/lammps.sh tests/app/layouts.sh tests/app/needs.sh tests/app/pack.sh tests/app/physics.sh tests/app/restart.sh tests/app/resume.sh tests/app/stability.sh tests/app/terminal.sh tests/app/threads.sh
+dist_check_SCRIPTS += \
+	tests/app/ablate.sh \
+	tests/app/bad_input.sh \
+	tests/app/cohesion.sh \
+	tests/app/density.sh \
+	tests/app/endless.sh \
+	tests/app/fluid.sh \
+	tests/app/folder.sh \
+	tests/app/guards.sh \
+	tests/app/hard.sh \
+	tests/app/heat.sh \
+	tests/app/lammps.sh \
+	tests/app/layouts.sh \
+	tests/app/needs.sh \
+	tests/app/pack.sh \
+	tests/app/physics.sh \
+	tests/app/restart.sh \
+	tests/app/resume.sh \
+	tests/app/stability.sh \
+	tests/app/terminal.sh \
+	tests/app/threads.sh
 
 dist_check_SCRIPTS += tests/app/ranks.sh tests/app/stress.sh
 

@@ -1,0 +1,197 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Heat between grains: against sums over all pairs on each index, ranks and threads; closed forms of a chain, of one grain and of
+# a gap of gas; conservation, resume, layouts, the limit of the step, messages.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+cd "$out" || exit 1
+
+awk 'BEGIN { srand(3); for (i = 0; i < 6; i++) for (j = 0; j < 6; j++) for (k = 0; k < 10; k++)
+    printf "%.9f %.9f %.9f %.9f\n", 0.096 + 0.009 * rand(), 0.095 + 0.19 * i, 0.095 + 0.19 * j, 0.095 + 0.19 * k }' >bed.txt
+cat >bed.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [1.14, 1.14, 1.9], periodic: [true, true, false]}
+step: {count: 60, dt: 0.002}
+contact: {law: hooke}
+materials: [{name: a, density: 1}]
+material_pairs: [{k_n: 1000, restitution: 0.9, friction: 0.3}]
+groups: [{name: bed, motion: frozen}]
+walls:
+  - {name: hot, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}
+  - {name: lid, shape: plane, point: [0, 0, 1.9], normal: [0, 0, -1]}
+particles: {sources: [{from: file, format: table, file: bed.txt, columns: [radius, x, y, z], group: bed}]}
+heat:
+  temperature: 300
+  gas: {conductivity: 0.3, distance: 0.02, roughness: 0.001}
+  materials: [{conductivity: 2, capacity: 3}]
+  walls: [{wall: hot, temperature: 400}, {wall: lid, flux: -5}]
+observables: {every: 20, list: [{name: temperature}, {name: heat_walls}]}
+output: {dump: {every: 60, fields: [id, position, radius, temperature, heat_flow, heat_wall_flow]}}
+YAML
+
+# flows DIR: the flows of the last frame against sums over all pairs and walls
+flows() {
+    tail -n "+$(grep -n '^ITEM: TIMESTEP' "$1/dump.lammpstrj" | tail -n 1 | cut -d : -f 1)" "$1/dump.lammpstrj" >last
+    awk '
+        /^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; reading = 1; next }
+        reading { n++; x[n] = $at["x"]; y[n] = $at["y"]; z[n] = $at["z"]; r[n] = $at["radius"]; T[n] = $at["temperature"]
+            shown[n] = $at["heat_flow"]; wall[n] = $at["heat_wall_flow"] }
+        function near(d) { return d - 1.14 * int(d / 1.14 + (d > 0 ? 0.5 : -0.5)) }
+        function gas(R, gap) { return gap < 0.02 ? 2 * pi * 0.3 * R * log(0.02 / (gap > 0.001 ? gap : 0.001)) : 0 }
+        function H(R, gap) { return (gap < 0 ? 4 * sqrt(-R * gap) : 0) + gas(R, gap) }
+        function away(a, b) { a = a - b; b = b < 0 ? -b : b; a = a < 0 ? -a : a; return a / (b + 1) }
+        END {
+            pi = atan2(0, -1)
+            for (i = 1; i <= n; i++) {
+                sum = H(r[i], z[i] - r[i]) * (400 - T[i]) - (1.9 - z[i] < r[i] ? 5 * pi * r[i]^2 : 0)
+                if (away(wall[i], sum) > worst) worst = away(wall[i], sum)
+                for (j = 1; j <= n; j++) {
+                    dx = near(x[i] - x[j]); dy = near(y[i] - y[j]); dz = z[i] - z[j]; d = sqrt(dx * dx + dy * dy + dz * dz)
+                    if (i != j && d < r[i] + r[j] + 0.02) sum += H(r[i] * r[j] / (r[i] + r[j]), d - r[i] - r[j]) * (T[j] - T[i])
+                }
+                if (away(shown[i], sum) > worst) worst = away(shown[i], sum)
+                if (T[i] > top) top = T[i]
+            }
+            printf "  %d grains up to %g, largest difference %.2g\n", n, top, worst
+            exit !(n == 360 && top > 310 && worst < 1e-6)
+        }' last >said || { cat said; return 1; }
+}
+bed() { # RANKS THREADS SETTING...
+    local ranks=$1 threads=$2
+    shift 2
+    rm -rf run
+    run_scene "$ranks" bed.yaml run --set "threads=$threads" "$@" && flows run
+}
+for index in brute linkcell hgrid; do
+    check "$index" bed 1 2 --set index.name=$index
+done
+for ranks in 2 3 4; do
+    check "$ranks ranks" bed $ranks $((ranks - 1))
+done
+check '2 ranks, newton off' bed 2 1 --set newton=off
+check '3 ranks, reproducible' bed 3 1 --set reproducible=true
+check 'pass after pass' bed 2 2 --set step.fused=off
+
+# A chain between two walls: in the steady state the resistances of the contacts add up
+cat >chain.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [1, 1, 1.98], periodic: [true, true, false]}
+step: {count: 30000, dt: 0.01}
+contact: {law: hooke}
+materials: [{name: a, density: 2}]
+material_pairs: [{k_n: 1000, restitution: 0.9, friction: 0}]
+groups: [{name: bed, motion: frozen}]
+walls:
+  - {name: hot, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}
+  - {name: cold, shape: plane, point: [0, 0, 1.98], normal: [0, 0, -1]}
+particles:
+  sources:
+    - {from: single, position: [0.5, 0.5, 0.198], radius: 0.2, group: bed}
+    - {from: single, position: [0.5, 0.5, 0.594], radius: 0.2, group: bed}
+    - {from: single, position: [0.5, 0.5, 0.990], radius: 0.2, group: bed}
+    - {from: single, position: [0.5, 0.5, 1.386], radius: 0.2, group: bed}
+    - {from: single, position: [0.5, 0.5, 1.782], radius: 0.2, group: bed}
+heat: {temperature: 300, materials: [{conductivity: 0.7, capacity: 1.5}], walls: [{wall: hot, temperature: 400}, {wall: cold, temperature: 300}]}
+observables: {every: 30000, list: [{name: temperature}]}
+output: {dump: {every: 30000, fields: [id, temperature, heat_wall_flow]}}
+YAML
+chain() {
+    rm -rf chain
+    run_scene "$1" chain.yaml chain && tail -n 5 chain/dump.lammpstrj | sort -n | awk '
+        { T[NR] = $3; flow[NR] = $4 }
+        END {
+            W = 1.4 * sqrt(0.2 * 0.002); H = 1.4 * sqrt(0.1 * 0.004) # 4 k k / (2 k) a
+            P = 100 / (2 / W + 4 / H)
+            for (k = 1; k <= 5; k++) { t = 400 - P / W - (k - 1) * P / H; d = (T[k] - t) / 100; if (d * d > worst) worst = d * d }
+            printf "  power %.9g, by resistances %.9g, largest difference of temperature %.2g\n", flow[1], P, 100 * sqrt(worst)
+            exit !(flow[1] / P - 1 < 1e-8 && flow[1] / P - 1 > -1e-8 && flow[5] / P + 1 < 1e-8 && flow[5] / P + 1 > -1e-8 && worst < 1e-16)
+        }'
+}
+check 'a chain between walls: resistances in series' chain 1
+check 'a chain between walls, 3 ranks' chain 3
+
+# One grain on a hot wall: T = 400 - 100 exp(-H t / (m c)), the error of first order in the step
+alone() {
+    rm -rf alone && run_scene 1 chain.yaml alone --set step.dt="$1" --set step.count="$2" --set particles.sources='[{from: single, position: [0.5, 0.5, 0.198], radius: 0.2, group: bed}]' \
+        --set output.dump.every="$2" --set observables.every="$2" && tail -n 1 alone/dump.lammpstrj | awk '
+        { m = 2 * 4 / 3 * atan2(0, -1) * 0.008; t = 400 - 100 * exp(-1.4 * sqrt(0.2 * 0.002) * 2 / (m * 1.5)); printf "%.9g\n", $3 - t }'
+}
+exponential() {
+    local coarse fine
+    coarse=$(alone 0.01 200) && fine=$(alone 0.005 400) && echo "  errors $coarse, $fine" &&
+        awk -v a="$coarse" -v b="$fine" 'BEGIN { exit !(a / b > 1.9 && a / b < 2.1 && a < 1 && a > -1 && 2 * b - a < 0.002 && 2 * b - a > -0.002) }'
+}
+check 'one grain: exponential, of first order in the step' exponential
+
+# Soft grains: the contact radius over the cube root of softening
+softened() {
+    run_scene 1 chain.yaml soft --set heat.softening=1000 --set step.count=1 --set output.dump.every=1 --set observables.every=1 &&
+        run_scene 1 chain.yaml hard --set step.count=1 --set output.dump.every=1 --set observables.every=1 &&
+        tail -n 5 soft/dump.lammpstrj | sort -n | head -n 1 >a && tail -n 5 hard/dump.lammpstrj | sort -n | head -n 1 |
+        cat - a | awk '{ f[NR] = $4 } END { exit !(f[1] / f[2] > 9.9 && f[1] / f[2] < 10.1) }'
+}
+check 'softening' softened
+
+# Grains that move: heat is conserved, layouts and resumes give the same bits
+cat >gas.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [4.5, 4.5, 4.5], periodic: true}
+step: {count: 800, dt: 0.0015}
+contact: {law: hooke}
+materials: [{name: a, density: 1}, {name: b, density: 2}]
+material_pairs: [{k_n: 1000, restitution: 0.95, friction: 0.3}]
+particles:
+  sources:
+    - {from: random, count: 40, sizes: {law: fixed, radius: 0.35}, velocity_sigma: 1, material: b}
+    - {from: random, count: 300, sizes: {law: uniform, min: 0.15, max: 0.25}, velocity_sigma: 1, material: a}
+walls: [{name: heater, shape: cylinder, point: [2, 2, 2], axis: [0, 0, 1], radius: 0.3, inside: false, material: a}]
+heat:
+  gas: {conductivity: 0.1, distance: 0.05, roughness: 0.001}
+  materials: [{conductivity: 1, capacity: 1}, {material: b, conductivity: 20, capacity: 2}]
+  walls: [{wall: heater, temperature: 500}]
+skin: 0.05
+reproducible: true
+observables: {every: 100, list: [{name: temperature}, {name: heat_walls}]}
+output: {dump: {every: 400, fields: [id, position, temperature, heat_flow]}, checkpoint: {every: 400}}
+YAML
+rows() { tail -n 340 "$1/dump.lammpstrj" | sort -n; }
+layouts() {
+    run_scene 1 gas.yaml one --set threads=1 && rows one >one.rows &&
+        awk '{ if ($6 > top) top = $6; if ($6 < least || !least) least = $6 } END { exit !(top > 300 && least < 294) }' one.rows || return 1
+    for layout in '1 2' '3 1' '2 2'; do
+        # shellcheck disable=SC2086
+        set -- $layout
+        run_scene "$1" gas.yaml other --set "threads=$2" --overwrite && rows other | cmp - one.rows || { echo "  $layout"; return 1; }
+    done
+}
+check 'the same bits on any layout' layouts
+resumes() {
+    run_scene 1 gas.yaml more --set threads=1 --resume one/checkpoint-400.h5 && rows more | cmp - one.rows
+}
+check 'a resume gives the same bits' resumes
+conserved() {
+    run_scene 2 gas.yaml closed --set 'heat.walls=[{wall: heater, flux: 0}]' --set reproducible=false &&
+        awk -F , 'NR > 1 { exit !($2 > 293.1499999 && $4 < 293.1500001) }' closed/observables.csv
+}
+check 'without differences nothing flows' conserved
+absent() {
+    run_scene 1 gas.yaml without --set threads=1 --set 'heat=~' --set 'observables.list=[{name: energy_kinetic}]' \
+        --set 'output.dump.fields=[id, position]' && rows without | cut -d ' ' -f 1-5 >cold && cut -d ' ' -f 1-5 one.rows | cmp - cold &&
+        ! "$scree" check gas.yaml --set 'heat=~' --set 'observables.list=[{name: energy_kinetic}]' --set 'output.dump.fields=[id, position]' |
+        grep -E '^  (temperature|heat_flow) +8'
+}
+check 'absent unless asked for, and no grain moves otherwise' absent
+
+refused() { # TEXT SCENE SETTING...
+    local text=$1 scene=$2
+    shift 2
+    ! "$scree" check "$scene" "$@" >told 2>&1 && grep -qF -- "$text" told || { cat told; return 1; }
+}
+check 'a step above the limit' refused 'above the stable one' chain.yaml --set step.dt=5
+check 'a material is missing' refused "material 'a' is missing" gas.yaml --set 'heat.materials=[{material: b, conductivity: 1, capacity: 1}]'
+check 'a material twice' refused 'a second entry for the same material' gas.yaml --set 'heat.materials=[{conductivity: 1, capacity: 1}, {conductivity: 1, capacity: 1}]'
+check 'neither temperature nor flux' refused 'needs one of temperature and flux' gas.yaml --set 'heat.walls=[{wall: heater}]'
+check 'a gas without distance' refused 'needs a roughness and a distance' gas.yaml --set 'heat.gas={conductivity: 0.1}'
+check 'an unknown wall' refused 'heat.walls[0].wall' gas.yaml --set 'heat.walls=[{wall: nobody, temperature: 1}]'
+check 'kelvins' refused 'heat.temperature' gas.yaml --set units=si --set 'heat.temperature=20 kg'
+finish
