@@ -9,7 +9,7 @@
 #include "laws_by_hand.h"
 
 static const struct law_extra sticky = {.surface_energy = 0.5,
-                                        .cohesion_density = 1e6,
+                                        .cohesion_density = 1e4,
                                         .surface_tension = 0.1,
                                         .contact_angle = 0.4,
                                         .bridge_volume = 1e-3,
@@ -17,6 +17,8 @@ static const struct law_extra sticky = {.surface_energy = 0.5,
                                         .gap_least = 1e-3,
                                         .cut_off = 0.05,
                                         .dissipative_time = 1e-4,
+                                        .k_2 = 3e5,
+                                        .k_c = 5e4,
                                         .rolling_damping_ratio = 0.3,
                                         .twisting_stiffness = 100.0,
                                         .twisting_damping = 0.1,
@@ -37,6 +39,11 @@ static struct law law_of(struct law_options options, struct law_extra extra) {
 
 static struct law_surfaces surfaces_of(const struct law *law, double ri, double rj) {
     return (struct law_surfaces){&law->pair[0][1], &law->extra[0][1], {ri, rj}, 1.0 / (1.0 / ri + 1.0 / rj)};
+}
+
+static struct law_grip grip_of(const struct law_options *o, const struct law_surfaces *s, double overlap,
+                               bool held) {
+    return law_grip_at(o, s, overlap, &(struct law_past){.held = held});
 }
 
 /* The next combination of normal law and cohesion; false after the last. */
@@ -63,6 +70,8 @@ static void test_energies(void **state) {
     int tried = 0;
     for (o.normal = (enum law_normal)0, o.cohesion = LAW_COHESION_NONE; next_cohesion(&o);) {
         struct law law = law_of(o, sticky);
+        if (law.memory.largest >= 0) /* plastic: test_luding */
+            continue;
         for (int trial = 0; trial < 400; trial++) {
             double ri = 0.5 + random_uniform(&r), rj = trial % 5 ? 0.5 + random_uniform(&r) : INFINITY;
             struct law_surfaces s = surfaces_of(&law, ri, rj);
@@ -70,9 +79,9 @@ static void test_energies(void **state) {
             double overlap = -range + (0.03 + range) * random_uniform(&r);
             if (fabs(overlap) < 1e-5 || fabs(overlap + sticky.gap_least) < 1e-5 || overlap < 1e-5 - range)
                 continue;
-            struct law_grip at = law_grip_at(&o, &s, overlap, true);
-            struct law_grip up = law_grip_at(&o, &s, overlap + h, true),
-                            down = law_grip_at(&o, &s, overlap - h, true);
+            struct law_grip at = grip_of(&o, &s, overlap, true);
+            struct law_grip up = grip_of(&o, &s, overlap + h, true),
+                            down = grip_of(&o, &s, overlap - h, true);
             double scale = fabs(at.force) + fabs(at.tangent) * 1e-3 + 1e-3;
             if (!at.interacts)
                 continue;
@@ -119,8 +128,8 @@ static void test_pulls(void **state) {
     struct law law = law_of(o, sticky);
     struct law_surfaces s = surfaces_of(&law, 0.5, 1.0);
     double work = 2.0 * sticky.surface_energy;
-    assert_near(law_grip_at(&o, &s, 1e-14, true).force, -2.0 * M_PI * work / 3.0, 1e-12);
-    assert_false(law_grip_at(&o, &s, -1e-14, true).interacts);
+    assert_near(grip_of(&o, &s, 1e-14, true).force, -2.0 * M_PI * work / 3.0, 1e-12);
+    assert_false(grip_of(&o, &s, -1e-14, true).interacts);
 
     o.cohesion = LAW_COHESION_CAPILLARY;
     law = law_of(o, sticky);
@@ -128,29 +137,29 @@ static void test_pulls(void **state) {
     double most = 4.0 * M_PI / 3.0 * 0.1 * cos(0.4), rupture = (1.0 + 0.2) * 0.1,
            reduced = sqrt(2.0 / 3.0 / 1e-3);
     assert_near(law_cohesion_range(&o, &s), rupture, 1e-15);
-    assert_near(law_grip_at(&o, &s, -1e-15, true).force, -most, 1e-12);
+    assert_near(grip_of(&o, &s, -1e-15, true).force, -most, 1e-12);
     double at = 0.07 * reduced;
-    assert_near(law_grip_at(&o, &s, -0.07, true).force, -most / (1.0 + 1.05 * at + 2.5 * at * at), 1e-12);
-    assert_true(law_grip_at(&o, &s, -rupture * (1.0 - 1e-12), true).interacts);
-    assert_false(law_grip_at(&o, &s, -rupture, true).interacts);
-    assert_false(law_grip_at(&o, &s, -1e-9, false).interacts); /* no bridge yet */
-    assert_near(law_grip_at(&o, &s, -rupture * (1.0 - 1e-12), true).energy, 0.0, 1e-9);
+    assert_near(grip_of(&o, &s, -0.07, true).force, -most / (1.0 + 1.05 * at + 2.5 * at * at), 1e-12);
+    assert_true(grip_of(&o, &s, -rupture * (1.0 - 1e-12), true).interacts);
+    assert_false(grip_of(&o, &s, -rupture, true).interacts);
+    assert_false(grip_of(&o, &s, -1e-9, false).interacts); /* no bridge yet */
+    assert_near(grip_of(&o, &s, -rupture * (1.0 - 1e-12), true).energy, 0.0, 1e-9);
 
     o.cohesion = LAW_COHESION_VAN_DER_WAALS;
     law = law_of(o, sticky);
     s = surfaces_of(&law, 0.5, INFINITY);
-    assert_near(law_grip_at(&o, &s, -0.01, false).force, -1e-3 * 0.5 / (6.0 * 1e-4), 1e-12);
-    assert_near(law_grip_at(&o, &s, -1e-5, false).force, -1e-3 * 0.5 / (6.0 * 1e-6), 1e-10);
-    assert_false(law_grip_at(&o, &s, -0.05, true).interacts);
+    assert_near(grip_of(&o, &s, -0.01, false).force, -1e-3 * 0.5 / (6.0 * 1e-4), 1e-12);
+    assert_near(grip_of(&o, &s, -1e-5, false).force, -1e-3 * 0.5 / (6.0 * 1e-6), 1e-10);
+    assert_false(grip_of(&o, &s, -0.05, true).interacts);
 
     o.cohesion = LAW_COHESION_SJKR; /* the area of the circle where spheres intersect, and that of a wall */
     law = law_of(o, sticky);
     s = surfaces_of(&law, 0.5, 1.0);
     double distance = 1.48, from = (distance * distance + 0.25 - 1.0) / (2.0 * distance);
-    assert_near(law_cohesion_pull(o.cohesion, &s, 0.02).force / (1e6 * M_PI * (0.25 - from * from)), 1.0,
+    assert_near(law_cohesion_pull(o.cohesion, &s, 0.02).force / (1e4 * M_PI * (0.25 - from * from)), 1.0,
                 1e-11);
     s = surfaces_of(&law, 0.5, INFINITY);
-    assert_near(law_cohesion_pull(o.cohesion, &s, 0.02).force / (1e6 * M_PI * (0.25 - 0.48 * 0.48)), 1.0,
+    assert_near(law_cohesion_pull(o.cohesion, &s, 0.02).force / (1e4 * M_PI * (0.25 - 0.48 * 0.48)), 1.0,
                 1e-11);
 }
 
@@ -304,6 +313,109 @@ static void test_viscoelastic(void **state) {
     assert_near(fast / slow, 2.0, 0.05);
 }
 
+/* Luding's law: loading, unloading, the adhesive branch and reloading; restitution of an impact in closed form; the work
+ * of the spring is what it stores and what flows. */
+static void test_luding(void **state) {
+    (void)state;
+    struct law_options o = law_options_default();
+    o.normal = LAW_LUDING;
+    o.tangential = LAW_FRICTIONLESS;
+    struct law_extra extra = {.k_2 = 3e5, .k_c = 5e4};
+    struct law law = law_of(o, extra);
+    struct law_surfaces s = surfaces_of(&law, 1.0, 1.0);
+    const double k1 = 1e5, k2 = 3e5, kc = 5e4, most = 0.01, rest = (1.0 - k1 / k2) * most;
+    const double least = k2 * rest / (k2 + kc);
+    struct law_past past = {0};
+    for (int k = 1; k <= 100; k++)
+        assert_near(law_grip_at(&o, &s, most * k / 100.0, &past).force, k1 * most * k / 100.0, 1e-9);
+    for (int k = 99; k >= 0; k--) {
+        double overlap = least + (most - least) * k / 100.0;
+        assert_near(law_grip_at(&o, &s, overlap, &past).force, k2 * (overlap - rest), 1e-9);
+    }
+    assert_near(law_grip_at(&o, &s, 0.5 * least, &past).force, -kc * 0.5 * least, 1e-9);
+    /* the adhesive branch has made the largest overlap less; the contact reloads along k_2 from there */
+    assert_near(past.largest, 0.5 * most, 1e-12);
+    assert_near(law_grip_at(&o, &s, 0.5 * rest, &past).force, 0.0, 1e-9);
+    assert_near(law_grip_at(&o, &s, 0.5 * most, &past).force, k1 * 0.5 * most, 1e-9);
+
+    struct law_pair pair = {.restitution = 1.0, .k_n = k1, .k_t = 1.0, .extra = extra};
+    law = law_for(o, soft, pair);
+    double share = (k2 - k1) / (k2 + kc), squared = k1 / k2 - share * share * kc * (kc / k2 + 1.0) / k1;
+    assert_near(restitution_of(&law, 1.0), sqrt(squared), 1e-3);
+    assert_near(restitution_of(&law, 3.0), sqrt(squared), 1e-3);
+
+    struct law_general in = {.extra = &law.extra[0][1], .radius = {1.0, 1.0}};
+    in.contact = (struct law_contact){
+        .mass = 1.0, .radius = 0.5, .normal = {1.0, 0.0, 0.0}, .coefficients = law.pair[0][1]};
+    double work = 0.0, taken = 0.0, before = 0.0, stored = 0.0;
+    for (int k = 1; k < 20000; k++) { /* to and fro */
+        double overlap = 0.01 * fabs(sin(k * 2e-4)), last = 0.01 * fabs(sin((k - 1) * 2e-4));
+        struct law_response out;
+        in.contact.overlap = overlap;
+        in.contact.velocity.x = (last - overlap) / 1e-3;
+        law_general_respond(&law, law_general_step(&o, 1e-3), &in, &out);
+        work += 0.5 * (out.force.x + before) * (overlap - last);
+        before = out.force.x;
+        taken += out.taken;
+        stored = out.normal_energy;
+    }
+    assert_near((taken + stored) / work, 1.0, 1e-3);
+    assert_true(taken > 0.1 * work);
+}
+
+/* The stable step of one spring at rest in its law: bounded at 0.95 of it, not at 1.1. */
+static double grown(const struct law *law, const struct law_surfaces *s, double part) {
+    double rest = fmax(law_grip_rest(&law->options, s), 1e-3), push, dt, least = 1e-6, most = 0.0;
+    struct law_stiff stiff = law_general_stiff(law, s, 1.0, rest);
+    double square = stiff.k_n, damp = 0.5 * stiff.c_n;
+    dt = part * 2.0 / (sqrt(square + damp * damp) + damp);
+    struct law_general in = {.extra = s->extra, .radius = {s->radius[0], s->radius[1]}};
+    in.contact = (struct law_contact){.overlap = rest,
+                                      .mass = 1.0,
+                                      .radius = s->effective,
+                                      .normal = {1.0, 0.0, 0.0},
+                                      .coefficients = *s->c};
+    struct law_response out;
+    if (law->memory.largest >= 0)
+        in.value[law->memory.largest] = 1.01 * rest; /* on the unloading branch */
+    law_general_respond(law, law_general_step(&law->options, dt), &in, &out);
+    push = out.force.x;
+    double overlap = rest * (1.0 + least), v = 0.0;
+    for (int k = 0; k < 300; k++) {
+        in.contact.overlap = overlap;
+        in.contact.velocity.x = -v;
+        law_general_respond(law, law_general_step(&law->options, dt), &in, &out);
+        v -= dt * (out.force.x - push);
+        overlap += dt * v;
+        most = fmax(most, fabs(overlap - rest) / (rest * least));
+        if (most > 100.0)
+            break;
+    }
+    return most;
+}
+
+static void test_stable(void **state) {
+    (void)state;
+    struct law_options o = law_options_default();
+    o.tangential = LAW_FRICTIONLESS;
+    o.end = LAW_END_OVERLAP;
+    int tried = 0;
+    for (o.normal = (enum law_normal)0, o.cohesion = LAW_COHESION_NONE; next_cohesion(&o);)
+        for (int damping = 0; damping < LAW_DAMPING_COUNT; damping++) {
+            int count;
+            o.damping = (enum law_damping)damping;
+            if (!law_part_combines(&law_part_rows(LAW_PART_DAMPING, &count)[damping],
+                                   law_row_get(o.normal)->traits))
+                continue;
+            struct law law = law_of(o, sticky);
+            struct law_surfaces s = surfaces_of(&law, 1.0, 1.0);
+            assert_true(grown(&law, &s, 0.95) < 10.0);
+            assert_true(grown(&law, &s, 1.1) > 30.0);
+            tried++;
+        }
+    assert_true(tried > 30);
+}
+
 /* What does not combine is refused, and the message names what does. */
 static void test_refused(void **state) {
     (void)state;
@@ -352,6 +464,7 @@ int main(void) {
         cmocka_unit_test(test_energies),        cmocka_unit_test(test_jkr),
         cmocka_unit_test(test_pulls),           cmocka_unit_test(test_mirror),
         cmocka_unit_test(test_static_friction), cmocka_unit_test(test_viscoelastic),
+        cmocka_unit_test(test_luding),          cmocka_unit_test(test_stable),
         cmocka_unit_test(test_refused),         cmocka_unit_test(test_absent)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -66,6 +66,8 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/janssen/scene.yaml \
 	examples/verify/jkr-pull-off/scene.yaml \
 	examples/verify/line.awk \
+	examples/verify/luding-unloading/impacts.yaml \
+	examples/verify/luding-unloading/scene.yaml \
 	examples/verify/many-body/scene.yaml \
 	examples/verify/maw.c \
 	examples/verify/moving-wall/scene.yaml \
@@ -134,6 +136,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/incline/check \
 	examples/verify/janssen/check \
 	examples/verify/jkr-pull-off/check \
+	examples/verify/luding-unloading/check \
 	examples/verify/many-body/check \
 	examples/verify/moving-wall/check \
 	examples/verify/order-hertz/check \

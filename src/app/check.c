@@ -95,7 +95,9 @@ static void print_terms(const struct simulation *s) {
     const struct scene *scene = s->scene;
     char text[WHY_MAX] = "";
     printf("\nwhat is modelled, and why\n");
-    snprintf(text, sizeof text, "contact.law: %s", law_row_get(s->grains.law.options.normal)->name);
+    char law[LAW_TITLE_MAX];
+    law_title(&s->grains.law.options, law);
+    snprintf(text, sizeof text, "contact.law: %s", law);
     print_term("normal force", scene->materials > 0 ? text : "", "the scene has no materials");
     text[0] = '\0';
     if (scene->materials > 0)

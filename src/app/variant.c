@@ -79,7 +79,9 @@ static void put_steps(struct list *list, const struct variant_facts *facts) {
 static void put_laws(struct list *list, const struct scene *scene) {
     const struct law_row *row = law_row_get(scene->law.normal);
     char text[VARIANT_TEXT_MAX];
-    if (!row->form->linear && scene->law.damping == LAW_DAMPING_RESTITUTION) {
+    /* cohesion and springs that depend on the contact radius go with few other laws */
+    bool plain = scene->law.cohesion == LAW_COHESION_NONE && scene->law.tangential <= LAW_TANGENTIAL_HISTORY;
+    if (!row->form->linear && plain && scene->law.damping == LAW_DAMPING_RESTITUTION) {
         snprintf(text, sizeof text, "%s for %s", law_row_get(law_linear())->name, row->name);
         put(list, "law", VARIANT_LINEAR, 0, text);
     }
@@ -172,6 +174,8 @@ static void soften(struct scene *scene, double factor) {
         for (int b = a; b < scene->materials; b++) {
             scene->law_pair[a][b].k_n *= factor;
             scene->law_pair[a][b].k_t *= factor;
+            scene->law_pair[a][b].extra.k_2 *= factor;
+            scene->law_pair[a][b].extra.k_c *= factor;
         }
     }
 }
@@ -185,6 +189,7 @@ static void classes_set(struct scene *scene, int count) {
 static void frictionless(struct scene *scene) {
     scene->law.tangential = LAW_FRICTIONLESS;
     scene->law.rolling = LAW_ROLLING_NONE;
+    scene->law.twisting = LAW_TWISTING_NONE;
 }
 
 static double change_apply(const struct variant_change *change, const struct variant_facts *facts,

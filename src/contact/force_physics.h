@@ -143,7 +143,7 @@ FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_both, .radius = true, .lev
     FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_given, .normal = LAW_##NAME, .coefficient = true) \
     FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_given_energies, .normal = LAW_##NAME,             \
                          .coefficient = true, .energies = true)
-LAW_TABLE(FORCE_LAW)
+LAW_ELASTIC_TABLE(FORCE_LAW)
 
 static force_physics *const force_measure_table[2][2][5] = {
     {FORCE_PHYSICS_ROW(force_measure_plain), FORCE_PHYSICS_ROW(force_measure_lever)},
@@ -151,7 +151,7 @@ static force_physics *const force_measure_table[2][2][5] = {
 #define FORCE_LAW_ROW(NAME, name, traits, summary)                                                           \
     {{FORCE_PHYSICS_ROW(force_##name), FORCE_PHYSICS_ROW(force_##name##_energies)},                          \
      {FORCE_PHYSICS_ROW(force_##name##_given), FORCE_PHYSICS_ROW(force_##name##_given_energies)}},
-static force_physics *const force_respond_table[LAW_COUNT][2][2][5] = {LAW_TABLE(FORCE_LAW_ROW)};
+static force_physics *const force_respond_table[LAW_COUNT][2][2][5] = {LAW_ELASTIC_TABLE(FORCE_LAW_ROW)};
 
 static inline int force_friction_of(struct law_case law) {
     return !law.friction ? 0 : 1 + 2 * law.rolling + law.synchronised;

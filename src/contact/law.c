@@ -81,6 +81,9 @@ static bool law_check_pair(const struct law_pair *p, const struct law_options *o
     if (asked && !(p->restitution >= 0.0 && p->restitution <= 1.0))
         return error_set(error, ERROR_USER, "material pair %s, %s: restitution is %g; allowed is 0 to 1", a,
                          b, p->restitution);
+    if (law_row_get(o->normal)->form->unload && !(p->extra.k_2 > p->k_n))
+        return error_set(error, ERROR_USER, "material pair %s, %s: k_2 is %g; allowed is more than k_n, %g",
+                         a, b, p->extra.k_2, p->k_n);
     return law_check_extra(&p->extra, o, (const char *[]){a, b}, error);
 }
 
@@ -135,9 +138,10 @@ static struct law_coefficients law_combine(const struct law_options *o, const st
 /* True if contacts need the general loop. */
 static bool law_has_parts(const struct law *law) {
     const struct law_options *o = &law->options;
-    bool general = o->cohesion != LAW_COHESION_NONE || o->tangential > LAW_TANGENTIAL_HISTORY ||
-                   o->rolling > LAW_ROLLING_SPRING || o->twisting != LAW_TWISTING_NONE ||
-                   o->damping == LAW_DAMPING_VISCOELASTIC || o->lammps_granular;
+    bool general = law_row_get(o->normal)->form->unload || o->cohesion != LAW_COHESION_NONE ||
+                   o->tangential > LAW_TANGENTIAL_HISTORY || o->rolling > LAW_ROLLING_SPRING ||
+                   o->twisting != LAW_TWISTING_NONE || o->damping == LAW_DAMPING_VISCOELASTIC ||
+                   o->lammps_granular;
     for (int a = 0; a < law->materials; a++)
         for (int b = 0; b <= a; b++) {
             const struct law_extra *x = &law->extra[a][b];
@@ -171,6 +175,7 @@ static void law_lay_out(struct law *law) {
     law->memory.radius = law_place(
         &next, o->tangential == LAW_TANGENTIAL_RESCALE || o->tangential == LAW_TANGENTIAL_RESCALE_FORCE, 1);
     law->memory.slides = law_place(&next, general && law->spin && apart && law->memory.spring >= 0, 1);
+    law->memory.largest = law_place(&next, law_row_get(o->normal)->form->unload != NULL, 1);
     law->history_components = next;
 }
 

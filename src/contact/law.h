@@ -57,10 +57,11 @@ struct law_options {
  * doubles each; then numbers. */
 struct law_memory {
     int spring, roll;
-    int twist;  /* twisting spring, rad */
-    int held;   /* 1: the surfaces interacted one step ago, across a gap too */
-    int radius; /* contact radius one step ago */
-    int slides; /* 1: the contact slid one step ago */
+    int twist;   /* twisting spring, rad */
+    int held;    /* 1: the surfaces interacted one step ago, across a gap too */
+    int radius;  /* contact radius one step ago */
+    int slides;  /* 1: the contact slid one step ago */
+    int largest; /* overlap so far, of a law with hysteresis */
 };
 
 struct law {
@@ -99,5 +100,9 @@ bool law_check_parts(const struct law_options *options, struct error *error);
  * thread. */
 bool law_check_extra(const struct law_extra *extra, const struct law_options *options,
                      const char *const name[2], struct error *error);
+
+/* Names the law and its parts, those of the defaults left out: "NAME", "NAME, cohesion jkr". Any thread. */
+enum { LAW_TITLE_MAX = 128 };
+void law_title(const struct law_options *options, char text[LAW_TITLE_MAX]);
 
 #endif

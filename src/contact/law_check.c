@@ -30,12 +30,38 @@ static bool law_check_part(enum law_part part, int chosen, enum law_normal norma
                      law_part_key(part), rows[chosen].name, laws, law->name, law->name, list);
 }
 
+/* The row of each kind of part. */
+static void law_parts_of(const struct law_options *o, int chosen[LAW_PART_COUNT]) {
+    chosen[LAW_PART_COHESION] = o->cohesion;
+    chosen[LAW_PART_TANGENTIAL] = o->tangential;
+    chosen[LAW_PART_ROLLING] = o->rolling;
+    chosen[LAW_PART_TWISTING] = o->twisting;
+    chosen[LAW_PART_DAMPING] = o->damping;
+}
+
+/* The last row of each kind that a law without parts may have: such rows are not part of its title. */
+static const int law_usual[LAW_PART_COUNT] = {[LAW_PART_COHESION] = LAW_COHESION_NONE,
+                                              [LAW_PART_TANGENTIAL] = LAW_TANGENTIAL_HISTORY,
+                                              [LAW_PART_ROLLING] = LAW_ROLLING_SPRING,
+                                              [LAW_PART_TWISTING] = LAW_TWISTING_NONE,
+                                              [LAW_PART_DAMPING] = LAW_DAMPING_COUNT};
+
+void law_title(const struct law_options *options, char text[LAW_TITLE_MAX]) {
+    int chosen[LAW_PART_COUNT], count;
+    law_parts_of(options, chosen);
+    snprintf(text, LAW_TITLE_MAX, "%s", law_row_get(options->normal)->name);
+    for (int k = 0; k < LAW_PART_COUNT; k++) {
+        char part[64];
+        snprintf(part, sizeof part, "%s %s", law_part_key((enum law_part)k),
+                 law_part_rows((enum law_part)k, &count)[chosen[k]].name);
+        if (chosen[k] > law_usual[k])
+            law_list(text, LAW_TITLE_MAX, part);
+    }
+}
+
 bool law_check_parts(const struct law_options *o, struct error *error) {
-    const int chosen[LAW_PART_COUNT] = {[LAW_PART_COHESION] = o->cohesion,
-                                        [LAW_PART_TANGENTIAL] = o->tangential,
-                                        [LAW_PART_ROLLING] = o->rolling,
-                                        [LAW_PART_TWISTING] = o->twisting,
-                                        [LAW_PART_DAMPING] = o->damping};
+    int chosen[LAW_PART_COUNT];
+    law_parts_of(o, chosen);
     for (int k = 0; k < LAW_PART_COUNT; k++)
         if (!law_check_part((enum law_part)k, chosen[k], o->normal, error))
             return false;
@@ -54,6 +80,7 @@ bool law_check_extra(const struct law_extra *x, const struct law_options *o, con
     bool surface = o->cohesion == LAW_COHESION_JKR || o->cohesion == LAW_COHESION_DMT;
     bool wet = o->cohesion == LAW_COHESION_CAPILLARY, far = o->cohesion == LAW_COHESION_VAN_DER_WAALS;
     bool friction = o->tangential != LAW_FRICTIONLESS, given = o->twisting == LAW_TWISTING_SDS;
+    bool hysteresis = law_row_get(o->normal)->form->unload != NULL;
     const struct {
         const char *key;
         double value, most;
@@ -73,6 +100,9 @@ bool law_check_extra(const struct law_extra *x, const struct law_options *o, con
         {"rolling_stiffness", x->rolling_stiffness, INFINITY, o->rolling != LAW_ROLLING_NONE, false},
         {"rolling_damping", x->rolling_damping, INFINITY, o->rolling != LAW_ROLLING_NONE, false},
         {"rolling_damping_ratio", x->rolling_damping_ratio, INFINITY, o->rolling == LAW_ROLLING_EPSD, false},
+        {"k_2", x->k_2, INFINITY, hysteresis, true},
+        {"k_c", x->k_c, INFINITY, hysteresis, false},
+        {"plasticity_depth", x->plasticity_depth, INFINITY, hysteresis, false},
         {"twisting_stiffness", x->twisting_stiffness, INFINITY, given, true},
         {"twisting_damping", x->twisting_damping, INFINITY, given, false},
         {"twisting_friction", x->twisting_friction, INFINITY, given, false}};

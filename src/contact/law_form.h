@@ -53,7 +53,11 @@ struct law_extra {
     double rolling_damping_ratio; /* epsd: of the rolling oscillation */
     double twisting_stiffness;    /* sds: torque/rad */
     double twisting_damping;      /* sds: torque time/rad */
-    double twisting_friction;     /* sds: limit of the torque over the normal force; length */
+    double k_2,
+        k_c; /* laws with hysteresis: slopes of the unloading and of the adhesive branch; force/length */
+    double
+        plasticity_depth; /* overlap over the reduced radius at which the slope is k_2; 0: at any overlap */
+    double twisting_friction; /* sds: limit of the torque over the normal force; length */
 };
 
 /* Coefficients of a pair of materials (scene key `material_pairs`; missing pairs are an error unless one
@@ -100,6 +104,10 @@ struct law_form {
     /* The largest gap at which two spheres of these radii interact, length; monotonic in each radius. NULL:
      * no interaction without touch. */
     double (*range)(const struct law_coefficients *c, double radius_a, double radius_b);
+    /* A law that remembers the largest overlap so far: the springs at an overlap; updates `largest`. Contacts then
+     * go through the general loop. NULL: the law remembers none. */
+    struct law_springs (*unload)(const struct law_coefficients *c, const struct law_extra *extra,
+                                 double radius, double overlap, double *largest);
     /* Largest overlap of an elastic impact at `speed`, with the effective mass and radius; length. */
     double (*impact)(const struct law_coefficients *c, double mass, double radius, double speed);
     /* Duration of the elastic impact that reaches `overlap`; time. */

@@ -28,15 +28,27 @@ static double damper_base(const struct law_options *options, const struct law_gr
     return sqrt(mass * grip->spring);
 }
 
+/* Energy lost by plastic flow in this step: the work of the elastic force less what it stores more. */
+static double plastic_loss(const struct law *law, const struct law_surfaces *surfaces,
+                           const struct law_grip *now, double overlap, double growth, double largest) {
+    if (law->memory.largest < 0)
+        return 0.0;
+    struct law_past past = {true, largest};
+    struct law_grip before = law_grip_at(&law->options, surfaces, fmax(overlap - growth, 0.0), &past);
+    return 0.5 * (now->force + before.force) * (overlap - fmax(overlap - growth, 0.0)) -
+           (now->energy - before.energy);
+}
+
 bool law_general_respond(const struct law *law, struct law_step step, struct law_general *in,
                          struct law_response *out) {
     const struct law_options *options = &law->options;
     const struct law_contact *contact = &in->contact;
     struct law_surfaces surfaces = {
         &contact->coefficients, in->extra, {in->radius[0], in->radius[1]}, contact->radius};
-    int held = law->memory.held;
-    struct law_grip grip =
-        law_grip_at(options, &surfaces, contact->overlap, held >= 0 && in->value[held] != 0.0);
+    int held = law->memory.held, largest = law->memory.largest;
+    struct law_past past = {held >= 0 && in->value[held] != 0.0, largest >= 0 ? in->value[largest] : 0.0};
+    double before = past.largest, rate = law_dot(contact->velocity, contact->normal);
+    struct law_grip grip = law_grip_at(options, &surfaces, contact->overlap, &past);
     *out = (struct law_response){0};
     if (!grip.interacts) {
         memset(in->value, 0, sizeof in->value);
@@ -44,14 +56,16 @@ bool law_general_respond(const struct law *law, struct law_step step, struct law
     }
     if (held >= 0)
         in->value[held] = 1.0;
+    if (largest >= 0)
+        in->value[largest] = past.largest;
     double base = grip.touches ? damper_base(options, &grip, contact->mass) : 0.0;
-    double rate = law_dot(contact->velocity, contact->normal);
     double force = grip.force - contact->coefficients.c_n * base * rate;
     if (options->end == LAW_END_FORCE)
         force = fmax(force, grip.least);
     out->force = law_scale(force, contact->normal);
     out->normal_energy = grip.energy;
-    out->taken = (grip.force - force) * rate * step.dt;
+    out->taken = (grip.force - force) * rate * step.dt +
+                 plastic_loss(law, &surfaces, &grip, contact->overlap, -rate * step.dt, before);
     bool fixed = options->cohesion == LAW_COHESION_JKR || options->cohesion == LAW_COHESION_DMT;
     double press = fabs((fixed ? grip.force : force) + grip.press);
     if (law->spin)
@@ -62,7 +76,7 @@ bool law_general_respond(const struct law *law, struct law_step step, struct law
 struct law_stiff law_general_stiff(const struct law *law, const struct law_surfaces *surfaces, double mass,
                                    double overlap) {
     const struct law_options *options = &law->options;
-    struct law_grip grip = law_grip_at(options, surfaces, overlap, true);
+    struct law_grip grip = law_grip_at(options, surfaces, overlap, &(struct law_past){.held = true});
     double base = grip.touches ? damper_base(options, &grip, mass) : 0.0;
     struct law_stiff stiff = {.k_n = fmax(grip.tangent, 0.0), .c_n = surfaces->c->c_n * base};
     if (law->spin && grip.touches)

@@ -23,11 +23,11 @@ static struct law_grip grip_jkr(const struct law_options *options, const struct 
 }
 
 struct law_grip law_grip_at(const struct law_options *options, const struct law_surfaces *s, double overlap,
-                            bool held) {
+                            struct law_past *past) {
     struct law_grip grip = {0};
     bool remembers = law_cohesion_remembers(options->cohesion), touches = overlap > 0.0;
     bool reached = -overlap < law_cohesion_range(options, s);
-    bool interacts = touches || (reached && (held || !remembers));
+    bool interacts = touches || (reached && (past->held || !remembers));
     if (!interacts)
         return grip;
     if (options->cohesion == LAW_COHESION_JKR && s->extra->surface_energy > 0.0) {
@@ -36,7 +36,10 @@ struct law_grip law_grip_at(const struct law_options *options, const struct law_
         return grip;
     }
     if (touches) {
-        struct law_springs springs = law_springs(options->normal, s->c, s->effective, overlap);
+        const struct law_form *form = law_row_get(options->normal)->form;
+        struct law_springs springs = form->unload
+                                         ? form->unload(s->c, s->extra, s->effective, overlap, &past->largest)
+                                         : law_springs(options->normal, s->c, s->effective, overlap);
         grip = (struct law_grip){.force = springs.force,
                                  .a = sqrt(s->effective * overlap),
                                  .spring = springs.stiffness,
@@ -48,8 +51,8 @@ struct law_grip law_grip_at(const struct law_options *options, const struct law_
     struct law_pull pull = law_cohesion_pull(options->cohesion, s, overlap);
     grip.interacts = true;
     grip.touches = touches;
+    grip.least = fmin(grip.force, 0.0) - pull.force;
     grip.force -= pull.force;
-    grip.least = -pull.force;
     grip.press = options->cohesion == LAW_COHESION_DMT ? 2.0 * pull.force : pull.force;
     grip.tangent -= pull.slope;
     grip.energy += pull.energy;
@@ -62,7 +65,7 @@ double law_grip_rest(const struct law_options *options, const struct law_surface
         return 0.0;
     for (int k = 0; k < 60; k++) {
         double middle = 0.5 * (low + high);
-        if (law_grip_at(options, surfaces, middle, true).force < 0.0)
+        if (law_grip_at(options, surfaces, middle, &(struct law_past){.held = true}).force < 0.0)
             low = middle;
         else
             high = middle;

@@ -29,9 +29,15 @@ struct law_grip {
     double energy;
 };
 
-/* The normal direction at an overlap (negative: a gap); `held`: the contact interacted one step ago. */
+/* What a contact remembers of the normal direction. */
+struct law_past {
+    bool held;      /* the contact interacted one step ago */
+    double largest; /* overlap so far, of a law with hysteresis; updated */
+};
+
+/* The normal direction at an overlap (negative: a gap). */
 struct law_grip law_grip_at(const struct law_options *options, const struct law_surfaces *surfaces,
-                            double overlap, bool held);
+                            double overlap, struct law_past *past);
 
 /* The overlap at which the elastic force and cohesion cancel, length; 0 without cohesion. */
 double law_grip_rest(const struct law_options *options, const struct law_surfaces *surfaces);

@@ -23,6 +23,7 @@ libcontact_la_SOURCES = \
 	src/contact/law_grip.h \
 	src/contact/law_jkr.h \
 	src/contact/law_kernel.h \
+	src/contact/law_luding.h \
 	src/contact/law_parts.c \
 	src/contact/law_parts.h \
 	src/contact/law_resist.c \

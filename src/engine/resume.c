@@ -108,6 +108,8 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
     const char *group[INTEGRATOR_GROUPS_MAX];
     for (int k = 0; k < s->scene->groups; k++)
         group[k] = s->scene->group[k].name;
+    char law[LAW_TITLE_MAX];
+    law_title(&s->scene->law, law);
     struct checkpoint checkpoint = {.restart = &restart,
                                     .particles = s->particles,
                                     .box = &s->scene->box,
@@ -116,7 +118,7 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
                                     .history = rows.pairs.start ? &rows.pairs : NULL,
                                     .wall_history = rows.walls.start ? &rows.walls : NULL,
                                     .walls = s->grains.walls,
-                                    .law = law_row_get(s->scene->law.normal)->name,
+                                    .law = law,
                                     .materials = s->scene->materials,
                                     .groups = s->scene->groups,
                                     .material = s->scene->material,

@@ -34,6 +34,17 @@ same_bits() { # SETTING...: one rank, two ranks with threads on another index, a
 check 'JKR, epsd, marshall, rescaled springs: the same bits on two ranks and threads, and after a resume' same_bits
 check 'so with a liquid bridge, constant torque, springs that remember the force' same_bits "${wet[@]}"
 
+plastic=(--set 'contact={law: luding, tangential: viscous}' --set 'materials=[{name: a, density: 1}]'
+    --set 'material_pairs=[{restitution: 0.8, friction: 0.5, k_n: 1e4, k_2: 3e4, k_c: 1e4, plasticity_depth: 0.05}]')
+check 'so with plastic springs and viscous friction' same_bits "${plastic[@]}"
+
+another() { # a checkpoint of another cohesion is refused
+    run_scene 1 sticky.yaml one --overwrite --set step.count=1500 || return 1
+    ! run_scene 1 sticky.yaml again --overwrite --resume one/checkpoint-1500.h5 --set contact.cohesion=none --set 'material_pairs[0].surface_energy=~' &&
+        holds said 'contact.law hertz, cohesion.law jkr'
+}
+check 'a resume with another cohesion is refused' another
+
 refused() { # TEXT SETTING...
     local text=$1
     shift
