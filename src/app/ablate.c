@@ -41,15 +41,12 @@ struct variants {
     int runs, done;           /* runs of all variants */
     bool brute_asked;         /* the command line names brute force, so brute force runs at any cost */
     double slowest, rebuilds; /* of the runs so far: seconds, and rebuilds of the last */
+    double brute_pair;        /* seconds of brute force for a pair, from the trial */
 };
 
 /* Brute force is left out if a run would take longer than brute_times the slowest other run, and longer than
  * brute_seconds. */
 static const double brute_times = 5, brute_seconds = 60;
-
-/* Seconds of brute force for the distance of a pair, computed twice, on one thread of a core of about
- * 2020. */
-static const double brute_seconds_pair = 2e-9;
 
 static bool is_brute(const char *index) {
     return strcmp(index, "brute") == 0;
@@ -145,10 +142,11 @@ static bool variant_run(const struct comm *comm, const struct command_line *line
     return good;
 }
 
-/* Predicted seconds of a run by brute force, from the runs of other indexes; 0: no data. */
+/* Predicted seconds of a run by brute force, from the trial and the runs of other indexes; 0: no data. A
+ * rebuild goes through all pairs once; only where the list outgrows its memory twice. */
 static double brute_foreseen(const struct variants *v, uint64_t particles, int threads) {
     double n = (double)particles;
-    return v->rebuilds > 0 ? v->slowest + v->rebuilds * n * n / 2 * brute_seconds_pair / threads : 0;
+    return v->rebuilds > 0 ? v->slowest + v->rebuilds * n * n / 2 * v->brute_pair / threads : 0;
 }
 
 /* True, with a message, if brute force would take too long. The same on all ranks. */
@@ -245,6 +243,7 @@ static bool plan_try(const struct comm *comm, const struct command_line *line, s
     scene_free(&scene);
     if (!good)
         return false;
+    v->brute_pair = trial->brute_pair;
     char *end = v->steps;
     v->count = v->steps[0] ? strtoull(v->steps, &end, 10) : trial->last;
     if (*end != '\0')

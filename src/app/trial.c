@@ -4,12 +4,13 @@
 #include "engine/simulation.h"
 #include "engine/step.h"
 #include "engine/run.h"
+#include "engine/view.h"
 #include "observe/progress.h"
 #include <inttypes.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { LOOK_EVERY = 16 };
+enum { LOOK_EVERY = 16, BRUTE_PAIRS = 1000000 };
 
 static const double seconds_least = 0.5;
 
@@ -73,6 +74,26 @@ static int steps_run(struct simulation *s, struct progress *progress, struct tri
     return 0;
 }
 
+/* Times brute force on some rows of the present particles; the slowest rank counts. Collective. */
+static double brute_time(struct simulation *s) {
+    const struct index_params params = {0};
+    struct index_sink sink = {0};
+    struct index_view view;
+    struct error error = {0};
+    struct index *brute = index_create("brute", &params, &error);
+    simulation_index_view(s, &view);
+    index_build(brute, &view);
+    size_t rows = view.total ? 1 + BRUTE_PAIRS / view.total : 0, pairs;
+    rows = rows < view.owned ? rows : view.owned;
+    pairs = rows * view.total - rows * (rows + 1) / 2;
+    double began = timer_now(), seconds;
+    index_visit(brute, &view, 0, rows, &sink);
+    seconds = pairs ? (timer_now() - began) / (double)pairs : 0;
+    index_destroy(&brute);
+    comm_max(s->comm, &seconds, 1);
+    return seconds;
+}
+
 bool trial_run(const struct comm *comm, const struct scene *scene, struct trial *trial, struct error *error) {
     static const struct progress_series series = {.name = "a trial", .number = 1, .runs = 1};
     struct progress_options options = scene->output.progress;
@@ -91,7 +112,9 @@ bool trial_run(const struct comm *comm, const struct scene *scene, struct trial 
     progress_finish(&progress);
     trial->timers = s->timers;
     *error = s->error;
-    if (comm_agree(comm, error) && number)
+    if (comm_agree(comm, error))
+        trial->brute_pair = brute_time(s);
+    if (error->kind == ERROR_NONE && number)
         error_set(error, (enum error_kind)(ERROR_SIGNAL + number), "ended by signal %d", number);
     simulation_destroy(&s);
     return error->kind == ERROR_NONE;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Runs the first steps of a scene before a comparison. The trial finds whether the scene has rebuilds and
- * contacts, which the comparison needs, and the time of a step. */
+ * contacts, which the comparison needs, the time of a step, and that of a pair by brute force. */
 #ifndef SCREE_APP_TRIAL_H
 #define SCREE_APP_TRIAL_H
 
@@ -13,6 +13,7 @@ struct trial {
     bool touched;         /* something touched, first after step `contact_first` */
     uint64_t rebuild_first, contact_first;
     uint64_t particles;
+    double brute_pair;    /* seconds of brute force for a pair with all of its images, on one thread */
     struct timers timers; /* of the trial; all runs of the scene have its stages */
 };
 
