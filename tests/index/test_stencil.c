@@ -65,6 +65,27 @@ static void frames_keep_distances(void **state) {
     }
 }
 
+/* An open frame ends where its particles end: no particle is clamped, and no cell lies beyond. */
+static void frames_end_where_particles_end(void **state) {
+    (void)state;
+    double x[POINTS][4];
+    struct index_view view = view_of(x, false);
+    struct frame frame;
+    frame_make(&frame, &view);
+    assert_false(frame.clamped);
+    for (int d = 0; d < 3; d++) {
+        float low = INFINITY, high = -INFINITY, owned = -INFINITY;
+        for (size_t k = 0; k < POINTS; k++) {
+            assert_true(frame_holds(&frame, d, x[k][d]));
+            float at = frame_coordinate(&frame, d, x[k][d]);
+            low = fminf(low, at);
+            high = fmaxf(high, at);
+            owned = k < view.owned ? high : owned;
+        }
+        assert_true(frame.all_low[d] == low && frame.all_high[d] == high && frame.owned_high[d] == owned);
+    }
+}
+
 /* A point between two points lies in a cell between their cells; every particle has a cell. */
 static void cells_ascend(void **state) {
     (void)state;
@@ -157,6 +178,7 @@ static void frames_survive_nonsense(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(frames_keep_distances),
+        cmocka_unit_test(frames_end_where_particles_end),
         cmocka_unit_test(cells_ascend),
         cmocka_unit_test(stencils_cover_the_reach),
         cmocka_unit_test(frames_survive_nonsense),
