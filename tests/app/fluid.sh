@@ -142,6 +142,53 @@ check "a closed pocket becomes solid" regions ring 'nodes of the fluid lie in cl
 check "with it the fluid is one region" grep -q '1 connected region$' told
 check "two regions of fluid" regions row '2 connected regions' 3
 
+# A turning cylinder takes the fluid with it: rigid rotation, exact but for the curvature of the wall
+cat >drum.yaml <<'YAML'
+units: none
+box: {lower: [-0.5, -0.5, 0], upper: [0.5, 0.5, 0], dimension: 2}
+walls:
+  - {name: drum, shape: cylinder, point: [0, 0, 0], axis: [0, 0, 1], radius: 0.45, motion: [{kind: rotate, point: [0, 0, 0], direction: [0, 0, 1], rate: 1}]}
+fluid: {spacing: 0.0416666666666667, density: 1, viscosity: 0.1}
+step: {dt: 0.04, count: 120}
+output: {dump: {every: 120, fields: [position, velocity]}}
+YAML
+rotation() {
+    run_scene 1 drum.yaml drum --set threads=1 && awk '
+        /^ITEM: TIMESTEP/ { gap = size = n = 0; next }
+        /^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; reading = 1; next }
+        /^ITEM/ { reading = 0 }
+        reading && NF > 4 { x = $at["x"]; y = $at["y"]; r = x * x + y * y
+            if (r < 0.45 ^ 2) { gap += ($at["vx"] + y) ^ 2 + ($at["vy"] - x) ^ 2; size += r; n++ } }
+        END { e = sqrt(gap / size); printf "  %d particles, relative error %.3g\n", n, e; exit !(n > 300 && e < 0.015) }' drum/dump.lammpstrj
+}
+check "a turning cylinder takes the fluid with it" rotation
+
+# A frozen bed with contacts, gravity and walls: the flow and its drag are the same on other ranks
+cat >bed.yaml <<'YAML'
+units: none
+gravity: [0, 0, -1]
+box: {lower: [0, 0, 0], upper: [1, 1, 1], periodic: [true, false, true]}
+contact: {law: hertz}
+materials: [{name: glass, density: 2.5, young: 1e5, poisson: 0.2}]
+material_pairs: [{restitution: 0.5, friction: 0.3}]
+walls:
+  - {name: a, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}
+  - {name: b, shape: plane, point: [0, 1, 0], normal: [0, -1, 0]}
+particles: {from: random, sizes: {law: uniform, min: 0.15, max: 0.2}, volume_fraction: 0.2, region: {shape: box, lower: [0, 0, 0], upper: [1, 1, 1]}, group: bed}
+groups: [{name: bed, motion: frozen}]
+fluid: {spacing: 0.0625, density: 1, viscosity: 1, equations: stokes, time: steady, drive: {body_force: [0, 0, 1]}, solver: {tolerance: 1e-4}}
+step: {count: 1, dt: 0.001}
+observables: {every: 1, list: [{name: fluid_velocity, components: z}, {name: fluid_drag, components: z}]}
+YAML
+bed() {
+    rm -rf one other
+    run_scene 1 bed.yaml one --set threads=1 && run_scene 3 bed.yaml other --set threads=1 &&
+        paste -d , <(tail -n 1 one/observables.csv) <(tail -n 1 other/observables.csv) |
+        awk -F , '{ u = $5 / $2 - 1; f = $6 / $3 - 1; printf "  velocity %g, drag %g; other ranks differ by %.1e and %.1e\n", $2, $3, u, f
+            exit !($2 > 1e-3 && $3 > 0.1 && $3 < 1 && u * u < 1e-6 && f * f < 1e-6) }'
+}
+check "a bed of frozen grains between walls, on other ranks" bed
+
 # refused WHAT WORDS SCENE SETTING...: one line, status 2
 refused() {
     local words=$1 scene=$2 word
