@@ -55,6 +55,15 @@ bool physics_create(struct physics_set *set, void *self, struct error *error) {
     return true;
 }
 
+void physics_own(const struct physics_set *set, const void *own[PHYSICS_COUNT]) {
+    for (int number = 0; number < PHYSICS_COUNT; number++) {
+        own[number] = NULL;
+        for (int k = 1; k < set->count; k++)
+            if (set->active[k].row == entries[number].physics)
+                own[number] = set->active[k].context.self;
+    }
+}
+
 void physics_free(struct physics_set *set) {
     for (int k = 1; k < set->count; k++)
         if (set->active[k].context.self)

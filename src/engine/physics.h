@@ -160,6 +160,9 @@ const struct physics *physics_get(enum physics_number number);
 bool physics_create(struct physics_set *set, void *self, struct error *error);
 void physics_free(struct physics_set *set);
 
+/* The own data of each physics of the table; NULL of those that are not in the run. */
+void physics_own(const struct physics_set *set, const void *own[PHYSICS_COUNT]);
+
 /* Adds the particles of all physics. Collective; errors may differ between ranks. */
 bool physics_fill(const struct physics_set *set, const struct physics_share *share, struct error *error);
 

@@ -12,21 +12,23 @@ void simulation_index_view(struct simulation *s, struct index_view *view) {
 struct output_view simulation_view(const struct simulation *s) {
     struct ghosts_counts ghosts;
     ghosts_count(s->ranks.ghosts, &ghosts);
-    return (struct output_view){.comm = s->comm,
-                                .particles = s->particles,
-                                .box = &s->scene->box,
-                                .motion = &s->grains.motion,
-                                .walls = s->grains.walls,
-                                .contact = &s->grains.contact,
-                                .sums = &s->grains.sums,
-                                .taken = s->grains.taken,
-                                .step = s->clock.step,
-                                .time = s->clock.time,
-                                .load = {.ghosts = ghosts.ghosts,
-                                         .messages = ghosts.messages,
-                                         .bytes = ghosts.bytes,
-                                         .work = timer_sum(&s->timers, TIMER_WORK, 0),
-                                         .waiting = timer_sum(&s->timers, TIMER_WAIT, 0)}};
+    struct output_view view = {.comm = s->comm,
+                               .particles = s->particles,
+                               .box = &s->scene->box,
+                               .motion = &s->grains.motion,
+                               .walls = s->grains.walls,
+                               .contact = &s->grains.contact,
+                               .sums = &s->grains.sums,
+                               .taken = s->grains.taken,
+                               .step = s->clock.step,
+                               .time = s->clock.time,
+                               .load = {.ghosts = ghosts.ghosts,
+                                        .messages = ghosts.messages,
+                                        .bytes = ghosts.bytes,
+                                        .work = timer_sum(&s->timers, TIMER_WORK, 0),
+                                        .waiting = timer_sum(&s->timers, TIMER_WAIT, 0)}};
+    physics_own(&s->physics, view.own);
+    return view;
 }
 
 bool simulation_may_lose(const struct simulation *s) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The fields of a fluid, and its observables. Read fields.h first. */
 #include "fluid/fields.h"
+#include "fluid/shown.h"
 #include "observe/observables_kinds.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
@@ -177,6 +178,25 @@ static const struct observable_kind kinds[] = {
      .parts = 3,
      .relevant = known,
      .of_rank = take_drag},
+    {.info = {"flow_rate", "fluid", "kg/s", "mass of the fluid that flows along each direction",
+              OBSERVABLE_OF_ALL, 3, "kg/(m s)"},
+     .parts = 3,
+     .relevant = known,
+     .of_rank = shown_flow_rate},
+    {.info = {"pressure_drop", "fluid", "Pa", "drop over the box of the pressure that drives the fluid",
+              OBSERVABLE_OF_ALL, 3, "Pa"},
+     .parts = 3,
+     .relevant = known,
+     .of_rank = shown_pressure_drop},
+    {.info = {"permeability", "fluid", "m2", "viscosity x superficial velocity / driving force (Darcy)",
+              OBSERVABLE_OF_ALL, 1, "m2"},
+     .parts = 2,
+     .relevant = known,
+     .of_rank = shown_permeability,
+     .finish = shown_permeability_finish},
+    {INFO("iterations", "1", "iterations of the last solve for the pressure, or for the steady flow", 1),
+     .of_rank = shown_iterations},
+    {INFO("residual", "1", "true relative residual of the last solves", 1), .of_rank = shown_residual},
     {INFO("speed", "m/s", "largest speed", 1), .of_rank = take_speed, .combine = OBSERVABLE_MAX},
     {INFO("divergence", "1/s", "largest divergence of the velocity", 1), .of_rank = take_divergence,
      .combine = OBSERVABLE_MAX}};

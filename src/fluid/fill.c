@@ -127,7 +127,7 @@ static bool options_suit(const struct physics_context *context, struct error *er
             context->scene, error, "fluid.time",
             "steady goes with equations: stokes alone; for the steady flow of navier_stokes run a "
             "transient one until it no longer changes");
-    return true;
+    return drive_suits(context, error);
 }
 
 bool fill_run(const struct physics_context *context, const struct physics_share *share, struct error *error) {

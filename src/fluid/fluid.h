@@ -28,6 +28,9 @@ struct fluid_fill {
 
 struct fluid_drive {
     double body_force[3]; /* force/volume on the fluid: minus the mean gradient of pressure */
+    double pressure_drop; /* over the box along `axis`, pressure; NAN: not given */
+    double mass_flow;     /* along `axis`, mass/time; NAN: not given */
+    int axis;             /* 0, 1, 2 */
 };
 
 struct fluid_walls {

@@ -57,11 +57,20 @@ static const struct schema_row fill_rows[] = {
 };
 static const struct schema_table fill_table = TABLE(fill_rows);
 
+static const struct schema_name axis_names[] = {{"x", 0, NULL}, {"y", 1, NULL}, {"z", 2, NULL}, {0}};
+
 static const struct schema_row drive_rows[] = {
     {.key = "body_force", .type = SCHEMA_VECTOR, .unit = "N/m3", .fallback = "[0, 0, 0]",
      AT(struct fluid_drive, body_force),
      .help = "force on a volume of fluid: in a periodic direction minus the mean gradient of pressure",
      .example = "[0, 0, 1000 Pa/m]"},
+    {.key = "pressure_drop", .type = SCHEMA_REAL, .unit = "Pa", AT(struct fluid_drive, pressure_drop),
+     .help = "instead: drop of the pressure over the box along the axis", .example = "14 Pa"},
+    {.key = "mass_flow", .type = SCHEMA_REAL, .unit = "kg/s", AT(struct fluid_drive, mass_flow),
+     .help = "instead: mass that flows along the axis, to which the force is fitted (in two dimensions a mass per depth)",
+     .example = "2.771e-5"},
+    {.key = "axis", .type = SCHEMA_NAME, .names = axis_names, .fallback = "x", AT(struct fluid_drive, axis),
+     .help = "direction of pressure_drop and mass_flow, in which the box must be periodic"},
 };
 static const struct schema_table drive_table = TABLE(drive_rows);
 

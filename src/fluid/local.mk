@@ -7,6 +7,8 @@ libfluid_la_SOURCES = \
 	src/fluid/body.h \
 	src/fluid/drag.c \
 	src/fluid/drag.h \
+	src/fluid/drive.c \
+	src/fluid/drive.h \
 	src/fluid/fields.c \
 	src/fluid/fields.h \
 	src/fluid/fill.c \
@@ -43,6 +45,8 @@ libfluid_la_SOURCES = \
 	src/fluid/regions.h \
 	src/fluid/residual.c \
 	src/fluid/residual.h \
+	src/fluid/shown.c \
+	src/fluid/shown.h \
 	src/fluid/state.h \
 	src/fluid/steady.c \
 	src/fluid/steady.h \

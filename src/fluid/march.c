@@ -127,13 +127,15 @@ static void step_transient(const struct physics_context *context, struct fluid *
                                               .tolerance_pressure = tolerance_of(options, 1e-5)};
     if (fluid->projection == NULL)
         fluid->projection = projection_create(fluid->solve, &fluid->flow, &wanted, &fluid->error);
-    if (fluid->projection != NULL)
-        projection_step(fluid->projection, &fluid->flow, &fluid->past, context->clock->dt,
-                        options->drive.body_force, &fluid->error);
+    if (fluid->projection == NULL)
+        return;
+    drive_adjust(&fluid->drive, options, context->box, &fluid->flow, context->clock->dt);
+    projection_step(fluid->projection, &fluid->flow, &fluid->past, context->clock->dt, fluid->drive.force,
+                    &fluid->error);
 }
 
 /* The steady flow at once, in the first step; the steps after it leave it as it is. */
-static void step_steady(struct fluid *fluid) {
+static void step_steady(const struct physics_context *context, struct fluid *fluid) {
     const struct fluid_options *options = fluid->options;
     const struct steady_options wanted = {.viscosity = options->viscosity,
                                           .spacing = options->spacing,
@@ -145,8 +147,9 @@ static void step_steady(struct fluid *fluid) {
     if (fluid->steady == NULL)
         fluid->steady = steady_create(fluid->solve, &fluid->flow, &wanted, &fluid->error);
     if (fluid->steady != NULL)
-        fluid->solved = steady_solve(fluid->steady, &fluid->flow, options->drive.body_force, &fluid->report,
-                                     &fluid->error);
+        fluid->solved =
+            steady_solve(fluid->steady, &fluid->flow, fluid->drive.force, &fluid->report, &fluid->error) &&
+            drive_scale(&fluid->drive, options, context->box, &fluid->flow, &fluid->error);
 }
 
 /* Walls that slide within themselves have new velocities; one that comes nearer or goes away is refused. */
@@ -221,7 +224,7 @@ void march_step(const struct physics_context *context) {
     if (fluid->error.kind != ERROR_NONE || !begin(context, fluid))
         return;
     if (fluid->options->time == FLUID_STEADY)
-        step_steady(fluid);
+        step_steady(context, fluid);
     else
         step_transient(context, fluid);
     if (fluid->error.kind == ERROR_NONE && fluid->options->equations == FLUID_NAVIER_STOKES)

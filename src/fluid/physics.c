@@ -25,6 +25,7 @@ static double range(const void *context, int kind_a, double radius_a, int kind_b
 static void *create(const struct physics_context *context) {
     struct fluid *fluid = memory_allocate_zero(1, sizeof *fluid, "fluid");
     fluid->options = context->options;
+    fluid->drive = drive_begin(fluid->options, context->box);
     fluid->support = fluid_support(fluid->options, context->box->dimension);
     fluid->volume =
         fluid->options->fill.jitter > 0 ? 0 : kernel_power(fluid->options->spacing, context->box->dimension);
@@ -89,6 +90,10 @@ static void restart(const struct physics_context *context, struct restart *list)
     struct fluid *fluid = context->self;
     restart_add(list, RESTART_INTEGER, false, &fluid->past.steps, "fluid: steps");
     restart_add(list, RESTART_REAL, false, &fluid->past.dt, "fluid: last time step");
+    for (int d = 0; d < 3; d++)
+        restart_add(list, RESTART_REAL, true, &fluid->drive.force[d], "fluid: driving force %c", 'x' + d);
+    restart_add(list, RESTART_REAL, true, &fluid->drive.mean_before, "fluid: mean velocity before");
+    restart_add(list, RESTART_INTEGER, true, &fluid->drive.steps, "fluid: steps of the drive");
 }
 
 static const struct physics_pass passes[] = {{.name = "flow",

@@ -3,6 +3,7 @@
 #ifndef SCREE_FLUID_STATE_H
 #define SCREE_FLUID_STATE_H
 
+#include "fluid/drive.h"
 #include "fluid/fluid.h"
 #include "fluid/projection.h"
 #include "fluid/steady.h"
@@ -20,6 +21,7 @@ struct fluid {
     struct solve *solve;           /* NULL: not begun */
     struct projection *projection; /* NULL: no matrices yet */
     struct projection_past past;
+    struct drive drive;
     struct steady *steady; /* of a steady flow; NULL: no matrices yet */
     struct steady_report report;
     bool solved;        /* the steady flow is there */

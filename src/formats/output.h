@@ -11,6 +11,7 @@
 #include "integrate/integrator.h"
 #include "formats/lineage.h"
 #include "formats/output_options.h"
+#include "physics_table.h"
 
 /* Data that stay the same during a run. */
 struct output_run {
@@ -44,6 +45,8 @@ struct output_view {
     uint64_t step;
     double time;
     struct output_load load;
+    const void
+        *own[PHYSICS_COUNT]; /* the own data of the physics, for their observables; NULL: not in the run */
 };
 
 /* True if an HDF5 file is still open because a write or the closing failed, for example on a full disk. HDF5

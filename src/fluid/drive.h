@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* What drives a flow: a force on each volume of the fluid, in a periodic direction minus the mean gradient of
+ * pressure. The scene gives the force, or a pressure drop over the box, or a mass flow, to which the force is
+ * fitted: step by step, or for a steady Stokes flow, which is linear, by scaling. */
+#ifndef SCREE_FLUID_DRIVE_H
+#define SCREE_FLUID_DRIVE_H
+
+#include "engine/physics.h"
+#include "fluid/flow.h"
+#include "fluid/fluid.h"
+
+/* The force now, and what the next step of a given mass flow must know. */
+struct drive {
+    double force[3];    /* force/volume */
+    double mean_before; /* mean velocity of the fluid along the axis, before the last step */
+    int64_t steps;      /* adjusted so far */
+};
+
+/* True if the keys of the drive go together and with the box; else a user's error with the key. */
+bool drive_suits(const struct physics_context *context, struct error *error);
+
+/* The force at the start: that of the scene; with a mass flow the body force as a first guess, 0 if none. */
+struct drive drive_begin(const struct fluid_options *options, const struct box *box);
+
+/* With a given mass flow: the force of the next step, half of what would bring the mean velocity to its goal in
+ * one step if the resistance stayed as in the last one. Else nothing changes. Collective. */
+void drive_adjust(struct drive *drive, const struct fluid_options *options, const struct box *box,
+                  const struct flow *flow, double dt);
+
+/* With a given mass flow: scales force, velocity and pressure of a steady flow between walls at rest. False,
+ * with an error, if nothing flows. Collective. */
+bool drive_scale(struct drive *drive, const struct fluid_options *options, const struct box *box,
+                 const struct flow *flow, struct error *error);
+
+#endif

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The functions of the observables of a flow as a whole and of its solvers (fields.c has their rows). */
+#ifndef SCREE_FLUID_SHOWN_H
+#define SCREE_FLUID_SHOWN_H
+
+#include "observe/observables_kinds.h"
+
+/* Mass flow along x, y and z: density x velocity x volume, summed, over the box's edge. */
+void shown_flow_rate(const struct observable_context *context, struct observable_item *item, double *part);
+
+/* The driving force times the box's edge, along x, y and z. */
+void shown_pressure_drop(const struct observable_context *context, struct observable_item *item,
+                         double *part);
+
+/* Viscosity x superficial velocity along the driving force / force: Darcy's law. In two parts. */
+void shown_permeability(const struct observable_context *context, struct observable_item *item, double *part);
+void shown_permeability_finish(const struct output_view *view, const struct observable_item *item,
+                               double *part);
+
+/* Iterations of the last solve for the pressure, or for the steady flow. */
+void shown_iterations(const struct observable_context *context, struct observable_item *item, double *part);
+
+/* The larger of the true relative residuals of velocity and pressure; of a steady flow that of the momentum. */
+void shown_residual(const struct observable_context *context, struct observable_item *item, double *part);
+
+#endif
