@@ -19,6 +19,7 @@ static const struct law_extra sticky = {.surface_energy = 0.5,
                                         .dissipative_time = 1e-4,
                                         .k_2 = 3e5,
                                         .k_c = 5e4,
+                                        .yield_pressure = 1e5,
                                         .rolling_damping_ratio = 0.3,
                                         .twisting_stiffness = 100.0,
                                         .twisting_damping = 0.1,
@@ -363,6 +364,31 @@ static void test_luding(void **state) {
     assert_true(taken > 0.1 * work);
 }
 
+/* Thornton's law: his closed form of the restitution, branches that meet, the dent that stays. */
+static void test_thornton(void **state) {
+    (void)state;
+    struct law_options o = law_options_default();
+    o.normal = LAW_THORNTON;
+    o.tangential = LAW_FRICTIONLESS;
+    struct law_pair pair = {.restitution = 1.0, .extra = {.yield_pressure = 2e4}};
+    struct law law = law_for(o, soft, pair);
+    struct law_surfaces s = surfaces_of(&law, 1.0, 1.0);
+    double modulus = 0.75 * law.pair[0][1].k_n, a = 0.5 * M_PI * 0.5 * 2e4 / modulus, yield = a * a / 0.5;
+    double slow =
+        sqrt(16.0 / 15.0 * modulus * sqrt(0.5) * pow(yield, 2.5)); /* yields at this speed, m* = 1 */
+    assert_near(restitution_of(&law, 0.9 * slow), 1.0, 1e-3);
+    for (double speed = 2.0 * slow; speed < 100.0 * slow; speed *= 3.0) {
+        double v = slow / speed, e = sqrt(1.2 * sqrt(3.0)) * sqrt(1.0 - v * v / 6.0) *
+                                     pow(v / (v + 2.0 * sqrt(1.2 - 0.2 * v * v)), 0.25);
+        assert_near(restitution_of(&law, speed), e, 2e-3);
+    }
+    struct law_past past = {0};
+    double force = law_grip_at(&o, &s, 5.0 * yield, &past).force; /* loading, then just below: continuous */
+    assert_near(force, 4.0 / 3.0 * modulus * a * yield + M_PI * 0.5 * 2e4 * 4.0 * yield, 1e-9 * force);
+    assert_near(law_grip_at(&o, &s, 5.0 * yield * (1.0 - 1e-9), &past).force, force, 1e-7 * force);
+    assert_near(law_grip_at(&o, &s, 0.5 * yield, &past).force, 0.0, 1e-12);
+}
+
 /* The stable step of one spring at rest in its law: bounded at 0.95 of it, not at 1.1. */
 static double grown(const struct law *law, const struct law_surfaces *s, double part) {
     double rest = fmax(law_grip_rest(&law->options, s), 1e-3), push, dt, least = 1e-6, most = 0.0;
@@ -464,7 +490,8 @@ int main(void) {
         cmocka_unit_test(test_energies),        cmocka_unit_test(test_jkr),
         cmocka_unit_test(test_pulls),           cmocka_unit_test(test_mirror),
         cmocka_unit_test(test_static_friction), cmocka_unit_test(test_viscoelastic),
-        cmocka_unit_test(test_luding),          cmocka_unit_test(test_stable),
-        cmocka_unit_test(test_refused),         cmocka_unit_test(test_absent)};
+        cmocka_unit_test(test_luding),          cmocka_unit_test(test_thornton),
+        cmocka_unit_test(test_stable),          cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_absent)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -81,7 +81,8 @@ static bool law_check_pair(const struct law_pair *p, const struct law_options *o
     if (asked && !(p->restitution >= 0.0 && p->restitution <= 1.0))
         return error_set(error, ERROR_USER, "material pair %s, %s: restitution is %g; allowed is 0 to 1", a,
                          b, p->restitution);
-    if (law_row_get(o->normal)->form->unload && !(p->extra.k_2 > p->k_n))
+    if (law_row_get(o->normal)->form->unload && !law_row_get(o->normal)->form->moduli &&
+        !(p->extra.k_2 > p->k_n))
         return error_set(error, ERROR_USER, "material pair %s, %s: k_2 is %g; allowed is more than k_n, %g",
                          a, b, p->extra.k_2, p->k_n);
     return law_check_extra(&p->extra, o, (const char *[]){a, b}, error);

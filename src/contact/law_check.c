@@ -80,7 +80,8 @@ bool law_check_extra(const struct law_extra *x, const struct law_options *o, con
     bool surface = o->cohesion == LAW_COHESION_JKR || o->cohesion == LAW_COHESION_DMT;
     bool wet = o->cohesion == LAW_COHESION_CAPILLARY, far = o->cohesion == LAW_COHESION_VAN_DER_WAALS;
     bool friction = o->tangential != LAW_FRICTIONLESS, given = o->twisting == LAW_TWISTING_SDS;
-    bool hysteresis = law_row_get(o->normal)->form->unload != NULL;
+    const struct law_form *form = law_row_get(o->normal)->form;
+    bool hysteresis = form->unload && !form->moduli, yields = form->unload && form->moduli;
     const struct {
         const char *key;
         double value, most;
@@ -100,6 +101,7 @@ bool law_check_extra(const struct law_extra *x, const struct law_options *o, con
         {"rolling_stiffness", x->rolling_stiffness, INFINITY, o->rolling != LAW_ROLLING_NONE, false},
         {"rolling_damping", x->rolling_damping, INFINITY, o->rolling != LAW_ROLLING_NONE, false},
         {"rolling_damping_ratio", x->rolling_damping_ratio, INFINITY, o->rolling == LAW_ROLLING_EPSD, false},
+        {"yield_pressure", x->yield_pressure, INFINITY, yields, true},
         {"k_2", x->k_2, INFINITY, hysteresis, true},
         {"k_c", x->k_c, INFINITY, hysteresis, false},
         {"plasticity_depth", x->plasticity_depth, INFINITY, hysteresis, false},

@@ -56,7 +56,8 @@ struct law_extra {
     double k_2,
         k_c; /* laws with hysteresis: slopes of the unloading and of the adhesive branch; force/length */
     double
-        plasticity_depth; /* overlap over the reduced radius at which the slope is k_2; 0: at any overlap */
+        plasticity_depth;  /* overlap over the reduced radius at which the slope is k_2; 0: at any overlap */
+    double yield_pressure; /* laws with yield: pressure */
     double twisting_friction; /* sds: limit of the torque over the normal force; length */
 };
 

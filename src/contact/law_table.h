@@ -4,22 +4,25 @@
  * A row: LAW_NAME for the number, the name in scenes, the traits that keys of a scene ask for
  * (scene/schema.h), and what the law is. Traits: `moduli`, a law whose springs come from young and poisson of
  * the materials; `stiffness`, one whose springs are k_n and k_t of the pair, force/length; `hysteresis`, one that also
- * takes k_2 and k_c. Laws of LAW_ELASTIC_TABLE have vectorised loops of their own (force_physics.h). */
+ * takes k_2 and k_c; `yield`, one with a yield pressure; `elastic`, moduli without plastic flow. Laws of LAW_ELASTIC_TABLE have vectorised loops of their own (force_physics.h). */
 #ifndef SCREE_CONTACT_LAW_TABLE_H
 #define SCREE_CONTACT_LAW_TABLE_H
 
 #include "contact/law_hertz.h"
 #include "contact/law_hooke.h"
 #include "contact/law_luding.h"
+#include "contact/law_thornton.h"
 
 #define LAW_ELASTIC_TABLE(ROW)                                                                               \
     ROW(HOOKE, hooke, "stiffness", "linear spring and dashpot")                                              \
-    ROW(HERTZ, hertz, "moduli", "elastic spheres, Hertz and Mindlin")
+    ROW(HERTZ, hertz, "moduli elastic", "elastic spheres, Hertz and Mindlin")
 
 /* Laws whose contacts go through the general loop (law_general.h); LAW_TABLE: all laws. */
 #define LAW_PLASTIC_TABLE(ROW)                                                                               \
     ROW(LUDING, luding, "stiffness hysteresis",                                                              \
-        "plastic, adhesive grains: linear springs, steeper on unloading, with a pull after compression")
+        "plastic, adhesive grains: linear springs, steeper on unloading, with a pull after compression")     \
+    ROW(THORNTON, thornton, "moduli yield",                                                                  \
+        "elastic, perfectly plastic spheres with a yield pressure: fast impacts")
 #define LAW_TABLE(ROW) LAW_ELASTIC_TABLE(ROW) LAW_PLASTIC_TABLE(ROW)
 
 /* The law of a scene that names no law. */

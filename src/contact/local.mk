@@ -32,6 +32,7 @@ libcontact_la_SOURCES = \
 	src/contact/law_restitution.h \
 	src/contact/law_table.c \
 	src/contact/law_table.h \
+	src/contact/law_thornton.h \
 	src/contact/material.c \
 	src/contact/material.h \
 	src/contact/spin.c \

@@ -65,6 +65,8 @@ static const struct schema_row pair_rows[] = {
      AT(struct scene_pair, extra.k_2), .help = "stiffness of the unloading branch, more than k_n", .example = "5e5"},
     {.key = "k_c", .type = SCHEMA_REAL, .unit = "N/m", .range = "[0, inf)", .when = "/contact.law:hysteresis", .fallback = "0",
      AT(struct scene_pair, extra.k_c), .help = "slope of the adhesive branch", .example = "1e5"},
+    {.key = "yield_pressure", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)", .when = "/contact.law:yield", .required = true,
+     AT(struct scene_pair, extra.yield_pressure), .help = "pressure in the middle of the contact at which it flows", .example = "100 MPa"},
     {.key = "plasticity_depth", .type = SCHEMA_REAL, .range = "[0, inf)", .when = "/contact.law:hysteresis", .fallback = "0",
      AT(struct scene_pair, extra.plasticity_depth),
      .help = "sets the overlap from which the unloading branch is as steep as k_2, over 2 R*; 0: any overlap", .example = "0.05"},
