@@ -20,6 +20,8 @@ libengine_la_SOURCES = \
 	src/engine/notes.h \
 	src/engine/outputs.c \
 	src/engine/outputs.h \
+	src/engine/outputs_open.c \
+	src/engine/outputs_parts.h \
 	src/engine/physics.c \
 	src/engine/physics.h \
 	src/fields_table.h \
@@ -40,6 +42,8 @@ libengine_la_SOURCES = \
 	src/engine/run_report.h \
 	src/engine/simulation.c \
 	src/engine/simulation.h \
+	src/engine/simulation_parts.c \
+	src/engine/simulation_parts.h \
 	src/engine/sources.c \
 	src/engine/sources.h \
 	src/engine/stages.c \

@@ -18,8 +18,4 @@ struct simulation *simulation_create(const struct comm *comm, const struct scene
                                      struct error *error);
 void simulation_destroy(struct simulation **simulation);
 
-/* Prepares law, walls, motion and limits but no particles; `scree check` starts with this function. Used by
- * simulation_create. */
-bool simulation_prepare(struct simulation *simulation, struct error *error);
-
 #endif

@@ -27,6 +27,7 @@ libscene_la_SOURCES = \
 	src/scene/scene_particles.h \
 	src/scene/scene_read.c \
 	src/scene/scene_read.h \
+	src/scene/scene_sections.h \
 	src/scene/scene_share.h \
 	src/scene/scene_text.c \
 	src/scene/scene_text.h \

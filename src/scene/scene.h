@@ -16,96 +16,16 @@
 #ifndef SCREE_SCENE_SCENE_H
 #define SCREE_SCENE_SCENE_H
 
-#include "comm/domain.h"
 #include "comm/ghosts.h"
 #include "contact/law.h"
-#include "walls/wall.h"
-#include "core/error.h"
-#include "index/index.h"
-#include "integrate/integrator.h"
 #include "formats/output_options.h"
-#include "particles/box.h"
-#include "particles/classes.h"
-#include "particles/particles.h"
+#include "integrate/integrator.h"
 #include "physics_table.h"
 #include "scene/insertion.h"
-#include "scene/source.h"
-#include <stdio.h>
-
-enum {
-    SCENE_PATH_MAX = 1024,
-    SCENE_NOTE_MAX = 256,
-    SCENE_NAME_MAX = 64,
-    SCENE_IDS_MAX = 1024,
-    SCENE_PAIRS_MAX = 528
-};
+#include "scene/scene_sections.h"
+#include "walls/wall.h"
 
 struct tree_node;
-
-enum scene_units { SCENE_UNITS_SI, SCENE_UNITS_NONE };
-
-/* Length of a run and of its step. */
-struct scene_step {
-    double dt;             /* > 0: given; 0: fraction x the stable step */
-    double fraction;       /* of the stable step; set where dt is 0 */
-    int64_t count;         /* steps; -1: by duration */
-    bool force;            /* run although dt is above the stable step */
-    bool fused;            /* particles move just before their first contact, instead of all at once */
-    int64_t rebuild_every; /* most steps between two rebuilds; 0: when the skin is used up */
-    int contacts;     /* simultaneous contacts counted for the stable step; 0: the default of timestep.h */
-    double speed_max; /* largest impact speed expected for the stable step; 0: from the particles */
-};
-
-/* Vector instructions used at most; the numbers are those of enum index_instructions. */
-enum scene_simd { SCENE_SIMD_AUTO, SCENE_SIMD_BASELINE, SCENE_SIMD_V3, SCENE_SIMD_V4 };
-
-/* The names of enum scene_simd: those of the force loop's kernels. */
-const char *scene_simd_name(enum scene_simd simd);
-
-enum scene_group_motion { SCENE_FREE, SCENE_FROZEN, SCENE_MOVING };
-
-/* A group: group 0 is "free" and always there. A particle belongs to the group that its source names, else to
- * the last group whose selection it meets; a group without any selection is filled by sources alone. */
-struct scene_group {
-    char name[SCENE_NAME_MAX];
-    enum scene_group_motion motion;
-    double velocity[3], omega[3]; /* MOVING */
-    bool by_region;
-    struct region region; /* centre inside */
-    int material;         /* -1: any */
-    int id_count;         /* 0: any */
-    int64_t id[SCENE_IDS_MAX];
-    double radius_above, radius_upto; /* radius in (above, upto] */
-    bool selects;                     /* true if any of the criteria was given */
-};
-
-/* Which copies a rank gets, as the scene says it. */
-enum scene_ghosts { SCENE_GHOSTS_FULL, SCENE_GHOSTS_REDUCED, SCENE_GHOSTS_AUTO };
-
-/* The action of a guard. */
-enum scene_guard { SCENE_GUARD_STOP, SCENE_GUARD_WARN, SCENE_GUARD_OFF, SCENE_GUARD_AUTO };
-
-struct scene_guards {
-    enum scene_guard overlap, nan, speed, step;
-    enum scene_guard energy; /* AUTO: stop, with a cheaper and coarser look, where there can be one */
-    double overlap_bound;    /* largest overlap / smaller radius */
-    double energy_bound;     /* largest growth without cause / energy in play */
-};
-
-/* One entry of material_pairs as the user wrote it. */
-struct scene_pair {
-    int material[2]; /* -1: the default for all pairs not named */
-    double restitution, friction, rolling_friction, k_n, k_t, gamma_n, gamma_t; /* NAN: not given */
-    struct law_extra extra;                                                     /* NAN: not given */
-    int between_count;
-};
-
-struct scene_index {
-    char name[SCENE_NAME_MAX];
-    struct index_params params;
-    bool measure;    /* auto: time variants of the choice */
-    int level_cells; /* how many of params.level_cell were given */
-};
 
 struct scene {
     char file[SCENE_PATH_MAX];   /* as named in messages */

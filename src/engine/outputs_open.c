@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Checks, opens and closes the files of a run. Read outputs.h first. */
+#include "engine/outputs_parts.h"
+#include "engine/view.h"
+#include "core/memory.h"
+#include "formats/frame.h"
+#include <stdio.h>
+#include <string.h>
+
+static bool h5md_wanted(const struct outputs *o) {
+    return output_interval_set(&o->options->trajectory.every) ||
+           output_interval_set(&o->options->trajectory.contacts);
+}
+
+/* Puts the place of `key` in the scene before the text of a user's error. */
+static bool fail_at(const struct simulation *s, const char *key, struct error *error) {
+    char place[SCENE_PATH_MAX];
+    struct error plain = *error;
+    if (plain.kind != ERROR_USER)
+        return false;
+    *error = (struct error){0};
+    error_set(error, ERROR_USER, "%s: %s", scene_place(s->scene, key, place, sizeof place), plain.text);
+    return false;
+}
+
+/* Refuses ids above those of all particles if the scene inserts no particles. */
+static bool observables_check_ids(const struct simulation *s, struct error *error) {
+    const struct observables_options *options = &s->scene->output.observables;
+    for (int k = 0; s->scene->insertions == 0 && k < options->count; k++)
+        if (options->request[k].id >= s->sources.next_id) {
+            char key[64];
+            snprintf(key, sizeof key, "observables.list[%d].id", k);
+            error_set(error, ERROR_USER, "%s: there is no particle %lld; ids go up to %lld", key,
+                      (long long)options->request[k].id, (long long)s->sources.next_id - 1);
+            return fail_at(s, key, error);
+        }
+    return true;
+}
+
+static bool observables_prepare(struct outputs *o, const struct simulation *s, struct error *error) {
+    struct output_view view = simulation_view(s);
+    if (!observables_check_ids(s, error))
+        return false;
+    return observables_create(&o->observables, &o->options->observables, &view, o->run, error) ||
+           fail_at(s, "observables.list", error);
+}
+
+static bool files_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
+    int64_t step = resumed ? (int64_t)s->clock.step : -1;
+    char path[FILE_PATH_MAX];
+    if (h5md_wanted(o)) {
+        struct h5md_head head = {.lineage = o->run->lineage,
+                                 .dimensionless = o->run->dimensionless,
+                                 .varying = o->run->varying,
+                                 .xdmf = o->options->trajectory.xdmf,
+                                 .seed = o->run->seed};
+        snprintf(path, sizeof path, "%s/trajectory.h5", o->run->directory);
+        if (!h5md_open(&o->h5md, s->comm, path, &head, step, error))
+            return false;
+    }
+    if (output_interval_set(&o->options->dump.every)) {
+        snprintf(path, sizeof path, "%s/dump.lammpstrj", o->run->directory);
+        if (!dump_open(&o->dump, s->comm, path, step, error))
+            return false;
+    }
+    return true;
+}
+
+struct output_run outputs_run(const struct simulation *s, const char *directory) {
+    const struct scene *scene = s->scene;
+    return (struct output_run){
+        .directory = directory,
+        .scene = s->lineage.count > 0 ? s->lineage.run[s->lineage.count - 1].scene : NULL,
+        .lineage = &s->lineage,
+        .dimensionless = scene->units == SCENE_UNITS_NONE,
+        .varying = scene->insertions > 0 || scene->deletions > 0 || simulation_may_lose(s),
+        .seed = scene->seed,
+        .materials = scene->materials,
+        .material = scene->material};
+}
+
+bool outputs_create(struct outputs **outputs, const struct simulation *s, const struct output_run *run,
+                    struct error *error) {
+    struct outputs *o = memory_allocate_zero(1, sizeof *o, "outputs");
+    o->options = &s->scene->output;
+    o->run = run;
+    bool good = (frame_check_fields(&o->options->trajectory.fields, s->particles, error) ||
+                 fail_at(s, "output.trajectory.fields", error)) &&
+                (frame_check_fields(&o->options->dump.fields, s->particles, error) ||
+                 fail_at(s, "output.dump.fields", error));
+    if (good && output_interval_set(&o->options->observables.every))
+        good = observables_prepare(o, s, error);
+    *outputs = o;
+    if (comm_agree(s->comm, error) && good)
+        return true;
+    struct error second = {0};
+    outputs_close(outputs, s->comm, &second);
+    return false;
+}
+
+bool outputs_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
+    bool good = o->observables == NULL || observables_open(o->observables, s->comm, o->run->directory,
+                                                           resumed ? s->clock.time : -1, error);
+    good = good && files_open(o, s, resumed, error);
+    return comm_agree(s->comm, error) && good;
+}
+
+bool outputs_close(struct outputs **outputs, const struct comm *comm, struct error *error) {
+    struct outputs *o = *outputs;
+    struct error own = {0};
+    if (o == NULL)
+        return true;
+    /* after a failure of the system nothing more is written; after another error the rest is still written */
+    struct error *here = error->kind == ERROR_SYSTEM ? error : &own;
+    bool good = true;
+    if (o->h5md)
+        good = h5md_close(&o->h5md, here) && good;
+    if (o->dump)
+        good = dump_close(&o->dump, here) && good;
+    if (error->kind == ERROR_NONE)
+        *error = own;
+    if (o->observables)
+        observables_destroy(&o->observables);
+    memory_free(o);
+    *outputs = NULL;
+    return comm_agree(comm, error) && good;
+}

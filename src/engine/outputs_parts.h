@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Inside of the outputs of a run. */
+#ifndef SCREE_ENGINE_OUTPUTS_PARTS_H
+#define SCREE_ENGINE_OUTPUTS_PARTS_H
+
+#include "engine/outputs.h"
+#include "formats/dump.h"
+#include "formats/h5md.h"
+
+struct outputs {
+    const struct output_options *options; /* borrowed from the scene */
+    const struct output_run *run;         /* borrowed */
+    struct observables *observables;      /* NULL: not asked for */
+    struct h5md *h5md;
+    struct dump *dump;
+};
+
+#endif
