@@ -12,6 +12,7 @@ EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-beverloo.svg \
 	docs/images/verify-bouncing.svg \
 	docs/images/verify-bowl.svg \
+	docs/images/verify-capillary-bridge.svg \
 	docs/images/verify-chain.svg \
 	docs/images/verify-chung-ooi-1.svg \
 	docs/images/verify-chung-ooi-2.svg \
@@ -22,14 +23,19 @@ EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-chung-ooi-7.svg \
 	docs/images/verify-chung-ooi-8.svg \
 	docs/images/verify-cradle.svg \
+	docs/images/verify-dmt-pull-off.svg \
 	docs/images/verify-drift-hertz.svg \
 	docs/images/verify-drift-hooke.svg \
 	docs/images/verify-drum-angle.svg \
 	docs/images/verify-end-of-contact.svg \
 	docs/images/verify-free-fall.svg \
 	docs/images/verify-haff.svg \
+	docs/images/verify-heat-chain.svg \
+	docs/images/verify-heat-rod.svg \
 	docs/images/verify-incline.svg \
 	docs/images/verify-janssen.svg \
+	docs/images/verify-jkr-pull-off.svg \
+	docs/images/verify-luding-unloading.svg \
 	docs/images/verify-many-body.svg \
 	docs/images/verify-moving-wall.svg \
 	docs/images/verify-order-hertz.svg \
@@ -42,6 +48,7 @@ EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-settling.svg \
 	docs/images/verify-slide-to-roll.svg \
 	docs/images/verify-stack.svg \
+	docs/images/verify-sticking-velocity.svg \
 	docs/images/verify-turning-wall.svg \
 	docs/images/verify-vyas.svg \
 	docs/images/verify-wall-edge.svg
