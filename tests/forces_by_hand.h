@@ -11,7 +11,7 @@
 #include "tests/fields_by_hand.h"
 #include <omp.h>
 
-enum { COUNT = 200, MATERIALS = 3, LAWS = 8 * 2 * LAW_COUNT };
+enum { COUNT = 200, MATERIALS = 3, LAWS = 8 * 2 * LAW_ELASTIC_COUNT };
 
 static const double edge = 4.8;
 static const char *const kernels[] = {"baseline", "x86-64-v3", "x86-64-v4"};
@@ -32,13 +32,13 @@ static inline struct law law_number(int k, int materials) {
                                            .gamma_n = 5.0,
                                            .gamma_t = 2.0};
     struct law_options o = law_options_default();
-    int friction = k / (2 * LAW_COUNT) % 5;
-    o.normal = (enum law_normal)(k / 2 % LAW_COUNT);
+    int friction = k / (2 * LAW_ELASTIC_COUNT) % 5;
+    o.normal = (enum law_normal)(k / 2 % LAW_ELASTIC_COUNT);
     o.damping = k % 2 ? LAW_DAMPING_COEFFICIENT : LAW_DAMPING_RESTITUTION;
     o.tangential = friction == 0 ? LAW_FRICTIONLESS : LAW_TANGENTIAL_HISTORY;
     o.rolling = friction > 2 ? LAW_ROLLING_SPRING : LAW_ROLLING_NONE;
     o.synchronised = friction == 2 || friction == 4;
-    bool second = k >= 5 * 2 * LAW_COUNT;
+    bool second = k >= 5 * 2 * LAW_ELASTIC_COUNT;
     o.end = second ? LAW_END_FORCE : LAW_END_OVERLAP;
     o.lammps_history = second && !o.synchronised;
     struct law law;

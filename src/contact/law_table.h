@@ -33,6 +33,11 @@
 enum law_normal { LAW_TABLE(LAW_ENUMERATOR) LAW_COUNT };
 #undef LAW_ENUMERATOR
 
+/* The elastic laws come first. */
+#define LAW_ONE(NAME, name, traits, summary) +1
+enum { LAW_ELASTIC_COUNT = 0 LAW_ELASTIC_TABLE(LAW_ONE) };
+#undef LAW_ONE
+
 struct law_row {
     const char *name, *traits, *summary;
     const struct law_form *form;
