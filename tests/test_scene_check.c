@@ -287,7 +287,8 @@ static const struct bad_setting settings[] = {
     {{"material_pairs[0].restitution=1.1"}, "command line: material_pairs[0].restitution: ", {"from 0 to 1"}},
     {{"material_pairs[0].k_n=1e5"},
      "command line: material_pairs[0].k_n: ",
-     {"exists only with contact.law=hooke, or with contact.law=hertz & contact.damping=coefficient"}},
+     {"exists only with contact.law=hooke|luding, or with contact.law=hertz|thornton & "
+      "contact.damping=coefficient"}},
     {{"contact.law=hooke"},
      "case/scene.yaml:5: materials[0].young: ",
      {"exists only with contact.law=hertz"}},
@@ -307,7 +308,7 @@ static const struct bad_setting settings[] = {
      {"is missing", "in Pa"}},
     {{"contact.damping=coefficient"},
      "case/scene.yaml:5: materials[0].young: ",
-     {"exists only with contact.law=hertz & contact.damping=restitution"}},
+     {"exists only with contact.law=hertz|thornton & contact.damping=restitution|viscoelastic|tsuji"}},
     {{"contact={lammps_history: true, lammps_hooke: true}"},
      "command line: contact.lammps_hooke: ",
      {"is an older name of lammps_history"}},

@@ -47,10 +47,10 @@ if [ $hard = yes ]; then
     {
         echo '# Layouts'
         echo
-        echo 'The quick verification cases and the hard cases on every index and on several ranks and threads, each with its own'
-        echo 'tolerances (`docs/accuracy.md`, `docs/hard-cases.md`). This page is written by `examples/verify/layouts.sh`; with `--all` it runs'
-        echo 'every index on every number of ranks and threads, `layouts.sh [--all] CASE...` some cases. What must be equal to the last bits'
-        echo 'between layouts is tested by `tests/app/ranks.sh`, `layouts.sh` and `reproducible.sh`.'
+        echo '`examples/verify/layouts.sh` runs the quick verification cases and the hard cases on several indexes, ranks and threads, each case with'
+        echo 'its own tolerances (`docs/accuracy.md`, `docs/hard-cases.md`), and writes this page. With `--all` the script runs every index on every'
+        echo 'number of ranks and threads; `layouts.sh [--all] CASE...` runs some cases. `tests/app/reproducible.sh` compares layouts to the last'
+        echo 'bit, `tests/app/ranks.sh` and `tests/app/layouts.sh` within rounding.'
         echo
         echo '| index | ranks | threads | cases | failed |'
         echo '|---|---|---|---|---|'

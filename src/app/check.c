@@ -73,7 +73,7 @@ static void print_end(const struct simulation *s) {
     enum law_end end = s->grains.law.options.end,
                  other = end == LAW_END_FORCE ? LAW_END_OVERLAP : LAW_END_FORCE;
     static const char *const what[] = {[LAW_END_OVERLAP] = "overlap: the damper pulls before surfaces part",
-                                       [LAW_END_FORCE] = "force: grains never attract"};
+                                       [LAW_END_FORCE] = "force: dampers never attract"};
     double e = 1.0;
     for (int a = 0; a < s->grains.law.materials; a++)
         for (int b = a; b < s->grains.law.materials; b++)
@@ -89,6 +89,16 @@ static void print_end(const struct simulation *s) {
                end == LAW_END_FORCE ? "overlap" : "force", law_damping_ratio(e, other),
                1.0 + law_end_friction(e, other));
     printf("\n");
+}
+
+/* Prints a kind of part of the law: the scene's choice, 0: none. */
+static void print_part(const char *term, enum law_part part, const char *key, int chosen) {
+    char text[WHY_MAX] = "", none[WHY_MAX];
+    int count;
+    snprintf(none, sizeof none, "%s: none", key);
+    if (chosen)
+        snprintf(text, sizeof text, "%s: %s", key, law_part_rows(part, &count)[chosen].name);
+    print_term(term, text, none);
 }
 
 static void print_terms(const struct simulation *s) {
@@ -111,6 +121,9 @@ static void print_terms(const struct simulation *s) {
     print_term("rolling resistance",
                s->grains.law.options.rolling ? text[0] ? text : "contact.rolling: spring" : "",
                "contact.rolling: none");
+    print_part("twisting resistance", LAW_PART_TWISTING, "contact.twisting",
+               (int)s->grains.law.options.twisting);
+    print_part("cohesion", LAW_PART_COHESION, "contact.cohesion.law", (int)s->grains.law.options.cohesion);
     text[0] = '\0';
     walls_list(scene, text, sizeof text);
     print_term("walls", scene->materials > 0 ? text : "",

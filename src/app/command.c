@@ -18,7 +18,7 @@ static int run_info(const struct comm *comm, const struct command_line *line, st
 static int run_convert(const struct comm *comm, const struct command_line *line, struct error *error);
 
 static const struct command commands[] = {
-    {"run", "SCENE.yaml -o DIR", "runs a scene", 1, 1, "output set resume overwrite quiet", run_run},
+    {"run", "SCENE.yaml -o DIR", "runs a scene", 1, 1, "output set petsc resume overwrite quiet", run_run},
     {"check", "SCENE.yaml", "validates a scene and prints what it needs; runs nothing", 1, 1, "set",
      command_check},
     {"ablate", "SCENE.yaml -o DIR",

@@ -19,6 +19,9 @@ static const struct flag flags[] = {
      "overrides a key of the scene, e.g. --set index.name=hgrid or --set walls[0].radius=0.2; KEY=~ takes it "
      "out; may be repeated",
      NULL},
+    {"petsc", "OPTIONS",
+     "options for PETSc, which solves the equations of a fluid: the same as --set fluid.solver.petsc=OPTIONS",
+     NULL},
     {"resume", "FILE",
      "goes on from a checkpoint, on any number of ranks and threads; 'last' is the newest whole one in the "
      "directory; "
@@ -95,6 +98,14 @@ static bool setting_add(struct command_line *line, const char *text, struct erro
     return true;
 }
 
+static bool petsc_add(struct command_line *line, const char *text, struct error *error) {
+    int length = snprintf(line->petsc, sizeof line->petsc, "fluid.solver.petsc=\"%s\"", text);
+    if (strpbrk(text, "\"\\") || length >= (int)sizeof line->petsc)
+        return error_set(error, ERROR_USER,
+                         "command line: --petsc: too long, or with a quotation mark or backslash");
+    return setting_add(line, line->petsc, error);
+}
+
 static bool flag_store(struct command_line *line, const char *name, const char *value, struct error *error) {
     static const char *const lists[ABLATE_FLAGS] = {
         [ABLATE_INDEX] = "index",   [ABLATE_THREADS] = "threads",    [ABLATE_NEWTON] = "newton",
@@ -108,6 +119,8 @@ static bool flag_store(struct command_line *line, const char *name, const char *
         {"output", &line->directory}, {"resume", &line->resume}, {"to", &line->to}, {"frame", &line->frame}};
     if (strcmp(name, "set") == 0)
         return setting_add(line, value, error);
+    if (strcmp(name, "petsc") == 0)
+        return petsc_add(line, value, error);
     line->overwrite = line->overwrite || strcmp(name, "overwrite") == 0;
     line->quiet = line->quiet || strcmp(name, "quiet") == 0;
     line->errors = line->errors || strcmp(name, "error") == 0;

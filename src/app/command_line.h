@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { COMMAND_SETTINGS_MAX = 256, COMMAND_FILES_MAX = 40 };
+enum { COMMAND_SETTINGS_MAX = 256, COMMAND_PETSC_MAX = 1024, COMMAND_FILES_MAX = 40 };
 
 /* Flags of ablate that take a word or a list. */
 enum {
@@ -37,6 +37,7 @@ struct command_line {
     const char *resume;             /* --resume */
     const char *to;                 /* --to */
     const char *frame;              /* --frame */
+    char petsc[COMMAND_PETSC_MAX];  /* --petsc, as a setting */
     const char *list[ABLATE_FLAGS]; /* of ablate */
     bool overwrite, quiet;
     bool errors; /* --error (ablate) */

@@ -47,13 +47,13 @@ static const struct schema_table kernel_table = TABLE(kernel_rows);
 
 static const struct schema_row fill_rows[] = {
     {.key = "region", .type = SCHEMA_SECTION, .sub = &schema_region, .offset = offsetof(struct fluid_fill, region),
-     .help = "where there is fluid, less grains and what lies behind walls"},
+     .help = "the region that the fluid fills, except for grains and for the space behind walls"},
     {.key = "arrangement", .type = SCHEMA_NAME, .names = arrangement_names, .fallback = "cubic",
      AT(struct fluid_fill, arrangement), .help = "the lattice"},
     {.key = "jitter", .type = SCHEMA_REAL, .range = "[0, 0.8]", .fallback = "0", AT(struct fluid_fill, jitter),
      .help = "displaces each particle at random, by up to half of this times the spacing in each direction"},
     {.key = "offset", .type = SCHEMA_VECTOR, .unit = "m", .fallback = "[0, 0, 0]", AT(struct fluid_fill, offset),
-     .help = "shifts the lattice; without it, its cells begin at the lower corner of the box"},
+     .help = "shifts the lattice, whose cells else begin at the lower corner of the box"},
 };
 static const struct schema_table fill_table = TABLE(fill_rows);
 
@@ -87,7 +87,7 @@ static const struct schema_row initial_rows[] = {
     {.key = "flow", .type = SCHEMA_NAME, .names = profile_names, .fallback = "uniform", AT(struct fluid_initial, profile),
      .help = "the flow at the start"},
     {.key = "velocity", .type = SCHEMA_VECTOR, .unit = "m/s", .fallback = "[0, 0, 0]", .when = "flow=uniform",
-     AT(struct fluid_initial, velocity), .help = "its velocity"},
+     AT(struct fluid_initial, velocity), .help = "velocity at the start"},
     {.key = "speed", .type = SCHEMA_REAL, .unit = "m/s", .required = true, .when = "flow=taylor_green",
      AT(struct fluid_initial, speed), .help = "largest speed", .example = "1"},
 };
@@ -97,7 +97,7 @@ static const struct schema_row solver_rows[] = {
     {.key = "preconditioner", .type = SCHEMA_NAME, .names = preconditioner_names, .fallback = "boomeramg",
      AT(struct fluid_solver, preconditioner), .help = "of the pressure, and of the velocity where steps are long"},
     {.key = "tolerance", .type = SCHEMA_REAL, .range = "(0, 1)", AT(struct fluid_solver, tolerance),
-     .help = "steady: change of the mean flow at which it is solved, else of 1e-3; transient: relative residual of the "
+     .help = "steady: change of the mean flow at which the solver ends, 1e-3 if left out; transient: relative residual of the "
              "pressure, else 1e-5"},
     {.key = "petsc", .type = SCHEMA_TEXT, .fallback = "", AT(struct fluid_solver, petsc),
      .help = "options for PETSc, as on a command line; prefixes fluid_u_, fluid_p_, fluid_s_",
@@ -113,19 +113,19 @@ static const struct schema_row section[] = {
     {.key = "viscosity", .type = SCHEMA_REAL, .unit = "Pa s", .range = "(0, inf)", .required = true,
      AT(struct fluid_options, viscosity), .help = "dynamic viscosity", .example = "8.887e-4"},
     {.key = "equations", .type = SCHEMA_NAME, .names = equations_names, .fallback = "navier_stokes",
-     AT(struct fluid_options, equations), .help = "what is solved"},
+     AT(struct fluid_options, equations), .help = "the equations of the flow"},
     {.key = "time", .type = SCHEMA_NAME, .names = time_names, .fallback = "transient", AT(struct fluid_options, time),
      .help = "a flow in time, or the steady one (of stokes)"},
     {.key = "motion", .type = SCHEMA_NAME, .names = motion_names, .fallback = "fixed", AT(struct fluid_options, motion),
-     .help = "whether the particles move"},
+     .help = "the motion of the particles of the fluid"},
     {.key = "operators", .type = SCHEMA_NAME, .names = operators_names, .fallback = "corrected",
      AT(struct fluid_options, operators), .help = "gradient, divergence and Laplacian"},
     {.key = "kernel", .type = SCHEMA_SECTION, .sub = &kernel_table, .main = "name",
      .offset = offsetof(struct fluid_options, kernel), .help = "the kernel and its support"},
     {.key = "fill", .type = SCHEMA_SECTION, .sub = &fill_table, .offset = offsetof(struct fluid_options, fill),
-     .help = "where the particles of the fluid are"},
+     .help = "places of the particles of the fluid"},
     {.key = "drive", .type = SCHEMA_SECTION, .sub = &drive_table, .offset = offsetof(struct fluid_options, drive),
-     .help = "what drives the flow, besides moving walls"},
+     .help = "the drive of the flow, besides moving walls"},
     {.key = "walls", .type = SCHEMA_SECTION, .sub = &walls_table, .main = "velocity",
      .offset = offsetof(struct fluid_options, walls), .help = "conditions at walls and grains"},
     {.key = "initial", .type = SCHEMA_SECTION, .sub = &initial_table, .main = "flow",

@@ -14,6 +14,7 @@
 #include "particles/kinds.h"
 #include "walls/wall.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* Largest motion in a step, in spacings. */
@@ -109,6 +110,7 @@ static double tolerance_of(const struct fluid_options *options, double usual) {
 }
 
 static bool begin(const struct physics_context *context, struct fluid *fluid) {
+    fluid->first = context->comm->rank == 0;
     if (fluid->solve == NULL)
         fluid->solve = solve_begin(context->comm, fluid->options->solver.petsc, &fluid->error);
     return fluid->solve != NULL;
@@ -244,10 +246,15 @@ void march_look(const struct physics_context *context) {
 
 void march_end(void *self) {
     struct fluid *fluid = self;
+    char unused[256] = "";
     projection_destroy(&fluid->projection);
     steady_destroy(&fluid->steady);
-    if (fluid->solve)
-        solve_end(&fluid->solve, NULL, 0);
+    if (fluid->solve) {
+        solve_end(&fluid->solve, unused, sizeof unused);
+        if (fluid->first && unused[0])
+            fprintf(stderr, "scree: warning: fluid.solver.petsc: PETSc knows nothing to do with %s\n",
+                    unused);
+    }
     weights_free(&fluid->weights);
     memory_free(fluid);
 }

@@ -19,6 +19,7 @@ struct fluid {
     int regions;     /* connected regions */
     struct flow flow;
     struct solve *solve;           /* NULL: not begun */
+    bool first;                    /* this is rank 0 */
     struct projection *projection; /* NULL: no matrices yet */
     struct projection_past past;
     struct drive drive;

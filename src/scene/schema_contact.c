@@ -165,7 +165,7 @@ static const struct schema_table cohesion_table = TABLE(cohesion_rows);
 static const struct schema_name end_names[] = {
     {"overlap", LAW_END_OVERLAP,
      "when the surfaces part: the damper pulls just before, and friction counts this pull, too, as in LAMMPS"},
-    {"force", LAW_END_FORCE, "when the force would pull: grains never attract"},
+    {"force", LAW_END_FORCE, "when the force would pull: dampers never attract"},
     {0}};
 static const struct schema_name sliding_names[] = {
     {"series", LAW_SLIDING_SERIES, "the change of the spring alone: slider in series, no energy from nothing"},

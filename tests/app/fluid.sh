@@ -237,4 +237,9 @@ stops() {
     [ $? = 2 ] && grep -q 'a wall moves towards the fluid' said
 }
 check "a wall that moves away" stops
+monitored() {
+    run_scene 2 channel.yaml monitored --petsc '-fluid_p_ksp_monitor -unheard_of 3' >/dev/null 2>&1 && [ "$(grep -c 'KSP Residual norm' said)" -gt 12 ] &&
+        [ "$(grep -c 'knows nothing to do with -unheard_of$' said)" = 1 ]
+}
+check "options of PETSc on the command line, and what PETSc does not know" monitored
 finish
