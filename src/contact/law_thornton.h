@@ -11,18 +11,11 @@
 #ifndef SCREE_CONTACT_LAW_THORNTON_H
 #define SCREE_CONTACT_LAW_THORNTON_H
 
-#include "contact/law_form.h"
+#include "contact/law_spheres.h"
 
 LAW_INLINE struct law_springs law_thornton_springs(const struct law_coefficients *c, double radius,
                                                    double overlap) {
-    double contact = sqrt(radius * overlap);
-    double stiffness = c->k_n * contact, force = stiffness * overlap;
-    return (struct law_springs){.force = force,
-                                .stiffness = stiffness,
-                                .tangent = 1.5 * stiffness,
-                                .tangential = c->k_t * contact,
-                                .contact = contact,
-                                .energy = 0.4 * force * overlap};
+    return law_spheres_springs(c, radius, overlap);
 }
 
 static inline struct law_springs law_thornton_unload(const struct law_coefficients *c,
@@ -47,31 +40,12 @@ static inline struct law_springs law_thornton_unload(const struct law_coefficien
     return springs;
 }
 
-static inline void law_thornton_moduli(const struct law_material *a, const struct law_material *b,
-                                       struct law_coefficients *c) {
-    c->k_n =
-        4.0 / 3.0 *
-        (1.0 / ((1.0 - a->poisson * a->poisson) / a->young + (1.0 - b->poisson * b->poisson) / b->young));
-    c->k_t = 8.0 * (1.0 / ((2.0 - a->poisson) * 2.0 * (1.0 + a->poisson) / a->young +
-                           (2.0 - b->poisson) * 2.0 * (1.0 + b->poisson) / b->young));
-}
-
-static inline double law_thornton_impact(const struct law_coefficients *c, double mass, double radius,
-                                         double speed) {
-    return pow(1.25 * mass * speed * speed / (c->k_n * sqrt(radius)), 0.4);
-}
-
-static inline double law_thornton_duration(const struct law_coefficients *c, double mass, double radius,
-                                           double overlap) {
-    return 2.94328 * overlap / sqrt(0.8 * c->k_n * sqrt(radius) * pow(overlap, 2.5) / mass);
-}
-
 static const struct law_form law_thornton = {.radius = true,
                                              .damper = 2.23606797749978969641, /* sqrt(5) */
                                              .tangent = 1.5,
-                                             .moduli = law_thornton_moduli,
+                                             .moduli = law_spheres_moduli,
                                              .unload = law_thornton_unload,
-                                             .impact = law_thornton_impact,
-                                             .duration = law_thornton_duration};
+                                             .impact = law_spheres_impact,
+                                             .duration = law_spheres_duration};
 
 #endif
