@@ -59,7 +59,7 @@ for name in "${names[@]}"; do
     awk -v name="$name" -v seconds="$(awk "BEGIN { print ${best[$name,$steps]} - ${best[$name,1]} }")" -v steps="$((steps - 1))" -v n="$(report_number "$out/$name" particles)" -v contacts="$(report_number "$out/$name" contacts)" '
         /^  stored:/ { bytes = $2 }
         /^  history: [0-9]/ { history = $2 }
-        /^passes/ { counting = 1; next }
+        /^passes of a step/ { counting = 1; next }
         counting && /^ fused/ { next }
         counting && (/^ at rebuilds/ || /^$/) { counting = 0 }
         counting { passes++ }
