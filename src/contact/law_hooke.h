@@ -4,37 +4,17 @@
 #ifndef SCREE_CONTACT_LAW_HOOKE_H
 #define SCREE_CONTACT_LAW_HOOKE_H
 
-#include "contact/law_form.h"
+#include "contact/law_spring.h"
 
 LAW_INLINE struct law_springs law_hooke_springs(const struct law_coefficients *c, double radius,
                                                 double overlap) {
-    (void)radius;
-    double force = c->k_n * overlap;
-    return (struct law_springs){.force = force,
-                                .stiffness = c->k_n,
-                                .tangent = c->k_n,
-                                .tangential = c->k_t,
-                                .contact = 1.0,
-                                .energy = 0.5 * force * overlap};
-}
-
-static inline double law_hooke_impact(const struct law_coefficients *c, double mass, double radius,
-                                      double speed) {
-    (void)radius;
-    return speed * sqrt(mass / c->k_n);
-}
-
-static inline double law_hooke_duration(const struct law_coefficients *c, double mass, double radius,
-                                        double overlap) {
-    (void)radius;
-    (void)overlap;
-    return M_PI * sqrt(mass / c->k_n);
+    return law_spring_springs(c, radius, overlap);
 }
 
 static const struct law_form law_hooke = {.linear = true,
                                           .damper = 2.0,
                                           .tangent = 1.0,
-                                          .impact = law_hooke_impact,
-                                          .duration = law_hooke_duration};
+                                          .impact = law_spring_impact,
+                                          .duration = law_spring_duration};
 
 #endif

@@ -7,18 +7,11 @@
 #ifndef SCREE_CONTACT_LAW_LUDING_H
 #define SCREE_CONTACT_LAW_LUDING_H
 
-#include "contact/law_form.h"
+#include "contact/law_spring.h"
 
 LAW_INLINE struct law_springs law_luding_springs(const struct law_coefficients *c, double radius,
                                                  double overlap) {
-    (void)radius;
-    double force = c->k_n * overlap;
-    return (struct law_springs){.force = force,
-                                .stiffness = c->k_n,
-                                .tangent = c->k_n,
-                                .tangential = c->k_t,
-                                .contact = 1.0,
-                                .energy = 0.5 * force * overlap};
+    return law_spring_springs(c, radius, overlap);
 }
 
 /* The slope of the unloading branch for a largest overlap. */
@@ -48,24 +41,11 @@ static inline struct law_springs law_luding_unload(const struct law_coefficients
                                 .energy = 0.5 * force * force / slope};
 }
 
-static inline double law_luding_impact(const struct law_coefficients *c, double mass, double radius,
-                                       double speed) {
-    (void)radius;
-    return speed * sqrt(mass / c->k_n);
-}
-
 /* A quarter of a period along k_n and one along k_2, which is at least as steep: at most half a period. */
-static inline double law_luding_duration(const struct law_coefficients *c, double mass, double radius,
-                                         double overlap) {
-    (void)radius;
-    (void)overlap;
-    return M_PI * sqrt(mass / c->k_n);
-}
-
 static const struct law_form law_luding = {.damper = 2.0,
                                            .tangent = 1.0,
                                            .unload = law_luding_unload,
-                                           .impact = law_luding_impact,
-                                           .duration = law_luding_duration};
+                                           .impact = law_spring_impact,
+                                           .duration = law_spring_duration};
 
 #endif

@@ -31,6 +31,7 @@ libcontact_la_SOURCES = \
 	src/contact/law_restitution.c \
 	src/contact/law_restitution.h \
 	src/contact/law_table.c \
+	src/contact/law_spring.h \
 	src/contact/law_spheres.h \
 	src/contact/law_vector.h \
 	src/contact/law_table.h \

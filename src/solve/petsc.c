@@ -98,6 +98,18 @@ static void destroy(void *self) {
     free(system);
 }
 
+/* An empty system of `count` rows on this rank; NULL with an error without memory. */
+static struct petsc_system *begin_system(void *library, int32_t count, struct error *error) {
+    struct petsc_system *system = calloc(1, sizeof *system);
+    if (system == NULL) {
+        error_set(error, ERROR_SYSTEM, "no memory for a linear system");
+        return NULL;
+    }
+    system->library = library;
+    system->count = count;
+    return system;
+}
+
 /* The vectors of a system, which borrow arrays; an array on one rank and more is the same kind of vector. */
 static bool make_vectors(struct petsc_system *system, struct error *error) {
     struct petsc_library *library = system->library;
@@ -109,13 +121,9 @@ static bool make_vectors(struct petsc_system *system, struct error *error) {
 
 static void *create(void *library, const struct solve_rows *rows, const struct solve_options *options,
                     struct error *error) {
-    struct petsc_system *system = calloc(1, sizeof *system);
-    if (system == NULL) {
-        error_set(error, ERROR_SYSTEM, "no memory for a linear system");
+    struct petsc_system *system = begin_system(library, rows->count, error);
+    if (system == NULL)
         return NULL;
-    }
-    system->library = library;
-    system->count = rows->count;
     system->pin = options->pin;
     if (make_vectors(system, error) && petsc_matrix_make(system, rows, error) &&
         petsc_solver_make(system, options, error))
@@ -126,13 +134,9 @@ static void *create(void *library, const struct solve_rows *rows, const struct s
 
 static void *create_free(void *library, const struct solve_free *work, const struct solve_options *options,
                          struct error *error) {
-    struct petsc_system *system = calloc(1, sizeof *system);
-    if (system == NULL) {
-        error_set(error, ERROR_SYSTEM, "no memory for a linear system");
+    struct petsc_system *system = begin_system(library, work->count, error);
+    if (system == NULL)
         return NULL;
-    }
-    system->library = library;
-    system->count = work->count;
     system->work = *work;
     if (make_vectors(system, error) && petsc_free_make(system, error) &&
         petsc_solver_make(system, options, error) && petsc_free_end(system, error))
