@@ -47,7 +47,7 @@ check_PROGRAMS += \
 	tests/test_law_parts \
 	tests/test_stability \
 	tests/test_timestep
-EXTRA_DIST += tests/fields_by_hand.h tests/forces_by_hand.h tests/laws_by_hand.h tests/near.h tests/pairs_by_hand.h
+EXTRA_DIST += tests/fields_by_hand.h tests/forces_by_hand.h tests/laws_by_hand.h tests/near.h tests/pairs_by_hand.h tests/particles_by_hand.h
 tests_test_force_SOURCES = tests/test_force.c
 tests_test_force_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_force_loop_SOURCES = tests/test_force_loop.c
@@ -69,11 +69,13 @@ tests_test_stability_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_timestep_SOURCES = tests/test_timestep.c
 tests_test_timestep_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 
-check_PROGRAMS += tests/test_pairlist tests/test_particles tests/test_sweep
+check_PROGRAMS += tests/test_classes tests/test_pairlist tests/test_particles tests/test_sweep
 tests_test_sweep_SOURCES = tests/test_sweep.c
 tests_test_sweep_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
 tests_test_pairlist_SOURCES = tests/test_pairlist.c
 tests_test_pairlist_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
+tests_test_classes_SOURCES = tests/test_classes.c
+tests_test_classes_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_particles_SOURCES = tests/test_particles.c
 tests_test_particles_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 
