@@ -44,10 +44,11 @@ check_PROGRAMS += \
 	tests/test_integrator \
 	tests/test_law \
 	tests/test_law_impact \
+	tests/test_law_motion \
 	tests/test_law_parts \
 	tests/test_stability \
 	tests/test_timestep
-EXTRA_DIST += tests/fields_by_hand.h tests/forces_by_hand.h tests/laws_by_hand.h tests/near.h tests/pairs_by_hand.h tests/particles_by_hand.h
+EXTRA_DIST += tests/fields_by_hand.h tests/forces_by_hand.h tests/law_parts_by_hand.h tests/laws_by_hand.h tests/near.h tests/pairs_by_hand.h tests/particles_by_hand.h
 tests_test_force_SOURCES = tests/test_force.c
 tests_test_force_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_force_loop_SOURCES = tests/test_force_loop.c
@@ -60,6 +61,8 @@ tests_test_integrator_SOURCES = tests/test_integrator.c
 tests_test_integrator_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_law_SOURCES = tests/test_law.c
 tests_test_law_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
+tests_test_law_motion_SOURCES = tests/test_law_motion.c
+tests_test_law_motion_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
 tests_test_law_parts_SOURCES = tests/test_law_parts.c
 tests_test_law_parts_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
 tests_test_law_impact_SOURCES = tests/test_law_impact.c

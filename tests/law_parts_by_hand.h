@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Laws with parts, and their contacts, for tests. Read law_general.h first. */
+#ifndef SCREE_TESTS_LAW_PARTS_BY_HAND_H
+#define SCREE_TESTS_LAW_PARTS_BY_HAND_H
+
+#include "contact/law_general.h"
+#include "laws_by_hand.h"
+
+static const struct law_extra sticky = {.surface_energy = 0.5,
+                                        .cohesion_density = 1e4,
+                                        .surface_tension = 0.1,
+                                        .contact_angle = 0.4,
+                                        .bridge_volume = 1e-3,
+                                        .hamaker = 1e-3,
+                                        .gap_least = 1e-3,
+                                        .cut_off = 0.05,
+                                        .dissipative_time = 1e-4,
+                                        .k_2 = 3e5,
+                                        .k_c = 5e4,
+                                        .yield_pressure = 1e5,
+                                        .rolling_damping_ratio = 0.3,
+                                        .twisting_stiffness = 100.0,
+                                        .twisting_damping = 0.1,
+                                        .twisting_friction = 0.01};
+static const struct law_material soft[2] = {{"soft", 2500.0, 1e6, 0.2}, {"soft too", 2500.0, 1e6, 0.2}};
+
+static inline struct law law_of(struct law_options options, struct law_extra extra) {
+    struct law_pair pair = {.restitution = 0.6,
+                            .friction = 0.4,
+                            .rolling_friction = 0.2,
+                            .k_n = 1e5,
+                            .k_t = 3e4,
+                            .gamma_n = 50.0,
+                            .gamma_t = 20.0,
+                            .extra = extra};
+    return law_for(options, soft, pair);
+}
+
+static inline struct law_surfaces surfaces_of(const struct law *law, double ri, double rj) {
+    return (struct law_surfaces){&law->pair[0][1], &law->extra[0][1], {ri, rj}, 1.0 / (1.0 / ri + 1.0 / rj)};
+}
+
+static inline struct law_grip grip_of(const struct law_options *o, const struct law_surfaces *s,
+                                      double overlap, bool held) {
+    return law_grip_at(o, s, overlap, &(struct law_past){.held = held});
+}
+
+/* The next combination of normal law and cohesion; false after the last. */
+static inline bool next_cohesion(struct law_options *o) {
+    int count;
+    const struct law_part_row *rows = law_part_rows(LAW_PART_COHESION, &count);
+    do {
+        o->cohesion = (enum law_cohesion)(o->cohesion + 1);
+        if ((int)o->cohesion == count) {
+            o->cohesion = LAW_COHESION_NONE;
+            o->normal = (enum law_normal)(o->normal + 1);
+            if (o->normal == LAW_COUNT)
+                return false;
+        }
+    } while (!law_part_combines(&rows[o->cohesion], law_row_get(o->normal)->traits));
+    return true;
+}
+
+#endif

@@ -1,0 +1,171 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Laws with parts in motion: impacts, plastic laws with their memory, stable steps. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <cmocka.h>
+#include "law_parts_by_hand.h"
+
+/* Restitution of a head-on impact, by small steps. */
+static double restitution_of(const struct law *law, double speed) {
+    struct law_general in = {.extra = &law->extra[0][1], .radius = {1.0, 1.0}};
+    in.contact = (struct law_contact){
+        .mass = 1.0, .radius = 0.5, .normal = {1.0, 0.0, 0.0}, .coefficients = law->pair[0][1]};
+    double overlap = 0.0, v = speed, dt = 2e-5 / pow(speed, 0.2);
+    do {
+        struct law_response out;
+        overlap += dt * v;
+        in.contact.overlap = overlap;
+        in.contact.velocity.x = -v;
+        law_general_respond(law, law_general_step(&law->options, dt), &in, &out);
+        v -= dt * out.force.x;
+    } while (overlap > 0.0);
+    return -v / speed;
+}
+
+/* Viscoelastic spheres: 1 - e grows as the fifth root of the speed, where it is small. */
+static void test_viscoelastic(void **state) {
+    (void)state;
+    struct law_options o = law_options_default();
+    o.tangential = LAW_FRICTIONLESS;
+    o.damping = LAW_DAMPING_VISCOELASTIC;
+    struct law_extra extra = {.dissipative_time = 3e-5};
+    struct law law = law_of(o, extra);
+    double slow = 1.0 - restitution_of(&law, 1e-3), fast = 1.0 - restitution_of(&law, 0.032);
+    assert_true(slow > 1e-3 && fast < 0.05);
+    assert_near(fast / slow, 2.0, 0.05);
+}
+
+/* Luding's law: loading, unloading, the adhesive branch and reloading; restitution of an impact in closed form; the work
+ * of the spring is what it stores and what flows. */
+static void test_luding(void **state) {
+    (void)state;
+    struct law_options o = law_options_default();
+    o.normal = LAW_LUDING;
+    o.tangential = LAW_FRICTIONLESS;
+    struct law_extra extra = {.k_2 = 3e5, .k_c = 5e4};
+    struct law law = law_of(o, extra);
+    struct law_surfaces s = surfaces_of(&law, 1.0, 1.0);
+    const double k1 = 1e5, k2 = 3e5, kc = 5e4, most = 0.01, rest = (1.0 - k1 / k2) * most;
+    const double least = k2 * rest / (k2 + kc);
+    struct law_past past = {0};
+    for (int k = 1; k <= 100; k++)
+        assert_near(law_grip_at(&o, &s, most * k / 100.0, &past).force, k1 * most * k / 100.0, 1e-9);
+    for (int k = 99; k >= 0; k--) {
+        double overlap = least + (most - least) * k / 100.0;
+        assert_near(law_grip_at(&o, &s, overlap, &past).force, k2 * (overlap - rest), 1e-9);
+    }
+    assert_near(law_grip_at(&o, &s, 0.5 * least, &past).force, -kc * 0.5 * least, 1e-9);
+    /* the adhesive branch has made the largest overlap less; the contact reloads along k_2 from there */
+    assert_near(past.largest, 0.5 * most, 1e-12);
+    assert_near(law_grip_at(&o, &s, 0.5 * rest, &past).force, 0.0, 1e-9);
+    assert_near(law_grip_at(&o, &s, 0.5 * most, &past).force, k1 * 0.5 * most, 1e-9);
+
+    struct law_pair pair = {.restitution = 1.0, .k_n = k1, .k_t = 1.0, .extra = extra};
+    law = law_for(o, soft, pair);
+    double share = (k2 - k1) / (k2 + kc), squared = k1 / k2 - share * share * kc * (kc / k2 + 1.0) / k1;
+    assert_near(restitution_of(&law, 1.0), sqrt(squared), 1e-3);
+    assert_near(restitution_of(&law, 3.0), sqrt(squared), 1e-3);
+
+    struct law_general in = {.extra = &law.extra[0][1], .radius = {1.0, 1.0}};
+    in.contact = (struct law_contact){
+        .mass = 1.0, .radius = 0.5, .normal = {1.0, 0.0, 0.0}, .coefficients = law.pair[0][1]};
+    double work = 0.0, taken = 0.0, before = 0.0, stored = 0.0;
+    for (int k = 1; k < 20000; k++) { /* to and fro */
+        double overlap = 0.01 * fabs(sin(k * 2e-4)), last = 0.01 * fabs(sin((k - 1) * 2e-4));
+        struct law_response out;
+        in.contact.overlap = overlap;
+        in.contact.velocity.x = (last - overlap) / 1e-3;
+        law_general_respond(&law, law_general_step(&o, 1e-3), &in, &out);
+        work += 0.5 * (out.force.x + before) * (overlap - last);
+        before = out.force.x;
+        taken += out.taken;
+        stored = out.normal_energy;
+    }
+    assert_near((taken + stored) / work, 1.0, 1e-3);
+    assert_true(taken > 0.1 * work);
+}
+
+/* Thornton's law: his closed form of the restitution, branches that meet, the dent that stays. */
+static void test_thornton(void **state) {
+    (void)state;
+    struct law_options o = law_options_default();
+    o.normal = LAW_THORNTON;
+    o.tangential = LAW_FRICTIONLESS;
+    struct law_pair pair = {.restitution = 1.0, .extra = {.yield_pressure = 2e4}};
+    struct law law = law_for(o, soft, pair);
+    struct law_surfaces s = surfaces_of(&law, 1.0, 1.0);
+    double modulus = 0.75 * law.pair[0][1].k_n, a = 0.5 * M_PI * 0.5 * 2e4 / modulus, yield = a * a / 0.5;
+    double slow =
+        sqrt(16.0 / 15.0 * modulus * sqrt(0.5) * pow(yield, 2.5)); /* yields at this speed, m* = 1 */
+    assert_near(restitution_of(&law, 0.9 * slow), 1.0, 1e-3);
+    for (double speed = 2.0 * slow; speed < 100.0 * slow; speed *= 3.0) {
+        double v = slow / speed, e = sqrt(1.2 * sqrt(3.0)) * sqrt(1.0 - v * v / 6.0) *
+                                     pow(v / (v + 2.0 * sqrt(1.2 - 0.2 * v * v)), 0.25);
+        assert_near(restitution_of(&law, speed), e, 2e-3);
+    }
+    struct law_past past = {0};
+    double force = law_grip_at(&o, &s, 5.0 * yield, &past).force; /* loading, then just below: continuous */
+    assert_near(force, 4.0 / 3.0 * modulus * a * yield + M_PI * 0.5 * 2e4 * 4.0 * yield, 1e-9 * force);
+    assert_near(law_grip_at(&o, &s, 5.0 * yield * (1.0 - 1e-9), &past).force, force, 1e-7 * force);
+    assert_near(law_grip_at(&o, &s, 0.5 * yield, &past).force, 0.0, 1e-12);
+}
+
+/* The stable step of one spring at rest in its law: bounded at 0.95 of it, not at 1.1. */
+static double grown(const struct law *law, const struct law_surfaces *s, double part) {
+    double rest = fmax(law_grip_rest(&law->options, s), 1e-3), push, dt, least = 1e-6, most = 0.0;
+    struct law_stiff stiff = law_general_stiff(law, s, 1.0, rest);
+    double square = stiff.k_n, damp = 0.5 * stiff.c_n;
+    dt = part * 2.0 / (sqrt(square + damp * damp) + damp);
+    struct law_general in = {.extra = s->extra, .radius = {s->radius[0], s->radius[1]}};
+    in.contact = (struct law_contact){.overlap = rest,
+                                      .mass = 1.0,
+                                      .radius = s->effective,
+                                      .normal = {1.0, 0.0, 0.0},
+                                      .coefficients = *s->c};
+    struct law_response out;
+    if (law->memory.largest >= 0)
+        in.value[law->memory.largest] = 1.01 * rest; /* on the unloading branch */
+    law_general_respond(law, law_general_step(&law->options, dt), &in, &out);
+    push = out.force.x;
+    double overlap = rest * (1.0 + least), v = 0.0;
+    for (int k = 0; k < 300; k++) {
+        in.contact.overlap = overlap;
+        in.contact.velocity.x = -v;
+        law_general_respond(law, law_general_step(&law->options, dt), &in, &out);
+        v -= dt * (out.force.x - push);
+        overlap += dt * v;
+        most = fmax(most, fabs(overlap - rest) / (rest * least));
+        if (most > 100.0)
+            break;
+    }
+    return most;
+}
+
+static void test_stable(void **state) {
+    (void)state;
+    struct law_options o = law_options_default();
+    o.tangential = LAW_FRICTIONLESS;
+    o.end = LAW_END_OVERLAP;
+    int tried = 0;
+    for (o.normal = (enum law_normal)0, o.cohesion = LAW_COHESION_NONE; next_cohesion(&o);)
+        for (int damping = 0; damping < LAW_DAMPING_COUNT; damping++) {
+            int count;
+            o.damping = (enum law_damping)damping;
+            if (!law_part_combines(&law_part_rows(LAW_PART_DAMPING, &count)[damping],
+                                   law_row_get(o.normal)->traits))
+                continue;
+            struct law law = law_of(o, sticky);
+            struct law_surfaces s = surfaces_of(&law, 1.0, 1.0);
+            assert_true(grown(&law, &s, 0.95) < 10.0);
+            assert_true(grown(&law, &s, 1.1) > 30.0);
+            tried++;
+        }
+    assert_true(tried > 30);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_viscoelastic), cmocka_unit_test(test_luding),
+                                       cmocka_unit_test(test_thornton), cmocka_unit_test(test_stable)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
