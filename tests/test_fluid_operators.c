@@ -97,11 +97,12 @@ static void cloud_free(struct cloud *c) {
 /* Operators: WEIGHTS_MLS + m are moving least squares of order m. */
 static struct weights weigh(const struct cloud *c, enum kernel_name name, int operators, bool lattice) {
     struct weights weights = {0};
-    struct weights_options options = {.kernel = kernel_make(name, c->reach, c->dimension),
-                                      .operators = operators > WEIGHTS_MLS ? WEIGHTS_MLS : (enum weights_operators)operators,
-                                      .order = operators - WEIGHTS_MLS,
-                                      .spacing = c->spacing,
-                                      .volume = lattice ? kernel_power(c->spacing, c->dimension) : 0};
+    struct weights_options options = {
+        .kernel = kernel_make(name, c->reach, c->dimension),
+        .operators = operators > WEIGHTS_MLS ? WEIGHTS_MLS : (enum weights_operators)operators,
+        .order = operators - WEIGHTS_MLS,
+        .spacing = c->spacing,
+        .volume = lattice ? kernel_power(c->spacing, c->dimension) : 0};
     weights_make(&weights, &c->input, &options);
     return weights;
 }
@@ -441,10 +442,11 @@ static void test_mirror(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kernels),     cmocka_unit_test(test_identities),
-                                       cmocka_unit_test(test_rows),        cmocka_unit_test(test_eight),
-                                       cmocka_unit_test(test_convergence), cmocka_unit_test(test_mls),
-                                       cmocka_unit_test(test_poor),        cmocka_unit_test(test_mls_convergence),
-                                       cmocka_unit_test(test_mirror)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_kernels),     cmocka_unit_test(test_identities),
+        cmocka_unit_test(test_rows),        cmocka_unit_test(test_eight),
+        cmocka_unit_test(test_convergence), cmocka_unit_test(test_mls),
+        cmocka_unit_test(test_poor),        cmocka_unit_test(test_mls_convergence),
+        cmocka_unit_test(test_mirror)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

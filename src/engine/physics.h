@@ -56,9 +56,10 @@ struct physics_context {
     struct walls *walls;                                   /* NULL: none */
     const struct clock *clock; /* number, time and length of the step; the length may change between steps */
     int threads;
-    double (*speed)[CLASS_MAX]; /* [thread][class]: largest squared speed of this drift; a pass that moves particles
+    double (*speed)
+        [CLASS_MAX]; /* [thread][class]: largest squared speed of this drift; a pass that moves particles
                                    raises it, as the skin of pair lists lives by it */
-    bool ordered; /* sums in an order that no layout changes */
+    bool ordered;    /* sums in an order that no layout changes */
 };
 
 /* The stages of a step, in which passes run. All passes of a stage run before those of the next. */

@@ -73,12 +73,9 @@ void fluid_fields_moving(struct particles *particles) {
 }
 
 int fluid_handle(const struct particles *particles, enum flow_array array) {
-    static const struct field *const fields[] = {[FLOW_PRESSURE] = &pressure,
-                                                 [FLOW_PREDICTED] = &predicted,
-                                                 [FLOW_INCREMENT] = &increment,
-                                                 [FLOW_ROW] = &row,
-                                                 [FLOW_GRADIENT] = &gradient,
-                                                 [FLOW_VOLUME] = &volume};
+    static const struct field *const fields[] = {
+        [FLOW_PRESSURE] = &pressure, [FLOW_PREDICTED] = &predicted, [FLOW_INCREMENT] = &increment,
+        [FLOW_ROW] = &row,           [FLOW_GRADIENT] = &gradient,   [FLOW_VOLUME] = &volume};
     return array == FLOW_VELOCITY ? FIELD_VELOCITY : fields_handle(particles, fields[array]);
 }
 

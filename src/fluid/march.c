@@ -267,7 +267,8 @@ void march_step(const struct physics_context *context) {
     if (motion_moves(fluid->options) && fluid->placed != context->clock->step)
         weights_of(context, fluid);
     if (motion_moves(fluid->options) && context->walls != NULL && walls_move(context->walls))
-        walls_at_end(context->walls, context->clock->time, context->clock->dt); /* the scheme stands at the end of the step */
+        walls_at_end(context->walls, context->clock->time,
+                     context->clock->dt); /* the scheme stands at the end of the step */
     walls_follow(context, fluid);
     if (fluid->error.kind != ERROR_NONE || !begin(context, fluid))
         return;

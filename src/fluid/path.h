@@ -30,8 +30,8 @@ bool path_step(struct projection *projection, const struct flow *flow, struct pr
 static inline void path_velocity(const struct flow *flow, size_t particle, double ahead, double w[3]) {
     const double *u = flow->velocity + particle * flow->velocity_stride;
     for (size_t d = 0; d < 3; d++)
-        w[d] = u[d] + ahead * (u[d] - flow->velocity_before[3 * particle + d]) +
-               flow->drift[3 * particle + d];
+        w[d] =
+            u[d] + ahead * (u[d] - flow->velocity_before[3 * particle + d]) + flow->drift[3 * particle + d];
 }
 
 /* The advection by the drift becomes that of the step before, and is made for the present drift. */

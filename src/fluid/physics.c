@@ -49,7 +49,8 @@ static void guard(const struct physics_context *context, struct error *error) {
         error_set(error, ERROR_PHYSICS, "fluid: %zu wall neighbours have lost their grain", fluid->lost);
     if (fluid->rows[2] > 0)
         error_set(error, ERROR_PHYSICS,
-                  "fluid: %g particles of the fluid have gone behind a wall or into a grain in step %llu, t = %.9g: shorter "
+                  "fluid: %g particles of the fluid have gone behind a wall or into a grain in step %llu, t "
+                  "= %.9g: shorter "
                   "steps, or motion: fixed",
                   fluid->rows[2], (unsigned long long)context->clock->step, context->clock->time);
     if (fluid->rows[1] > poor_most * fluid->rows[0])

@@ -17,7 +17,8 @@ struct fluid {
     struct weights_options weigh; /* their options */
     struct pair_rows pairs;       /* of the last rebuild; kept where particles move */
     uint64_t placed;              /* the step for whose places the weights are */
-    double rows[3];  /* of all ranks: fluid particles, those without the operators asked for, those behind a body */
+    double rows
+        [3]; /* of all ranks: fluid particles, those without the operators asked for, those behind a body */
     size_t lost;     /* wall neighbours without a body */
     uint64_t layout; /* checksum of the particles for which the matrices were made; 0: none */
     int regions;     /* connected regions */

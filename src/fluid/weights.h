@@ -59,11 +59,11 @@ struct weights {
     struct weights_foot *foot; /* by row, then by body */
     size_t *foot_start;        /* [rows + 1]: feet of row k */
     double *volume;            /* by row: V_i, length^dimension */
-    double *condition;         /* by row: |M| |G| / dimension of tensors.h, 1 on a lattice; 0: standard operators */
-    double slip;               /* slip length of the walls, >= 0; INFINITY: no friction */
-    size_t poor;               /* rows without the operators asked for: singular tensors, or too few neighbours */
-    size_t poor_first;         /* the first of them (a row) */
-    size_t behind;             /* rows whose particle lies behind the surface of a body (mirror.h) */
+    double *condition; /* by row: |M| |G| / dimension of tensors.h, 1 on a lattice; 0: standard operators */
+    double slip;       /* slip length of the walls, >= 0; INFINITY: no friction */
+    size_t poor;       /* rows without the operators asked for: singular tensors, or too few neighbours */
+    size_t poor_first; /* the first of them (a row) */
+    size_t behind;     /* rows whose particle lies behind the surface of a body (mirror.h) */
     size_t row_room, entry_room, wall_room, foot_room;
 };
 
@@ -91,7 +91,8 @@ struct weights_options {
     double spacing; /* length */
     double volume;  /* > 0: the same volume for all particles (a lattice); 0: V_i = 1 / sum of W */
     double slip;    /* slip length */
-    bool moving;    /* rows keep all pairs, with weights of 0 beyond the support: the pattern of the matrices then
+    bool
+        moving; /* rows keep all pairs, with weights of 0 beyond the support: the pattern of the matrices then
                        lives as long as the pairs, though particles move */
 };
 
@@ -103,7 +104,8 @@ struct weights_input {
     const struct pair_rows *pairs;     /* rows of all pairs up to the support at least */
     const double (*shift)[4];          /* of image codes, as in the pair list */
     int dimension;
-    const double *volume; /* by particle number, copies too; NULL: own rows' V_i, spacing^dimension of others */
+    const double
+        *volume; /* by particle number, copies too; NULL: own rows' V_i, spacing^dimension of others */
 };
 
 /* Makes rows, neighbours within the support alone, tensors and weights. Mirrors are mirror_make's. Opens its

@@ -138,9 +138,9 @@ void classes_set_margins(struct size_classes *classes, const struct classes_opti
         for (int b = 0; b <= n; b++) {
             int smaller = smaller_class(classes, a, b);
             double skin = both_rest(classes, range, a, b) ? 0
-                          : options->skin_given    ? options->skin
-                          : smaller < n            ? options->skin_relative * classes->radius_min[smaller]
-                                                   : 0;
+                          : options->skin_given           ? options->skin
+                          : smaller < n ? options->skin_relative * classes->radius_min[smaller]
+                                        : 0;
             classes->skin[a][b] = skin;
             double reach = a < n   ? classes_range_of(classes, range, a, b)
                            : b < n ? classes_range_of(classes, range, b, a)

@@ -241,7 +241,8 @@ void walls_at_end(struct walls *walls, double t, double dt) {
     for (int w = 0; w < walls->count; w++) {
         struct wall *wall = &walls->wall[w];
         if (wall->options.motions > 0)
-            wall->twist = wall_mover_twist(wall->mover, t - moment, moment, wall->servo_offset, wall->servo_speed);
+            wall->twist =
+                wall_mover_twist(wall->mover, t - moment, moment, wall->servo_offset, wall->servo_speed);
     }
 }
 
