@@ -74,7 +74,42 @@ for index in brute linkcell multi bytype; do
     check "twisting_marshall on $index and three ranks" agrees twisting_marshall 3 --set index.name=$index </dev/null
 done
 
+# A sheared box: forces at an offset at which many pairs touch across the sheared face, and 300 steps in which pairs come to touch
+# across it. LAMMPS moves the box after the forces, so scree begins one step of shear, 0.0086, behind.
+sheared() { # START BEHIND FORCE POSITION RANKS SETTING...: bounds of the two
+    local start=$1 force=$3 position=$4 ranks=$5 offset tilt step
+    offset=$(awk -v s="$1" -v b="$2" 'BEGIN { print s - b }')
+    tilt=$(awk -v s="$1" 'BEGIN { print s + 0.0086 * 299 }')
+    shift 5
+    if [ -n "${LMP:-}" ]; then
+        "$LMP" -in in.sheared -var name sheared -var start "$start" >/dev/null && split_steps theirs <sheared.dump
+    else
+        gzip -dc "$data/sheared_$start.dump.gz" | split_steps theirs
+    fi
+    rm -rf run ours0 ours300
+    run_scene "$ranks" base.yaml run --set particles.sources[0].file=plain.data --set skin=0.2 --set guards.overlap=off --set "box.shear={rate: 5, profile: false, offset: $offset}" "$@" ||
+        return 1
+    split_steps ours <run/dump.lammpstrj
+    for step in 0 300; do
+        awk -f "$top_srcdir/examples/bidisperse/compare.awk" -v cube=8.6 -v tilt="$tilt" -v slip=43 theirs$step ours$step |
+            awk -v step=$step -v force="$force" -v position="$position" '
+            { print "  " $0; bad = NF != 8 || !(step == 0 ? $2 <= force && $4 <= force : $6 <= position) }
+            END { exit bad || NR != 1 }' || return 1
+    done
+}
+
+cp "$data/sheared.data" "$data/in.sheared" . && grep -v 'xy xz yz' sheared.data >plain.data || exit 1
+for index in brute linkcell multi bytype hgrid; do
+    check "sheared, forces at an offset, $index" sheared 2.5 0 1e-10 1 1 --set index.name=$index
+    check "sheared, 300 steps, $index" sheared 0 0.0086 1e-10 1e-8 1 --set index.name=$index
+done
+check 'sheared, forces at an offset, three ranks' sheared 2.5 0 1e-10 1 3
+check 'sheared, 300 steps, three ranks' sheared 0 0.0086 1e-10 1e-8 3 --set domain.y=3
+check 'sheared, 300 steps, three ranks, newton off, two threads' sheared 0 0.0086 1e-10 1e-8 3 --set newton=off --set threads=2
+
 different() { ! agrees "$@" >/dev/null 2>&1; } # the comparison can fail
 reference jkr
+slipped() { ! sheared 0 0.0087 1e-10 1e-8 1 >/dev/null 2>&1; }
+check 'another offset is found out' slipped
 check 'another surface energy is found out' different jkr 1 --set 'material_pairs[0].surface_energy=20.001'
 finish

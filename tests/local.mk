@@ -182,6 +182,7 @@ dist_check_SCRIPTS += tests/crosscode.sh tests/granular_lammps.sh
 EXTRA_DIST += tests/granular/base.yaml tests/granular/dmt.dump.gz tests/granular/granular.data tests/granular/hertz.dump.gz \
 	tests/granular/in.granular tests/granular/jkr.dump.gz tests/granular/laws tests/granular/mindlin_rescale.dump.gz \
 	tests/granular/rescale_force.dump.gz tests/granular/rolling_sds.dump.gz tests/granular/twisting_marshall.dump.gz \
+	tests/granular/in.sheared tests/granular/sheared.data tests/granular/sheared_0.dump.gz tests/granular/sheared_2.5.dump.gz \
 	tests/granular/twisting_sds.dump.gz
 
 # make tests/bench_force: times of the force loop

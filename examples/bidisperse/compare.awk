@@ -1,6 +1,7 @@
 # Compares two LAMMPS dumps of the same particles, reference first: awk -f compare.awk REFERENCE OURS
 # Prints a line: largest difference of force, torque, position and velocity vectors, relative to the largest force, the largest
 # torque, the box edge and the largest speed. Rows may come in any order; positions are compared by nearest images.
+# Of a cube that is sheared along x: -v cube=EDGE -v tilt=OFFSET -v slip=VELOCITY, of the image one edge up y.
 function fail(why) {
     print "compare: " why >"/dev/stderr"
     failed = 1
@@ -13,6 +14,9 @@ function column(name) {
 }
 function size(x, y, z) {
     return sqrt(x * x + y * y + z * z)
+}
+function turns(d) { # edges along y between two images, where images slide
+    return tilt == "" ? 0 : d / edge > 0 ? int(d / edge + 0.5) : -int(0.5 - d / edge)
 }
 function nearest(d) {
     d -= edge * int(d / edge)
@@ -28,7 +32,7 @@ FNR == 1 {
 }
 /^ITEM: BOX BOUNDS/ {
     getline
-    edge = $2 - $1
+    edge = cube == "" ? $2 - $1 : cube
     next
 }
 /^ITEM: ATOMS/ {
@@ -68,8 +72,9 @@ reading && files == 2 {
         fail(FILENAME ": particle " i " is unknown or there twice")
     delete known[i]
     rows++
-    larger("dx", size(nearest($x - X[i]), nearest($y - Y[i]), nearest($z - Z[i])))
-    larger("dv", size($vx - VX[i], $vy - VY[i], $vz - VZ[i]))
+    turn = turns($y - Y[i])
+    larger("dx", size(nearest($x - X[i] - turn * tilt), nearest($y - Y[i]), nearest($z - Z[i])))
+    larger("dv", size($vx - VX[i] - turn * slip, $vy - VY[i], $vz - VZ[i]))
     larger("df", size($fx - FX[i], $fy - FY[i], $fz - FZ[i]))
     larger("dt", size($tx - TX[i], $ty - TY[i], $tz - TZ[i]))
 }

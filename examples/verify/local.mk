@@ -65,6 +65,8 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/incline/scene.yaml \
 	examples/verify/janssen/scene.yaml \
 	examples/verify/jkr-pull-off/scene.yaml \
+	examples/verify/lees-edwards-gas/elastic.yaml \
+	examples/verify/lees-edwards-gas/scene.yaml \
 	examples/verify/line.awk \
 	examples/verify/luding-unloading/impacts.yaml \
 	examples/verify/luding-unloading/scene.yaml \
@@ -136,6 +138,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/incline/check \
 	examples/verify/janssen/check \
 	examples/verify/jkr-pull-off/check \
+	examples/verify/lees-edwards-gas/check \
 	examples/verify/luding-unloading/check \
 	examples/verify/many-body/check \
 	examples/verify/moving-wall/check \

@@ -89,7 +89,7 @@ static void perturb(const struct sampler *sampler, struct simulation *s) {
         struct particle_state *p = &s->particles->state[k];
         struct random_sequence random =
             random_sequence(sampler->seed, RANDOM_POSITION, (uint64_t)s->particles->id[k]);
-        for (int d = 0; d < s->scene->box.dimension && p->inverse_mass > 0; d++)
+        for (int d = 0; d < s->box.dimension && p->inverse_mass > 0; d++)
             p->x[d] += (2 * random_uniform(&random) - 1) * sampler->perturbation * p->radius;
     }
 }
@@ -102,9 +102,11 @@ static void places_take(struct sample_record *record, const struct simulation *s
         int64_t slot = (p->id[k] - 1) / record->stride;
         if ((p->id[k] - 1) % record->stride != 0 || slot >= (int64_t)record->tracked)
             continue;
+        double shift[3] = {0, 0, 0};
+        if (image)
+            box_unwrap(&s->box, image[k], shift);
         for (int d = 0; d < 3; d++)
-            place[slot][d] = p->state[k].x[d] + s->scene->box.origin[d] +
-                             (image ? image[k][d] * s->scene->box.edge[d] : 0);
+            place[slot][d] = p->state[k].x[d] + s->box.origin[d] + shift[d];
         place[slot][3] = 1;
     }
     comm_sum(s->comm, place[0], (int)(4 * record->tracked));

@@ -103,7 +103,8 @@ static void find_copies(const struct selection *selection, size_t k, struct foun
         note_far(found, k, ball.radius);
     for (size_t p = 0; p < selection->places; p++) {
         const struct domain_place *place = &selection->place[p];
-        const int image[3] = {place->image[0], place->image[1], place->image[2]};
+        int image[3] = {place->image[0], place->image[1], place->image[2]};
+        domain_settle_image(selection->domain, ball.x, image);
         double distance2 = domain_place_distance2(selection->domain, place, ball.x, image);
         bool needed = distance2 <= ball.radius * ball.radius;
         if (needed || (far && distance2 <= ball.relay * ball.relay))

@@ -15,8 +15,10 @@
 struct domain {
     int rank, size;
     int grid[3];
+    struct box box; /* as it was at the last rebuild */
     double edge[3];
     bool periodic[3], wrapped[3];
+    int axis[3];              /* the order of a search by bricks: the gradient of a shear before its flow */
     double *cut[3];           /* grid[d] + 1 faces of the subdomains in direction d, from 0 to the edge */
     struct domain_tree *tree; /* of a bisection, which has no grid and cut; else NULL */
     struct domain_place *neighbour;
@@ -24,11 +26,16 @@ struct domain {
     double clearance;
 };
 
+/* True if images along d slide along another direction, so that no index can wrap d. */
+static bool slides(const struct domain *domain, int d) {
+    return domain->box.motion.shears && d == domain->box.motion.gradient;
+}
+
 static void bricks_lay(struct domain *domain, const int grid[3]) {
     for (int d = 0; d < 3; d++) {
         int n = grid[d];
         domain->grid[d] = n;
-        domain->wrapped[d] = domain->periodic[d] && n == 1;
+        domain->wrapped[d] = domain->periodic[d] && n == 1 && !slides(domain, d);
         memory_free(domain->cut[d]);
         domain->cut[d] = memory_allocate((size_t)n + 1, sizeof(double), "domain faces");
         for (int i = 0; i < n; i++)
@@ -50,8 +57,11 @@ struct domain *domain_create(const struct comm *comm, const struct box *box,
     struct domain *domain = memory_allocate_zero(1, sizeof *domain, "domain");
     domain->rank = comm->rank;
     domain->size = comm->size;
+    domain->box = *box;
     memcpy(domain->edge, box->edge, sizeof domain->edge);
     memcpy(domain->periodic, box->periodic, sizeof domain->periodic);
+    for (int k = 0; k < 3; k++)
+        domain->axis[k] = (k + (box->motion.shears ? box->motion.gradient : 0)) % 3;
     if (bisects) {
         domain_divide(domain, domain_tree_halve(comm->size, box));
     } else {
@@ -71,8 +81,32 @@ void domain_divide(struct domain *domain, struct domain_tree *tree) {
     domain_tree_destroy(&domain->tree);
     domain->tree = tree;
     for (int d = 0; d < 3; d++)
-        domain->wrapped[d] = domain->periodic[d] && !domain_tree_cuts(tree, d);
+        domain->wrapped[d] = domain->periodic[d] && !domain_tree_cuts(tree, d) && !slides(domain, d);
     look_around(domain);
+}
+
+void domain_follow(struct domain *domain, const struct box *box) {
+    for (int d = 0; d < 3; d++) {
+        double growth = box->edge[d] / domain->edge[d];
+        for (int i = 0; domain->cut[d] && i <= domain->grid[d]; i++)
+            domain->cut[d][i] = i < domain->grid[d] ? domain->cut[d][i] * growth : box->edge[d];
+        if (domain->tree)
+            domain_tree_stretch(domain->tree, d, growth);
+    }
+    domain->box = *box;
+    memcpy(domain->edge, box->edge, sizeof domain->edge);
+    look_around(domain);
+}
+
+void domain_settle_image(const struct domain *domain, const double x[3], int image[3]) {
+    const struct box *box = &domain->box;
+    int flow = box->motion.flow;
+    double shift[3];
+    if (!box->motion.shears || !domain->wrapped[flow])
+        return;
+    image[flow] = 0;
+    box_shift(box, image, shift);
+    image[flow] = -(int)floor((x[flow] + shift[flow]) / box->edge[flow]);
 }
 
 bool domain_bisects(const struct domain *domain) {
@@ -180,9 +214,14 @@ static void touching_axis(struct touching *search, int d, double squared);
 /* The slabs of direction d near one image of the ball. Distances are formed exactly as those of pairs are
  * (x + shift first, squares added in the order x, y, z), so that rounding never makes a subdomain look
  * farther away than a particle in it. */
-static void touching_slabs(struct touching *search, int d, int image, double squared) {
+static void touching_slabs(struct touching *search, int step, int image, double squared) {
     const struct domain *domain = search->domain;
-    double from = search->from[d] + image * domain->edge[d], to = search->to[d] + image * domain->edge[d];
+    const struct box_motion *motion = &domain->box.motion;
+    int d = domain->axis[step];
+    double shift = image * domain->edge[d];
+    if (motion->shears && d == motion->flow)
+        shift += search->image[motion->gradient] * motion->offset;
+    double from = search->from[d] + shift, to = search->to[d] + shift;
     int first = slab_of(domain, d, from - search->radius), last = slab_of(domain, d, to + search->radius);
     if (first > 0)
         first--; /* rounding may have moved from - radius over a face */
@@ -194,24 +233,25 @@ static void touching_slabs(struct touching *search, int d, int image, double squ
         double sum = squared + distance * distance;
         search->slab[d] = i;
         if (sum <= search->radius * search->radius)
-            touching_axis(search, d + 1, sum);
+            touching_axis(search, step + 1, sum);
     }
 }
 
-static void touching_axis(struct touching *search, int d, double squared) {
-    if (d == 3) {
+static void touching_axis(struct touching *search, int step, double squared) {
+    if (step == 3) {
         touching_put(search, rank_of(search->domain, search->slab));
         return;
     }
+    int d = search->domain->axis[step];
     if (search->domain->wrapped[d]) {
         search->slab[d] = 0;
         search->image[d] = 0;
-        touching_axis(search, d + 1, squared);
+        touching_axis(search, step + 1, squared);
         return;
     }
     int images = search->domain->periodic[d] ? 1 : 0;
     for (int image = -images; image <= images; image++)
-        touching_slabs(search, d, image, squared);
+        touching_slabs(search, step, image, squared);
 }
 
 /* As touching_slabs, for a tree of cuts: the leaves near each image. */
@@ -226,10 +266,12 @@ static void touching_tree(struct touching *search) {
     for (int turn = 0; turn < IMAGE_CODES; turn++) {
         const int image[3] = {turn / 9 - 1, turn / 3 % 3 - 1, turn % 3 - 1};
         bool exists = true;
+        double shift[3];
+        box_shift(&domain->box, image, shift);
         for (int d = 0; d < 3; d++) {
             exists = exists && abs(image[d]) <= images[d];
-            from[d] = search->from[d] + image[d] * domain->edge[d];
-            to[d] = search->to[d] + image[d] * domain->edge[d];
+            from[d] = search->from[d] + shift[d];
+            to[d] = search->to[d] + shift[d];
             search->image[d] = (signed char)image[d];
         }
         if (exists)
@@ -255,9 +297,10 @@ int domain_touching(const struct domain *domain, const double x[3], double radiu
 
 double domain_place_distance2(const struct domain *domain, const struct domain_place *place,
                               const double x[3], const int image[3]) {
-    double squared = 0;
+    double squared = 0, shift[3];
+    box_shift(&domain->box, image, shift);
     for (int d = 0; d < 3; d++) {
-        double y = x[d] + image[d] * domain->edge[d];
+        double y = x[d] + shift[d];
         double gap = domain_gap(place->lower[d], place->upper[d], y, y);
         squared += domain->wrapped[d] ? 0 : gap * gap;
     }
@@ -269,9 +312,10 @@ static double distance_of(const struct domain *domain, const struct domain_touch
     double lower[3], upper[3], own_lower[3], own_upper[3], squared = 0;
     domain_bounds(domain, touch->rank, lower, upper);
     domain_bounds(domain, domain->rank, own_lower, own_upper);
+    double shift[3];
+    box_shift(&domain->box, (int[3]){touch->image[0], touch->image[1], touch->image[2]}, shift);
     for (int d = 0; d < 3; d++) {
-        double shift = touch->image[d] * domain->edge[d];
-        double gap = domain_gap(lower[d], upper[d], own_lower[d] + shift, own_upper[d] + shift);
+        double gap = domain_gap(lower[d], upper[d], own_lower[d] + shift[d], own_upper[d] + shift[d]);
         squared += domain->wrapped[d] ? 0 : gap * gap;
     }
     return sqrt(squared);
@@ -307,9 +351,11 @@ static void find_neighbours(struct domain *domain) {
         place->rank = touch[t].rank;
         memcpy(place->image, touch[t].image, sizeof place->image);
         domain_bounds(domain, place->rank, place->lower, place->upper);
+        double shift[3];
+        box_shift(&domain->box, (int[3]){place->image[0], place->image[1], place->image[2]}, shift);
         for (int d = 0; d < 3; d++) {
-            place->seen_lower[d] = place->lower[d] - place->image[d] * domain->edge[d];
-            place->seen_upper[d] = place->upper[d] - place->image[d] * domain->edge[d];
+            place->seen_lower[d] = place->lower[d] - shift[d];
+            place->seen_upper[d] = place->upper[d] - shift[d];
         }
     }
     if (domain->neighbours > 1)

@@ -6,8 +6,9 @@
  * A subdomain is a cuboid, closed for the purpose of distances; together the subdomains tile the box. At an
  * open side the outermost subdomains extend to infinity, so that every position has an owner. In a "wrapped"
  * direction one rank holds the whole periodic box: the index wraps the direction, distances along this
- * direction are 0, and no images exist. All functions but create and destroy are pure: any thread, any rank,
- * no communication. */
+ * direction are 0, and no images exist. The gradient of a shear is never wrapped: a rank that holds the whole
+ * box along it has copies of its own particles. All functions but create and destroy are pure: any thread, any
+ * rank, no communication. */
 #ifndef SCREE_COMM_DOMAIN_H
 #define SCREE_COMM_DOMAIN_H
 
@@ -74,7 +75,8 @@ int domain_touching(const struct domain *domain, const double x[3], double radiu
 
 /* The places next to the subdomain of this rank (the closed cuboids meet, if only in a corner), sorted by
  * rank and image. The own subdomain is not among the places; images of the own subdomain may be. A rank needs
- * only these places and domain_clearance to send copies. Borrowed until the domain is divided again. */
+ * only these places and domain_clearance to send copies. Borrowed until the domain is divided again, or follows
+ * its box. */
 const struct domain_place *domain_neighbours(const struct domain *domain, size_t *count);
 
 /* The distance of the nearest place that is neither the own subdomain nor next to it: a ball with its centre
@@ -82,7 +84,7 @@ const struct domain_place *domain_neighbours(const struct domain *domain, size_t
 double domain_clearance(const struct domain *domain);
 
 /* Squared distance of a point from a place's subdomain, computed as in all other code: x + image * edge
- * first, squares added in the order x, y, z. `image` is the image of the point. */
+ * (box_shift) first, squares added in the order x, y, z. `image` is the image of the point. */
 double domain_place_distance2(const struct domain *domain, const struct domain_place *place,
                               const double x[3], const int image[3]);
 
@@ -102,6 +104,15 @@ void domain_bounds(const struct domain *domain, int rank, double lower[3], doubl
 
 /* The directions in which one rank holds the whole, periodic box; the index wraps these directions. */
 void domain_wrap(const struct domain *domain, bool wrap[3]);
+
+/* Takes over the edges and the offset of a box that has moved: at a rebuild, before particles are asked for
+ * their owners. The subdomains stretch with the box. */
+void domain_follow(struct domain *domain, const struct box *box);
+
+/* The image under which a ball at `x` touches a place with `image`: in a wrapped direction of flow the place
+ * does not say how far the offset of a shear has carried the image, and this function brings the image back
+ * into the box. Changes nothing in a box without shear. */
+void domain_settle_image(const struct domain *domain, const double x[3], int image[3]);
 
 /* The ranks per direction, for the report; 0 for a bisection. */
 void domain_grid(const struct domain *domain, int grid[3]);

@@ -186,6 +186,12 @@ struct domain_tree *domain_tree_from_bounds(int ranks, int dimension, const doub
     return tree;
 }
 
+void domain_tree_stretch(struct domain_tree *tree, int axis, double growth) {
+    for (int k = 0; k < tree->ranks - 1; k++)
+        if (tree->cut[k].axis == axis)
+            tree->cut[k].at *= growth;
+}
+
 int domain_tree_owner(const struct domain_tree *tree, const double x[3]) {
     int at = 0, first = 0, last = tree->ranks;
     while (last - first > 1) {

@@ -39,6 +39,9 @@ struct domain_tree *domain_tree_from_cuts(int ranks, const struct domain_cut *cu
                                           const double upper[3]);
 void domain_tree_destroy(struct domain_tree **tree);
 
+/* Multiplies the coordinates of the cuts across an axis. */
+void domain_tree_stretch(struct domain_tree *tree, int axis, double growth);
+
 /* The rank that owns a position. */
 int domain_tree_owner(const struct domain_tree *tree, const double x[3]);
 

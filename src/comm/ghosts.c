@@ -218,7 +218,7 @@ void ghosts_make(struct ghosts *ghosts, struct particles *particles, const struc
     plan_free(ghosts);
     box_image_shifts(ghosts->box, ghosts->shift);
     ghosts->revision = particles->revision;
-    if (ghosts->comm->size == 1)
+    if (ghosts->comm->size == 1 && !ghosts->box->motion.shears)
         return;
     double reach[CLASS_MAX];
     struct copies copies;

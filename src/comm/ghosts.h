@@ -6,7 +6,9 @@
  * The order of a rebuild: ghosts_drop, particles_wrap, ghosts_migrate, (classify, reorder), ghosts_make. A
  * copy stands at x + image * edge, next to the receiver's subdomain. A rank may hold several copies of one
  * particle, and in a periodic direction divided among ranks also copies of the rank's own particles. In
- * wrapped directions (domain_wrap) there are no copies: the index wraps these directions. */
+ * wrapped directions (domain_wrap) there are no copies: the index wraps these directions. In a sheared box
+ * copies across the gradient follow from the offset of the moment, so their ranks change from rebuild to
+ * rebuild; such copies stand at their originals in the step (`in_place`), as their shift changes. */
 #ifndef SCREE_COMM_GHOSTS_H
 #define SCREE_COMM_GHOSTS_H
 

@@ -194,13 +194,20 @@ static bool round_of_owners(struct spread *spread, const struct copies *copies) 
 }
 
 /* Number of the place from which `step` led to this rank; `count` if no place fits. */
-static size_t place_of_sender(const struct domain_place *places, size_t count, int rank, unsigned step) {
+static size_t place_of_sender(const struct domain *domain, int rank, unsigned step) {
     int way[3];
+    bool wrapped[3];
+    size_t count;
+    const struct domain_place *places = domain_neighbours(domain, &count);
+    domain_wrap(domain, wrapped);
     image_vector(step, way);
-    for (size_t p = 0; p < count; p++)
-        if (places[p].rank == rank && places[p].image[0] == -way[0] && places[p].image[1] == -way[1] &&
-            places[p].image[2] == -way[2])
+    for (size_t p = 0; p < count; p++) {
+        bool fits = places[p].rank == rank;
+        for (int d = 0; d < 3; d++) /* in a wrapped direction the image is the ball's, not the place's */
+            fits = fits && (wrapped[d] || places[p].image[d] == -way[d]);
+        if (fits)
             return p;
+    }
     return count;
 }
 
@@ -218,11 +225,12 @@ static void hand_on(struct spread *spread, const struct arrival *arrival, const 
     int image[3];
     struct head head = arrival->order.head;
     image_vector(head.image, image);
-    for (int d = 0; d < 3; d++) {
+    for (int d = 0; d < 3; d++)
         image[d] += to->image[d];
+    domain_settle_image(spread->place->domain, ball->x, image);
+    for (int d = 0; d < 3; d++)
         if (abs(image[d]) > 1)
             return;
-    }
     head.image = (uint8_t)image_code(image[0], image[1], image[2]);
     head.step = (uint8_t)image_code(to->image[0], to->image[1], to->image[2]);
     if (to->rank == head.owner && head.image == 0)
@@ -242,7 +250,7 @@ static void spread_arrival(struct spread *spread, const struct arrival *arrival)
     struct copy_ball ball;
     copies_ball(&ball, &particles->state[slot], spread->place->reach[particles->size_class[slot]],
                 spread->place->box);
-    size_t sender = place_of_sender(places, count, arrival->sender, arrival->order.head.step);
+    size_t sender = place_of_sender(spread->place->domain, arrival->sender, arrival->order.head.step);
     for (size_t p = 0; p < count; p++)
         if (p != sender && (sender == count || !places_meet(&places[p], &places[sender])))
             hand_on(spread, arrival, &places[p], &ball);

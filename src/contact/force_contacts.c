@@ -59,7 +59,8 @@ static bool force_pair_contact(const struct force_context *context, size_t k, co
     const struct particles *p = context->particles;
     uint32_t i = context->list->i[k], code = context->list->j[k], j = pair_partner(code);
     const struct particle_state *si = &p->state[i], *sj = &p->state[j];
-    const double *shift = context->list->shift[pair_image(code)];
+    const double *shift = context->list->shift[pair_image(code)],
+                 *drift = context->list->drift[pair_image(code)];
     struct law_vector d = force_difference(sj->x, si->x);
     d = law_add(d, 1.0, (struct law_vector){shift[0], shift[1], shift[2]});
     *separation = d;
@@ -81,6 +82,8 @@ static bool force_pair_contact(const struct force_context *context, size_t k, co
                                .coefficients =
                                    context->law->pair[material_of(material, i)][material_of(material, j)]};
     in->half_normal = in->normal;
+    if (context->list->moves)
+        in->velocity = law_add(in->velocity, 1.0, (struct law_vector){drift[0], drift[1], drift[2]});
     if (context->law->general)
         force_pair_general(context, k, record, all);
     if (!law.friction || omega == NULL)

@@ -72,7 +72,7 @@ static size_t radius_sample(const struct radius_bins *bins, double total, double
 static struct classes_options classes_wanted(const struct simulation *s, const struct radius_bins *bins,
                                              enum kind kind, double total) {
     struct classes_options options = s->scene->classes;
-    const struct box *box = &s->scene->box;
+    const struct box *box = &s->box;
     double solid = 0, space = 1;
     for (int b = 0; b < CLASS_BINS; b++) {
         double radius = bins->most[b];

@@ -2,6 +2,7 @@
 /* Grains as a physics: contacts between grains and with walls, and the integrator that moves the grains.
  * `self` is the simulation, which still holds the parts of grains. Read physics.h first. */
 #include "engine/grains.h"
+#include "engine/deform.h"
 #include "engine/guards.h"
 #include "engine/limit.h"
 #include "particles/kinds.h"
@@ -18,6 +19,15 @@ static void servo(const struct physics_context *context) {
     comm_sum(s->comm, s->grains.servo_force[0], 3 * walls_count(s->grains.walls));
 }
 
+/* The largest squared speed relative to the mean flow, and at least `least`, which may be no number. */
+static double speed_from_flow(const struct simulation *s, size_t first, size_t last, double least) {
+    for (size_t i = first; i < last; i++) {
+        double v2 = skin_speed2(&s->box, &s->particles->state[i], s->clock.dt);
+        least = v2 > least ? v2 : least;
+    }
+    return least;
+}
+
 /* A speed that is not a number is kept, so that the guards find it. */
 static void advance(const struct physics_context *context, int thread, size_t first, size_t last,
                     int size_class) {
@@ -25,6 +35,8 @@ static void advance(const struct physics_context *context, int thread, size_t fi
     if (s->classes.kind[size_class] != KIND_GRAIN)
         return;
     double v2 = integrator_advance(s->particles, &s->grains.motion, first, last);
+    if (s->box.motion.moves)
+        v2 = speed_from_flow(s, first, last, 0 * v2);
     double *largest = &s->grains.speed[thread][size_class];
     if (!isnan(*largest) && !(v2 <= *largest))
         *largest = v2;
@@ -35,6 +47,10 @@ static void move_walls(const struct physics_context *context) {
     double before = s->clock.time_base + (double)(s->clock.step - 1 - s->clock.step_base) * s->clock.dt;
     walls_advance(s->grains.walls, before, s->clock.dt,
                   walls_have_servo(s->grains.walls) ? s->grains.servo_force : NULL);
+}
+
+static void move_box(const struct physics_context *context) {
+    deform_advance(context->self);
 }
 
 static void contact(const struct physics_context *context, int thread, int block) {
@@ -92,6 +108,10 @@ static bool needs_motion(const struct physics_context *context) {
     return s->grains.walls && walls_move(s->grains.walls);
 }
 
+static bool needs_box(const struct physics_context *context) {
+    return context->box->motion.moves;
+}
+
 static const struct physics_pass passes[] = {
     {.name = "servo",
      .why = "a wall driven to a force",
@@ -105,6 +125,12 @@ static const struct physics_pass passes[] = {
      .reads = "force inverse_mass",
      .writes = "position velocity",
      .rows = advance},
+    {.name = "box",
+     .why = "a box that moves",
+     .stage = PASS_MOVED,
+     .timer = "advance",
+     .needed = needs_box,
+     .whole = move_box},
     {.name = "walls",
      .why = "walls that move",
      .stage = PASS_MOVED,
@@ -145,7 +171,7 @@ static double range(const void *context, int kind_a, double radius_a, int kind_b
 /* The cut-off of the walk is one number: the largest range. */
 static void rebuilt(const struct physics_context *context) {
     struct simulation *s = context->self;
-    const struct classes_range reach = {.of = range, .context = context->options};
+    const struct classes_range reach = {range, context->options};
     s->grains.contact.range = 0;
     for (int a = 0; a < s->classes.count; a++)
         for (int b = 0; b <= a; b++)

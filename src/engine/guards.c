@@ -29,7 +29,7 @@ static void guard_trip(struct simulation *s, enum scene_guard guard, int which, 
 
 /* "particle 5 at (1, 2, 3)" in the user's coordinates. */
 static void name_at(const struct simulation *s, size_t k, char *text, size_t room) {
-    const double *x = s->particles->state[k].x, *origin = s->scene->box.origin;
+    const double *x = s->particles->state[k].x, *origin = s->box.origin;
     snprintf(text, room, "particle %lld at (%.6g, %.6g, %.6g)", (long long)s->particles->id[k],
              x[0] + origin[0], x[1] + origin[1], x[2] + origin[2]);
 }
@@ -156,7 +156,7 @@ void guards_check_positions(struct simulation *s) {
 
 /* Always stops the run, as the unwrapped position of such a particle is lost. */
 void guards_check_images(struct simulation *s) {
-    const struct box *box = &s->scene->box;
+    const struct box *box = &s->box;
     for (size_t k = 0; k < s->particles->owned; k++) {
         double *x = s->particles->state[k].x;
         for (int d = 0; d < 3; d++) {
@@ -176,9 +176,16 @@ void guards_check_images(struct simulation *s) {
 bool guards_prepare(struct simulation *s, struct error *error) {
     const struct scene *scene = s->scene;
     char place[SCENE_PATH_MAX];
-    if (scene->guards.energy == SCENE_GUARD_OFF)
+    bool mechanical = scene->guards.energy == SCENE_GUARD_AUTO;
+    if (scene->guards.energy == SCENE_GUARD_OFF || (mechanical && s->box.motion.moves))
         return true;
-    s->guards.energy.mechanical = scene->guards.energy == SCENE_GUARD_AUTO;
+    if (s->box.motion.moves)
+        return error_set(
+            error, ERROR_USER,
+            "%s: guards.energy: a box that moves does work on its particles, which is in no balance; "
+            "allowed here: auto, off",
+            scene_place(scene, "guards.energy", place, sizeof place));
+    s->guards.energy.mechanical = mechanical;
     for (int g = 0; g < scene->groups; g++)
         if (scene->group[g].motion == SCENE_MOVING)
             return s->guards.energy.mechanical ||
@@ -208,15 +215,16 @@ static double gravity_of(const struct simulation *s, size_t first, size_t last) 
     int32_t(*const image)[3] = particles_images(s->particles);
     const uint8_t *kind = kinds_of(s->particles);
     const double *g = s->grains.motion.gravity;
-    double sum = 0;
+    double sum = 0, shift[3] = {0, 0, 0};
     if (g[0] == 0 && g[1] == 0 && g[2] == 0)
         return 0;
     for (size_t k = first; k < last; k++) {
         const struct particle_state *p = &s->particles->state[k];
         bool counts = p->inverse_mass > 0 && (kind == NULL || kind[k] == KIND_GRAIN);
+        if (image)
+            box_unwrap(&s->box, image[k], shift);
         for (int d = 0; counts && d < 3; d++)
-            sum -= g[d] / p->inverse_mass *
-                   (p->x[d] + s->scene->box.origin[d] + (image ? image[k][d] * s->scene->box.edge[d] : 0));
+            sum -= g[d] / p->inverse_mass * (p->x[d] + s->box.origin[d] + shift[d]);
     }
     return sum;
 }

@@ -38,7 +38,7 @@ static double weights_by_pairs(const struct simulation *s, double *weight) {
 
 /* Divides the box by the positions that migration will use; false if the division stays as it is. */
 static bool divide(struct simulation *s, const double *weight) {
-    const struct box *box = &s->scene->box;
+    const struct box *box = &s->box;
     size_t owned = s->particles->owned;
     double(*x)[3] = memory_allocate(owned, sizeof *x, "positions");
     for (size_t k = 0; k < owned; k++)
@@ -71,7 +71,7 @@ static double *density_map(const struct simulation *s) {
         const double *x = s->particles->state[k].x;
         size_t bin[3];
         for (int d = 0; d < 3; d++)
-            bin[d] = density_bin(&s->scene->box, d, x[d]);
+            bin[d] = density_bin(&s->box, d, x[d]);
         density[bin[0] + BINS * (bin[1] + BINS * bin[2])]++;
     }
     comm_sum(s->comm, density, BINS * BINS * BINS);
@@ -95,7 +95,7 @@ void load_lay(struct simulation *s, const int resumed[3]) {
         memcpy(grid, resumed, sizeof grid);
     } else {
         double *density = density_map(s);
-        domain_grid_choose(s->comm->size, &s->scene->box, s->scene->domain.grid, density, grid);
+        domain_grid_choose(s->comm->size, &s->box, s->scene->domain.grid, density, grid);
         memory_free(density);
     }
     domain_lay(s->ranks.domain, grid);

@@ -6,6 +6,8 @@ libengine_la_SOURCES = \
 	src/engine/clock.h \
 	src/engine/decide.c \
 	src/engine/decide.h \
+	src/engine/deform.c \
+	src/engine/deform.h \
 	src/engine/folder.c \
 	src/engine/folder.h \
 	src/engine/grains.c \

@@ -19,7 +19,7 @@ static void extent_add(struct extent *extent, const double x[3], double reach) {
 /* The extent of the particles on all ranks, without those that lie behind boundaries, and the number of centres beyond an open side of the box.
  * Collective. */
 static struct extent particles_extent(const struct simulation *s, int64_t *outside) {
-    const struct box *box = &s->scene->box;
+    const struct box *box = &s->box;
     struct extent extent = nothing;
     const uint8_t *kind = kinds_of(s->particles);
     *outside = 0;

@@ -3,6 +3,7 @@
  * a drift and the forces: positions are new, forces are zero, histories are those of the last evaluation.
  * Copies appear, vanish and migrate only here. */
 #include "engine/rebuild.h"
+#include "engine/deform.h"
 #include "engine/view.h"
 #include "engine/classify.h"
 #include "engine/tune.h"
@@ -25,7 +26,7 @@ static bool one_image(const struct simulation *s) {
             if (classes_meet(classes, a, b))
                 reach = fmax(reach, classes->radius_max[a] + classes->radius_max[b] + classes->margin[a][b]);
     for (int d = 0; d < 3; d++)
-        if (s->scene->box.periodic[d] && s->scene->box.edge[d] <= 2 * reach)
+        if (s->box.periodic[d] && s->box.edge[d] <= 2 * reach)
             return false;
     return true;
 }
@@ -37,8 +38,8 @@ static double images_apart(const struct simulation *s) {
     if (one_image(s))
         return apart;
     for (int d = 0; d < 3; d++)
-        if (s->scene->box.periodic[d])
-            apart = fmin(apart, s->scene->box.edge[d]);
+        if (s->box.periodic[d])
+            apart = fmin(apart, s->box.edge[d]);
     return apart;
 }
 
@@ -140,7 +141,7 @@ static void index_pass(struct simulation *s, struct rebuild_rows *rows) {
 static void pairs_pass(struct simulation *s, struct rebuild_rows *rows) {
     double start = timer_now();
     (void)rows;
-    pairlist_build(s->search.interactions.all, s->search.index, &s->search.view, &s->scene->box);
+    pairlist_build(s->search.interactions.all, s->search.index, &s->search.view, &s->box);
     if (s->scene->ghosts.in_place && !s->ranks.alone)
         pairlist_add_images(s->search.interactions.all, s->particles->owned,
                             ghosts_unshift(s->ranks.ghosts, s->particles));
@@ -221,7 +222,9 @@ static void detach(struct simulation *s, struct rebuild_rows *rows) {
 static void wrap(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
     ghosts_drop(s->ranks.ghosts, s->particles);
-    if (particles_wrap(s->particles, &s->scene->box))
+    if (s->box.motion.moves)
+        deform_settle(s);
+    if (particles_wrap(s->particles, &s->box))
         return;
     guards_check_positions(s);
     guards_check_images(s);

@@ -2,6 +2,7 @@
 /* Writes checkpoints and resumes from them. A checkpoint step rebuilds, so the particles stand in the order
  * of a rebuild, and a resume on the same layout rebuilds into the same order. The trajectory of the resumed
  * run then equals that of the uninterrupted run, bit for bit. */
+#include "engine/deform.h"
 #include "engine/load.h"
 #include "engine/resume_check.h"
 #include "engine/rebuild_rows.h"
@@ -28,6 +29,7 @@ static void numbers_list(struct simulation *s, struct resume_numbers *own, struc
     restart_add(restart, RESTART_INTEGER, false, &s->sources.inserted, "inserted");
     restart_add(restart, RESTART_INTEGER, false, &s->sources.deleted, "deleted");
     physics_restart(&s->physics, restart);
+    deform_restart(s, restart);
     restart_add(restart, RESTART_SUM, false, &own->wall_work, "work of walls");
     restart_add(restart, RESTART_SUM, false, &own->load_fresh, "load: imbalance not measured");
     restart_add(restart, RESTART_SUM, false, &own->load_reached, "load: imbalance reached");
@@ -112,7 +114,7 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
     law_title(&s->scene->law, law);
     struct checkpoint checkpoint = {.restart = &restart,
                                     .particles = s->particles,
-                                    .box = &s->scene->box,
+                                    .box = &s->box,
                                     .tree = domain_tree(s->ranks.domain),
                                     .history_components = s->grains.law.history_components,
                                     .history = rows.pairs.start ? &rows.pairs : NULL,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The changes of a scene that are allowed between a checkpoint and a resume. */
 #include "engine/resume_check.h"
+#include "engine/deform.h"
 #include "contact/material.h"
 #include "core/memory.h"
 #include "integrate/groups.h"
@@ -15,7 +16,9 @@ static const double same_density = 1e-9;
 
 static bool check_box(const struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
                       struct error *error) {
-    const struct box *now = &s->scene->box, *then = &loaded->box;
+    const struct box *now = &s->box, *then = &loaded->box;
+    if (!deform_check(s, &loaded->restart, path, error))
+        return false;
     if (now->dimension != then->dimension)
         return error_set(error, ERROR_USER,
                          "%s: it was written in %d dimensions, the scene has %d: box.dimension must stay",

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Makes a simulation from a scene, and its parts. Read simulation.h first. */
 #include "engine/simulation.h"
+#include "engine/deform.h"
 #include "engine/simulation_parts.h"
 #include "engine/classify.h"
 #include "engine/timing.h"
@@ -58,6 +59,7 @@ static bool particles_make(struct simulation *s, struct error *error) {
         return false;
     s->total = s->sources.census.particles;
     s->sources.next_id = s->sources.census.id_max + 1;
+    deform_start(s);
     return particles_fill(s, error);
 }
 
@@ -109,7 +111,7 @@ static bool particles_suit(struct simulation *s, struct error *error) {
 static void physics_start(struct simulation *s) {
     struct physics_context context = {.options = &s->grains.law,
                                       .scene = s->scene,
-                                      .box = &s->scene->box,
+                                      .box = &s->box,
                                       .comm = s->comm,
                                       .ghosts = NULL,
                                       .particles = s->particles,
@@ -117,7 +119,6 @@ static void physics_start(struct simulation *s) {
                                       .walls = s->grains.walls,
                                       .clock = &s->clock,
                                       .threads = s->threads,
-                                      .speed = s->grains.speed,
                                       .ordered = s->scene->reproducible};
     physics_begin(&s->physics, &grains_physics, &context, &s->search.interactions);
 }
@@ -127,6 +128,7 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
     scene_register(s->scene, &s->grains.law, s->particles);
     physics_start(s);
     simulation_parts_create(s);
+    deform_prepare(s);
     if (physics_create(&s->physics, s, error))
         simulation_parts_simd(s, error);
     if (!comm_agree(s->comm, error)) /* ranks may have different CPUs */
@@ -152,7 +154,8 @@ struct simulation *simulation_create(const struct comm *comm, const struct scene
     struct simulation *s = memory_allocate_zero(1, sizeof *s, "simulation");
     s->comm = comm;
     s->scene = scene;
-    s->ranks.alone = comm->size == 1;
+    s->box = scene->box;
+    s->ranks.alone = comm->size == 1 && !s->box.motion.shears;
     int stage = stages_begin(&s->timers);
     timer_start(&s->timers, stage);
     simulation_parts_prepare(s, error);

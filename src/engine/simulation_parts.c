@@ -47,15 +47,14 @@ bool simulation_parts_prepare(struct simulation *s, struct error *error) {
     scene_integrator(scene, &s->grains.motion);
     if (!set_threads(s, error))
         return false;
-    s->grains.speed = memory_allocate_zero((size_t)s->threads, sizeof *s->grains.speed, "speeds");
     if (scene->walls > 0 && !walls_create(&s->grains.walls, scene->wall, scene->walls, &s->grains.law,
-                                          &scene->box, s->threads, error, s->comm->rank == 0 ? stderr : NULL))
+                                          &s->box, s->threads, error, s->comm->rank == 0 ? stderr : NULL))
         return false;
     if (s->grains.walls && scene->reproducible)
         walls_set_exact(s->grains.walls);
     if (scene->domain.kind == DOMAIN_BISECTION && !domain_possible(s, error))
         return false;
-    s->ranks.domain = domain_create(s->comm, &scene->box, &scene->domain, error);
+    s->ranks.domain = domain_create(s->comm, &s->box, &scene->domain, error);
     if (s->ranks.domain == NULL)
         return false;
     domain_wrap(s->ranks.domain, s->ranks.wrap);
@@ -66,7 +65,7 @@ bool simulation_parts_prepare(struct simulation *s, struct error *error) {
 }
 
 void simulation_parts_create(struct simulation *s) {
-    s->ranks.ghosts = ghosts_create(s->comm, s->ranks.domain, &s->scene->box, &s->scene->ghosts);
+    s->ranks.ghosts = ghosts_create(s->comm, s->ranks.domain, &s->box, &s->scene->ghosts);
     interactions_create(&s->search.interactions, &(struct pairlist_options){.threads = s->threads});
     s->grains.history = s->grains.law.history_components
                             ? history_create(s->grains.law.history_components, s->threads)
@@ -76,6 +75,7 @@ void simulation_parts_create(struct simulation *s) {
     s->search.skin = skin_create();
     s->search.sweep = s->scene->step.fused ? sweep_create(s->threads) : NULL;
     s->grains.loop = force_loop_create(s->threads);
+    s->grains.speed = memory_allocate_zero((size_t)s->threads, sizeof *s->grains.speed, "speeds");
     s->grains.contact = (struct force_context){.particles = s->particles,
                                                .history = s->grains.history,
                                                .law = &s->grains.law,
@@ -119,12 +119,19 @@ static bool box_holds(const struct simulation *s, double radius, double other, d
     else
         snprintf(whom, sizeof whom, "particles of radii %.6g and %.6g: needed is more than both radii",
                  radius, other);
-    for (int d = 0; d < s->scene->box.dimension; d++)
-        if (s->scene->box.periodic[d] && reach >= s->scene->box.edge[d])
-            return error_set(error, ERROR_USER,
-                             "%s: the periodic %c edge %.6g is too short for %s + range + skin, %.6g",
-                             scene_place(s->scene, "box", place, sizeof place), 'x' + d,
-                             s->scene->box.edge[d], whom, reach);
+    const struct box_motion *motion = &s->box.motion;
+    if (motion->shears && 2 * reach >= s->box.edge[motion->flow])
+        return error_set(
+            error, ERROR_USER,
+            "%s: the %c edge %.6g along the flow of box.shear is too short for %s + range + skin, "
+            "%.6g: needed is more than twice this",
+            scene_place(s->scene, "box", place, sizeof place), 'x' + motion->flow, s->box.edge[motion->flow],
+            whom, reach);
+    for (int d = 0; d < s->box.dimension; d++)
+        if (s->box.periodic[d] && reach >= s->box.edge[d])
+            return error_set(
+                error, ERROR_USER, "%s: the periodic %c edge %.6g is too short for %s + range + skin, %.6g",
+                scene_place(s->scene, "box", place, sizeof place), 'x' + d, s->box.edge[d], whom, reach);
     return true;
 }
 

@@ -83,7 +83,7 @@ bool sources_due(const struct simulation *s) {
 static bool sides_matter(const struct simulation *s) {
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++)
-            if (!s->scene->box.periodic[d] && s->scene->box.leave[d][side] != BOX_KEEP)
+            if (!s->box.periodic[d] && s->box.leave[d][side] != BOX_KEEP)
                 return true;
     return false;
 }
@@ -103,7 +103,7 @@ static int side_left(const struct box *box, const double x[3], enum box_leave *l
 
 static void leave_error(struct simulation *s, size_t k, int side) {
     const struct particle_state *p = &s->particles->state[k];
-    const struct box *box = &s->scene->box;
+    const struct box *box = &s->box;
     error_set(&s->error, ERROR_PHYSICS,
               "particle %lld left the box through its %s %c side at (%.6g, %.6g, %.6g), t = %.9g (box.leave: "
               "error)",
@@ -113,7 +113,7 @@ static void leave_error(struct simulation *s, size_t k, int side) {
 
 /* True if the particle is in a deletion region that is active now. */
 static bool deleted_by_region(const struct simulation *s, const double x[3]) {
-    const struct box *box = &s->scene->box;
+    const struct box *box = &s->box;
     double user[3] = {x[0] + box->origin[0], x[1] + box->origin[1], x[2] + box->origin[2]};
     struct region_space space = {.dimension = box->dimension, .plane = user[2]};
     for (int k = 0; k < s->scene->deletions; k++) {
@@ -135,7 +135,7 @@ static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
         enum box_leave leave = BOX_KEEP;
         if (kind && kind[k] != KIND_GRAIN)
             continue;
-        int side = side_left(&s->scene->box, particles->state[k].x, &leave);
+        int side = side_left(&s->box, particles->state[k].x, &leave);
         if (leave == BOX_ERROR)
             leave_error(s, k, side);
         remove[k] = leave == BOX_DELETE || (regions && deleted_by_region(s, particles->state[k].x));
@@ -167,7 +167,7 @@ static struct placegrid *particles_near(const struct simulation *s, const struct
         if (near[k])
             smallest = fmin(smallest, p->radius);
     }
-    struct placegrid *grid = placegrid_create(&s->scene->box, isfinite(smallest) ? smallest : 1);
+    struct placegrid *grid = placegrid_create(&s->box, isfinite(smallest) ? smallest : 1);
     for (size_t k = 0; k < particles->owned; k++)
         if (near[k])
             placegrid_add(grid, particles->state[k].x, particles->state[k].radius);

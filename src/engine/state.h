@@ -134,6 +134,7 @@ struct agree {
 struct simulation {
     const struct comm *comm;   /* borrowed */
     const struct scene *scene; /* borrowed */
+    struct box box;            /* as it is now: that of the scene may move */
     int threads;               /* threads to which work is dealt out */
     struct team team;          /* threads that work at a time */
     struct particles *particles;

@@ -98,7 +98,8 @@ static double speed_expected(const struct simulation *s) {
         const double *v = s->particles->state[k].v;
         if (kind && kind[k] != KIND_GRAIN)
             continue;
-        fastest = fmax(fastest, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+        double own = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        fastest = fmax(fastest, s->box.motion.moves ? skin_speed2(&s->box, &s->particles->state[k], 0) : own);
     }
     comm_max(s->comm, &fastest, 1);
     return sqrt(fmax(fall, fastest));
@@ -156,7 +157,7 @@ static void limits_find(struct simulation *s) {
                                    .material = s->scene->material,
                                    .speed_max = speed_expected(s),
                                    .contacts = s->scene->step.contacts,
-                                   .dimension = s->scene->box.dimension};
+                                   .dimension = s->box.dimension};
     timestep_limits(&s->timing.limits, &input);
     s->timing.speed_expected = input.speed_max;
     s->timing.overlap_expected = overlap_expected(s, heaviest, &input);

@@ -4,7 +4,7 @@
 #include "engine/load.h"
 
 void simulation_index_view(struct simulation *s, struct index_view *view) {
-    pairlist_view(view, s->particles, &s->classes, &s->scene->box, s->ranks.wrap);
+    pairlist_view(view, s->particles, &s->classes, &s->box, s->ranks.wrap);
     view->newton = s->scene->ghosts.newton;
     view->threads = s->team.size;
 }
@@ -14,7 +14,7 @@ struct output_view simulation_view(const struct simulation *s) {
     ghosts_count(s->ranks.ghosts, &ghosts);
     struct output_view view = {.comm = s->comm,
                                .particles = s->particles,
-                               .box = &s->scene->box,
+                               .box = &s->box,
                                .motion = &s->grains.motion,
                                .walls = s->grains.walls,
                                .contact = &s->grains.contact,
@@ -34,7 +34,7 @@ struct output_view simulation_view(const struct simulation *s) {
 bool simulation_may_lose(const struct simulation *s) {
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++)
-            if (!s->scene->box.periodic[d] && s->scene->box.leave[d][side] == BOX_DELETE)
+            if (!s->box.periodic[d] && s->box.leave[d][side] == BOX_DELETE)
                 return true;
     return false;
 }

@@ -8,6 +8,7 @@
 
 #include <errno.h>
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -104,14 +105,34 @@ bool dump_open(struct dump **dump, const struct comm *comm, const char *path, in
     return false;
 }
 
-static void write_head(const struct dump *dump, const struct frame *frame) {
-    const struct box *box = &frame->box;
-    fprintf(dump->file, "ITEM: TIMESTEP\n%" PRIu64 "\nITEM: NUMBER OF ATOMS\n%" PRIu64 "\nITEM: BOX BOUNDS",
-            frame->step, frame->total);
+/* The bounds of a sheared box as LAMMPS has them: lines that hold the whole cell, and the tilts xy, xz, yz. LAMMPS
+ * has no tilt of a higher direction along a lower one; then the cell is shown without tilt. */
+static void write_bounds(const struct dump *dump, const struct box *box) {
+    const struct box_motion *motion = &box->motion;
+    bool tilts = motion->shears && motion->flow < motion->gradient;
+    double tilt[3] = {0}, low[3] = {0}, high[3] = {0}; /* xy xz yz */
+    if (tilts) {
+        tilt[motion->flow + motion->gradient - 1] = motion->offset;
+        low[0] = fmin(fmin(0, tilt[0]), fmin(tilt[1], tilt[0] + tilt[1]));
+        high[0] = fmax(fmax(0, tilt[0]), fmax(tilt[1], tilt[0] + tilt[1]));
+        low[1] = fmin(0, tilt[2]);
+        high[1] = fmax(0, tilt[2]);
+        fprintf(dump->file, " xy xz yz");
+    }
     for (int d = 0; d < 3; d++)
         fprintf(dump->file, " %s", box->periodic[d] ? "pp" : "ff");
-    for (int d = 0; d < 3; d++)
-        fprintf(dump->file, "\n%.15g %.15g", box->origin[d], box->origin[d] + box->edge[d]);
+    for (int d = 0; d < 3; d++) {
+        fprintf(dump->file, "\n%.15g %.15g", box->origin[d] + low[d],
+                box->origin[d] + box->edge[d] + high[d]);
+        if (tilts)
+            fprintf(dump->file, " %.15g", tilt[d]);
+    }
+}
+
+static void write_head(const struct dump *dump, const struct frame *frame) {
+    fprintf(dump->file, "ITEM: TIMESTEP\n%" PRIu64 "\nITEM: NUMBER OF ATOMS\n%" PRIu64 "\nITEM: BOX BOUNDS",
+            frame->step, frame->total);
+    write_bounds(dump, &frame->box);
     fprintf(dump->file, "\nITEM: ATOMS id");
     if (!frame_find(frame, "material"))
         fprintf(dump->file, " type");

@@ -294,6 +294,20 @@ static void unpack_sorted(struct frame *frame, const char *packed, size_t rows) 
     frame->rows = rows;
 }
 
+/* Crossings as the lattice of the box counts them that the frame shows: the offset of a shear as it is, and not
+ * the sum since the start. */
+static void settle_images(struct frame *frame) {
+    const struct box_motion *motion = &frame->box.motion;
+    for (int c = 0; c < frame->columns; c++) {
+        int32_t *image = frame->column[c].data;
+        if (!motion->shears || strcmp(frame->column[c].name, "image") != 0)
+            continue;
+        for (size_t k = 0; k < frame->rows; k++)
+            image[3 * k + (size_t)motion->flow] +=
+                (int32_t)motion->turns * image[3 * k + (size_t)motion->gradient];
+    }
+}
+
 void frame_create(struct frame *frame, const struct output_view *view, const struct output_fields *fields) {
     *frame = (struct frame){
         .step = view->step, .time = view->time, .rows = view->particles->owned, .box = *view->box};
@@ -301,6 +315,7 @@ void frame_create(struct frame *frame, const struct output_view *view, const str
     for (int f = 0; f < fields_count(view->particles); f++)
         if (f != FIELD_ID && wanted(fields, fields_get(view->particles, f)))
             add_column(frame, view, f);
+    settle_images(frame);
     size_t received;
     char *packed = send_rows(frame, view->comm, &received);
     unpack_sorted(frame, packed, received);

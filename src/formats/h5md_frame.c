@@ -84,7 +84,8 @@ static bool make_elements(struct h5md *h5md, const struct h5 *h5, const struct f
                           struct error *error) {
     h5md->chunk = chunk_rows(h5md, frame->total);
     bool good = h5md_make_element(h5md, h5, frames_group, NULL, error) &&
-                h5_make_series(h5, frames_rows, FIELD_INT64, error);
+                h5_make_series(h5, frames_rows, FIELD_INT64, error) &&
+                h5md_make_edges(h5md, h5, &frame->box, frames_group, error);
     for (int c = 0; good && c < frame->columns; c++)
         good = make_element(h5md, h5, frame, &frame->column[c], error);
     h5md->rows = frame->total;
@@ -129,7 +130,8 @@ static bool write_elements(struct h5md *h5md, const struct h5 *h5, const struct 
             return false;
     }
     int64_t step = (int64_t)frame->step, rows = (int64_t)frame->total;
-    return h5_write_series(h5, "/parameters/frames/step", FIELD_INT64, h5md->frames, 1, &step, error) &&
+    return h5md_write_edges(h5md, h5, &frame->box, error) &&
+           h5_write_series(h5, "/parameters/frames/step", FIELD_INT64, h5md->frames, 1, &step, error) &&
            h5_write_series(h5, "/parameters/frames/time", FIELD_DOUBLE, h5md->frames, 1, &frame->time,
                            error) &&
            h5_write_series(h5, frames_rows, FIELD_INT64, h5md->frames, 1, &rows, error);

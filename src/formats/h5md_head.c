@@ -52,8 +52,42 @@ static bool write_box(const struct h5md *h5md, const struct h5 *h5, const struct
            h5_write_ints(h5, group, "dimension", &box->dimension, 0, error) &&
            h5_write_texts(h5, group, "boundary", boundary, box->dimension, error) &&
            h5_write_doubles(h5, group, "origin", box->origin, box->dimension, error) &&
-           h5_write_table(h5, edges, &table, box->edge, error) &&
-           h5md_write_unit(h5md, h5, edges, "m", error);
+           (box->motion.moves || (h5_write_table(h5, edges, &table, box->edge, error) &&
+                                  h5md_write_unit(h5md, h5, edges, "m", error)));
+}
+
+static const char edges_group[] = "/particles/all/box/edges",
+                  edges_value[] = "/particles/all/box/edges/value";
+
+/* A table of edge vectors, a row each, as the first rank writes it. */
+static struct h5_table edges_table(const struct h5md *h5md, const struct box *box) {
+    uint64_t dimension = (uint64_t)box->dimension;
+    return (struct h5_table){.type = FIELD_DOUBLE,
+                             .rows = dimension,
+                             .width = dimension,
+                             .count = h5md->comm->rank == 0 ? dimension : 0};
+}
+
+bool h5md_make_edges(const struct h5md *h5md, const struct h5 *h5, const struct box *box,
+                     const char *linked_to, struct error *error) {
+    struct h5_table table = edges_table(h5md, box);
+    return !box->motion.moves || (h5md_make_element(h5md, h5, edges_group, linked_to, error) &&
+                                  h5_make_frames(h5, edges_value, &table, table.rows, NULL, error) &&
+                                  h5md_write_unit(h5md, h5, edges_value, "m", error));
+}
+
+bool h5md_write_edges(const struct h5md *h5md, const struct h5 *h5, const struct box *box,
+                      struct error *error) {
+    double edge[9] = {0};
+    int n = box->dimension;
+    if (!box->motion.moves)
+        return true;
+    for (int d = 0; d < n; d++)
+        edge[n * d + d] = box->edge[d];
+    if (box->motion.shears)
+        edge[n * box->motion.gradient + box->motion.flow] = box->motion.offset;
+    struct h5_table table = edges_table(h5md, box);
+    return h5_write_frame(h5, edges_value, &table, h5md->frames, edge, error);
 }
 
 static bool write_run(const struct h5 *h5, const struct lineage_run *run, char scene[FILE_PATH_MAX],

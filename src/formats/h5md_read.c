@@ -244,6 +244,8 @@ static bool read_box(const struct source *s, struct rows *rows, struct error *er
     if (!find_element(s, "box/edges", &edges, error))
         return error->kind == ERROR_NONE;
     int lead = edges.frames;
+    if (edges.shape.rank == lead + 2)
+        return refuse_shape(s, &edges, "a box at rest: no edges that a shear or a strain moves", error);
     if (edges.shape.rank != lead + 1 || edges.shape.size[lead] != (hsize_t)s->dimension)
         return refuse_shape(s, &edges, "one edge length a dimension (no triclinic box)", error);
     if (lead && s->frame >= edges.shape.size[0])

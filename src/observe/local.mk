@@ -6,6 +6,7 @@ libobserve_la_SOURCES = \
 	src/observe/observables.c \
 	src/observe/observables.h \
 	src/observe/observables_bulk.c \
+	src/observe/observables_flow.c \
 	src/observe/observables_kinds.h \
 	src/observe/observables_row.c \
 	src/observe/observables_single.c \

@@ -16,19 +16,22 @@ static const struct observable_table *const of_physics[] = {PHYSICS_TABLE(OBSERV
 #undef OBSERVABLES_OF
 
 int observables_kinds_count(void) {
-    int count = observables_bulk_count() + observables_single_count();
+    int count = observables_bulk_count() + observables_flow_count() + observables_single_count();
     for (int p = 0; p < PHYSICS_COUNT; p++)
         count += of_physics[p]->count;
     return count;
 }
 
 const struct observable_kind *observables_kind(int k) {
-    int bulk = observables_bulk_count(), single = observables_single_count(), p = 0;
+    int bulk = observables_bulk_count(), flow = observables_flow_count(), single = observables_single_count(),
+        p = 0;
     if (k < bulk)
         return observables_bulk(k);
-    if (k < bulk + single)
-        return observables_single(k - bulk);
-    for (k -= bulk + single; k >= of_physics[p]->count; p++)
+    if (k < bulk + flow)
+        return observables_flow(k - bulk);
+    if (k < bulk + flow + single)
+        return observables_single(k - bulk - flow);
+    for (k -= bulk + flow + single; k >= of_physics[p]->count; p++)
         k -= of_physics[p]->count;
     return &of_physics[p]->rows[k];
 }

@@ -15,8 +15,11 @@ static double dot(const double a[3], const double b[3]) {
 static void unwrapped(const struct output_view *view, size_t i, double x[3]) {
     const struct particles *p = view->particles;
     int32_t(*const image)[3] = particles_images(p);
+    double shift[3] = {0, 0, 0};
+    if (image)
+        box_unwrap(view->box, image[i], shift);
     for (int d = 0; d < 3; d++)
-        x[d] = p->state[i].x[d] + view->box->origin[d] + (image ? image[i][d] * view->box->edge[d] : 0);
+        x[d] = p->state[i].x[d] + view->box->origin[d] + shift[d];
 }
 
 static bool is_free(const struct particles *particles, size_t i) {

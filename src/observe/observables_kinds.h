@@ -72,7 +72,9 @@ struct observable_table {
     int count;
 };
 
-/* The rows of the two files that define them, and of all together. */
+/* The rows of the three files that define them, and of all together. */
+int observables_flow_count(void);
+const struct observable_kind *observables_flow(int k);
 int observables_bulk_count(void);
 const struct observable_kind *observables_bulk(int k);
 int observables_single_count(void);

@@ -123,10 +123,10 @@ bool observables_item_counts(const struct output_view *view, const struct observ
     if (item->material >= 0 && material_of(material_numbers(view->particles), i) != item->material)
         return false;
     double x[3];
-    for (int d = 0; d < 3; d++) {
-        double at = view->particles->state[i].x[d];
-        x[d] = at - (box->periodic[d] ? floor(at / box->edge[d]) * box->edge[d] : 0) + box->origin[d];
-    }
+    memcpy(x, view->particles->state[i].x, sizeof x);
+    box_wrap(box, x);
+    for (int d = 0; d < 3; d++)
+        x[d] += box->origin[d];
     return observables_region_contains(item->region, x);
 }
 

@@ -10,17 +10,23 @@
  * region that is the whole box gives the stress of the box. The static part is that of Christoffersen,
  * Mehrabadi and Nemat-Nasser, J. Appl. Mech. 48 (1981) 339; shared out by halves, particles at the rim of a
  * small region count with parts that lie outside, so the error goes with diameter over width. The kinetic
- * part uses v itself, the mean flow included. */
+ * part uses v itself, the mean flow included; in a box that moves, v relative to its mean flow (box_flow), as
+ * images of a particle have different velocities there. */
 #include "observe/observables_kinds.h"
 
 #include <math.h>
 
 void observables_stress_flux(const struct output_view *view, const struct observable_item *item, size_t i,
                              double *part) {
-    double v[3], inverse = view->particles->state[i].inverse_mass;
+    double v[3], flow[3], inverse = view->particles->state[i].inverse_mass;
     if (!(inverse > 0) || !observables_item_counts(view, item, i))
         return;
     integrator_full_step(view->particles, view->motion, i, v, NULL);
+    if (view->box->motion.moves) {
+        box_flow(view->box, view->particles->state[i].x, flow);
+        for (int d = 0; d < 3; d++)
+            v[d] -= flow[d];
+    }
     const double flux[6] = {v[0] * v[0], v[1] * v[1], v[2] * v[2], v[0] * v[1], v[0] * v[2], v[1] * v[2]};
     for (int c = 0; c < 6; c++)
         part[c] += flux[c] / inverse;

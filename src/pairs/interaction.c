@@ -25,7 +25,7 @@ static double range_of_all(const void *context, int kind_a, double radius_a, int
 }
 
 struct classes_range interactions_range(const struct interactions *interactions) {
-    return (struct classes_range){range_of_all, interactions, interactions->moving};
+    return (struct classes_range){range_of_all, interactions};
 }
 
 void interactions_create(struct interactions *interactions, const struct pairlist_options *options) {
@@ -47,7 +47,7 @@ struct pairlist *interaction_list(const struct interactions *interactions, int k
 /* The margins of interaction k: its range and the skin of all. */
 static void margins_set(struct interactions *interactions, int k, const struct size_classes *classes) {
     const struct interaction *row = &interactions->row[k];
-    const struct classes_range range = {row->range, row->context, interactions->moving};
+    const struct classes_range range = {row->range, row->context};
     for (int a = 0; a < classes->count; a++)
         for (int b = 0; b < classes->count; b++)
             interactions->margin[k][a][b] = classes_range_of(classes, &range, a, b) + classes->skin[a][b];
@@ -144,6 +144,8 @@ static void list_select(struct pairlist *list, const struct pairlist *from, cons
     list->block_count = from->block_count;
     memcpy(list->thread_block, from->thread_block, ((size_t)from->threads + 1) * sizeof *from->thread_block);
     memcpy(list->shift, from->shift, sizeof list->shift);
+    memcpy(list->drift, from->drift, sizeof list->drift);
+    list->moves = from->moves;
     pairlist_reserve_slots(list, from->slot_count > 0 ? view->total : 0, from->slot_count);
     list->slot_count = from->slot_count;
     if (from->slot_count > 0) {
@@ -168,6 +170,13 @@ void interactions_select(struct interactions *interactions, const struct size_cl
         margins_set(interactions, k, classes);
         list_select(interactions->own[k], interactions->all, view, interactions->margin[k]);
     }
+}
+
+void interactions_follow(struct interactions *interactions, const struct box *box) {
+    pairlist_follow(interactions->all, box);
+    for (int k = 0; k < interactions->count; k++)
+        if (interactions->own[k])
+            pairlist_follow(interactions->own[k], box);
 }
 
 static int partner_compare(const void *a, const void *b) {

@@ -36,8 +36,7 @@ struct interaction {
 struct interactions {
     int count;
     struct interaction row[INTERACTIONS_MAX];
-    unsigned moving;      /* bits 1 << kind of the kinds that move beside grains (classes.h) */
-    struct pairlist *all; /* the pairs that the index finds; owned */
+    struct pairlist *all;                                  /* the pairs that the index finds; owned */
     struct pairlist *own[INTERACTIONS_MAX];                /* NULL: the interaction shares `all`; owned */
     double margin[INTERACTIONS_MAX][CLASS_MAX][CLASS_MAX]; /* of each, skin included */
 };
@@ -65,6 +64,7 @@ void interactions_divide(struct interactions *interactions, const struct size_cl
 
 /* After `all` has been built for `view`: fills the lists of their own with the pairs that are near enough. Opens
  * its own team. */
+void interactions_follow(struct interactions *interactions, const struct box *box);
 void interactions_select(struct interactions *interactions, const struct size_classes *classes,
                          const struct index_view *view);
 

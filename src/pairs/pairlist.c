@@ -140,17 +140,29 @@ bool pairlist_valid(const struct pairlist *list, const struct index_view *view, 
     return true;
 }
 
+void pairlist_follow(struct pairlist *list, const struct box *box) {
+    list->moves = box->motion.moves;
+    box_image_shifts(box, list->shift);
+    if (list->moves)
+        box_image_velocities(box, list->drift);
+}
+
+/* The image of j with the copy's own image taken in; the row is the copy where i is one. */
+static uint32_t image_joined(uint32_t i, uint32_t code, size_t owned, const uint8_t *image) {
+    uint32_t j = pair_partner(code);
+    int found[3], copy[3], sign = i < owned ? 1 : -1;
+    image_vector(pair_image(code), found);
+    image_vector(image[(i < owned ? j : i) - owned], copy);
+    unsigned sum =
+        image_code(found[0] + sign * copy[0], found[1] + sign * copy[1], found[2] + sign * copy[2]);
+    return j | sum << PARTICLE_INDEX_BITS;
+}
+
 void pairlist_add_images(struct pairlist *list, size_t owned, const uint8_t *image) {
     for (int t = 0; t < list->threads; t++) {
         const struct pair_block *block = &list->blocks[list->thread_block[t + 1] - 1];
         assert(block->kind == PAIR_BLOCK_GHOST);
-        for (size_t k = block->first_pair; k < block->end_pair; k++) {
-            uint32_t j = pair_partner(list->j[k]);
-            int found[3], copy[3];
-            image_vector(pair_image(list->j[k]), found);
-            image_vector(image[j - owned], copy);
-            unsigned code = image_code(found[0] + copy[0], found[1] + copy[1], found[2] + copy[2]);
-            list->j[k] = j | code << PARTICLE_INDEX_BITS;
-        }
+        for (size_t k = block->first_pair; k < block->end_pair; k++)
+            list->j[k] = image_joined(list->i[k], list->j[k], owned, image);
     }
 }

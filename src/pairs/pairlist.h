@@ -66,6 +66,8 @@ struct pairlist {
     int32_t *slot_of;  /* slot of particle k (owned or ghost), if it is of a busy class; else not set */
     size_t busy_capacity, slot_of_capacity;
     double shift[IMAGE_CODES][4]; /* image code -> vector added to x_j */
+    bool moves;                   /* the box moves: `drift` counts */
+    double drift[IMAGE_CODES][4]; /* image code -> velocity added to v_j */
     struct pairlist_build *build;
 };
 
@@ -88,6 +90,9 @@ void pairlist_view(struct index_view *view, const struct particles *particles,
 /* Rebuilds the list from an index that was built for `view`: count, scan, fill. Opens its own thread team. */
 void pairlist_build(struct pairlist *list, const struct index *index, const struct index_view *view,
                     const struct box *box);
+
+/* Shifts and velocities of the images, after the box has moved: the pairs keep their images. */
+void pairlist_follow(struct pairlist *list, const struct box *box);
 
 /* Adds the image under which each ghost stands (`image[k]`: image code of ghost k, of particle owned + k) to
  * the image codes of its pairs. From then on the codes start from the original, and the caller must give each

@@ -30,6 +30,43 @@ void skin_reset(struct skin *skin, const struct particles *particles) {
     memset(skin->second, 0, sizeof skin->second);
     skin->moves = 0;
     skin->rebuilds++;
+    skin->nearing = skin->nearing_growth = 0;
+    if (skin->box)
+        skin->then = *skin->box;
+}
+
+void skin_follow(struct skin *skin, const struct box *box) {
+    skin->box = box;
+}
+
+double skin_speed2(const struct box *box, const struct particle_state *state, double dt) {
+    double flow[3], x[3], square = 0;
+    for (int d = 0; d < 3; d++)
+        x[d] = state->x[d] - dt * state->v[d];
+    box_flow(box, x, flow);
+    for (int d = 0; d < 3; d++)
+        square += (state->v[d] - flow[d]) * (state->v[d] - flow[d]);
+    return square;
+}
+
+/* The flow at the place of a particle differs from that at its place in the frame of the rebuild by no more than
+ * the rates of the box times the displacement; and the middle of a box that strains, where the flow of a shear is
+ * 0, moves in the step. */
+static void skin_strain(struct skin *skin, int classes, double dt) {
+    const struct box_motion *motion = &skin->box->motion;
+    double rate = fabs(motion->shear), nearing = box_nearing(skin->box, &skin->then);
+    for (int d = 0; d < 3; d++)
+        rate += fabs(motion->stretch[d]);
+    double growth = 1 / fmax(1 - rate * dt, 0.5), middle = 0;
+    if (motion->shears)
+        middle = fabs(motion->shear * motion->stretch[motion->gradient]) * skin->box->edge[motion->gradient] *
+                 dt * dt;
+    for (int c = 0; c < classes; c++) {
+        skin->bound[c] = skin->bound[c] * growth + middle;
+        skin->second[c] = skin->second[c] * growth + middle;
+    }
+    skin->nearing_growth = fmax(nearing - skin->nearing, 0);
+    skin->nearing = nearing;
 }
 
 void skin_moved(struct skin *skin, const double *speed, int classes, double dt, double walls) {
@@ -39,6 +76,8 @@ void skin_moved(struct skin *skin, const double *speed, int classes, double dt, 
         skin->bound[c] += speed[c] * dt;
         skin->second[c] += speed[c] * dt;
     }
+    if (skin->box)
+        skin_strain(skin, classes, dt);
     skin->bound[classes] = walls;
     skin->second[classes] = 0;
 }
@@ -62,6 +101,17 @@ static void largest_put(struct largest *largest, int c, double d2) {
     }
 }
 
+static double displacement2(const struct skin *skin, const double anchor[3], const double x[3]) {
+    double square = 0, flown[3] = {0, 0, 0};
+    if (skin->box)
+        box_affine(skin->box, &skin->then, anchor, flown);
+    for (int d = 0; d < 3; d++) {
+        double moved = x[d] - anchor[d] - flown[d];
+        square += moved * moved;
+    }
+    return square;
+}
+
 void skin_measure(struct skin *skin, const struct particles *particles, int classes) {
     struct largest all = {0};
 #pragma omp parallel
@@ -69,11 +119,7 @@ void skin_measure(struct skin *skin, const struct particles *particles, int clas
         struct largest mine = {0};
 #pragma omp for schedule(static)
         for (size_t k = 0; k < particles->owned; k++) {
-            double d2 = 0;
-            for (int d = 0; d < 3; d++) {
-                double moved = particles->state[k].x[d] - skin->anchor[k][d];
-                d2 += moved * moved;
-            }
+            double d2 = displacement2(skin, skin->anchor[k], particles->state[k].x);
             largest_put(&mine, particles->size_class[k], d2);
         }
 #pragma omp critical(skin_largest)
@@ -96,6 +142,7 @@ static bool counts(const struct size_classes *classes, int a, int b) {
 /* True if the bounds, each grown by `more` x its last growth, exceed a skin. */
 static bool exceeded(const struct skin *skin, const struct size_classes *classes, double more) {
     double first[CLASS_MAX + 1], second[CLASS_MAX + 1];
+    double nearing = skin->nearing + more * skin->nearing_growth;
     for (int c = 0; c <= classes->count; c++) {
         first[c] = skin->bound[c] + more * skin->growth[c];
         second[c] = skin->second[c] + more * skin->growth[c];
@@ -104,7 +151,9 @@ static bool exceeded(const struct skin *skin, const struct size_classes *classes
         for (int b = a; b <= classes->count;
              b++) { /* the last is walls; walls among themselves do not matter */
             double moved = first[a] + (a == b ? second[b] : first[b]);
-            bool still = first[a] == 0 && first[b] == 0;
+            if (nearing > 0 && b < classes->count && counts(classes, a, b))
+                moved += nearing * (classes->radius_max[a] + classes->radius_max[b] + classes->margin[a][b]);
+            bool still = moved == 0;
             if (!still && moved > classes->skin[a][b] && counts(classes, a, b))
                 return true;
         }

@@ -5,7 +5,14 @@
  *
  * Exact displacements cost a pass over all particles, so a bound is kept instead: the largest possible
  * displacement of a class, the sum of its largest speed times dt. Only when the bound reaches the skin are
- * the displacements measured; the bound then falls back to the measured values. */
+ * the displacements measured; the bound then falls back to the measured values.
+ *
+ * In a box that moves, displacements are those from the mean flow: a point that the flow carries has none,
+ * whichever image of it is meant. The deformation F since the rebuild maps the vector d of a pair to F d + (u_j
+ * - u_i), where u are these displacements. F shortens no vector by more than the part `nearing` of its length
+ * (box_nearing), so a pair beyond cut-off c and skin s stays beyond c as long as
+ *
+ *     |u_i| + |u_j| + nearing (c + s) <= s. */
 #ifndef SCREE_PAIRS_SKIN_H
 #define SCREE_PAIRS_SKIN_H
 
@@ -20,17 +27,28 @@ struct skin {
     double (*anchor)[3];          /* position at the rebuild, owned particles */
     size_t capacity;
     uint64_t rebuilds;
-    unsigned moves; /* drifts since the rebuild */
+    unsigned moves;        /* drifts since the rebuild */
+    const struct box *box; /* that moves; NULL: at rest */
+    struct box then;       /* the box at the rebuild */
+    double nearing;        /* part of a distance that the motion of the box has taken since the rebuild */
+    double nearing_growth; /* in the last step */
 };
 
 struct skin *skin_create(void);
 void skin_destroy(struct skin **skin);
 
+/* Displacements are those from the mean flow of a box that moves; borrowed. */
+void skin_follow(struct skin *skin, const struct box *box);
+
+/* The squared speed of a particle relative to the mean flow where the particle was before its last drift over dt;
+ * dt 0: where the particle is. Any thread. */
+double skin_speed2(const struct box *box, const struct particle_state *state, double dt);
+
 /* A rebuild has happened: displacements start from here. Opens its own thread team. */
 void skin_reset(struct skin *skin, const struct particles *particles);
 
 /* The largest speed of each class in the drift just made (this rank's, or all ranks'), and how far walls have
- * moved in all. */
+ * moved in all. In a box that moves speeds are those of skin_speed2, and the box has moved. */
 void skin_moved(struct skin *skin, const double *speed, int classes, double dt, double walls);
 
 /* Replaces the bounds by the exact displacements of this rank's owned particles. Opens its own thread team.

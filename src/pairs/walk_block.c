@@ -17,6 +17,7 @@ struct walk_view {
     size_t stride;
     const uint32_t *i, *j; /* from the first pair of the block on */
     const double (*shift)[4];
+    const double (*drift)[4]; /* velocities of images; NULL: the box is at rest */
     double range;
     int gathers;
 };
@@ -29,6 +30,7 @@ static inline struct walk_view walk_view_of(const struct walk_task *task) {
                              .i = work->list->i + task->block->first_pair,
                              .j = work->list->j + task->block->first_pair,
                              .shift = work->list->shift,
+                             .drift = work->list->moves ? work->list->drift : NULL,
                              .range = work->range,
                              .gathers = work->gathers};
     for (int g = 0; g < work->gathers; g++)
@@ -122,6 +124,15 @@ static __attribute__((noinline)) void walk_select(const struct walk_task *task, 
     b->count = kept;
 }
 
+/* Adds the velocities of the images, in a box that moves. */
+static __attribute__((noinline)) void walk_drift(const struct walk_task *task, const uint32_t *j,
+                                                 const double (*drift)[4], int count) {
+    struct walk_batch *restrict b = task->thread->batch;
+    for (int k = 0; k < count; k++)
+        *(walk_four *)(b->record[k] + 4) +=
+            *(const walk_four *)drift[pair_image(j[task->thread->candidate[k]])];
+}
+
 /* Fills the batch with the first `count` near pairs. */
 static inline void walk_gather(const struct walk_task *task, const struct walk_view view, int count) {
     const struct walk_thread *restrict thread = task->thread;
@@ -150,6 +161,8 @@ static inline void walk_gather(const struct walk_task *task, const struct walk_v
             *(walk_four *)(b->gathered[g][k] + 4) = *(const walk_four *)(base + j * view.gather[g].stride);
         }
     }
+    if (view.drift)
+        walk_drift(task, view.j, view.drift, count);
     b->count = count;
     if (task->work->selective)
         walk_select(task, view.gathers);

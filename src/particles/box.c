@@ -1,15 +1,119 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Shifts of the images of the box. Read box.h first. */
+/* Images of the box and its motion. Read box.h first. */
 #include "particles/box.h"
 
-void box_image_shifts(const struct box *box, double shift[IMAGE_CODES][4]) {
+/* Fills row[code] with the sums of three vectors, times those of the image. */
+static void images_fill(double vector[3][3], double row[IMAGE_CODES][4]) {
     for (int sz = -1; sz <= 1; sz++)
         for (int sy = -1; sy <= 1; sy++)
             for (int sx = -1; sx <= 1; sx++) {
-                double *row = shift[image_code(sx, sy, sz)];
-                row[0] = sx * box->edge[0];
-                row[1] = sy * box->edge[1];
-                row[2] = sz * box->edge[2];
-                row[3] = 0;
+                double *sum = row[image_code(sx, sy, sz)];
+                const int image[3] = {sx, sy, sz};
+                for (int c = 0; c < 3; c++) {
+                    sum[c] = image[c] * vector[c][c];
+                    for (int d = 0; d < 3; d++)
+                        if (d != c && vector[d][c] != 0)
+                            sum[c] += image[d] * vector[d][c];
+                }
+                sum[3] = 0;
             }
+}
+
+void box_image_shifts(const struct box *box, double shift[IMAGE_CODES][4]) {
+    double vector[3][3] = {{0}};
+    for (int d = 0; d < 3; d++)
+        vector[d][d] = box->edge[d];
+    if (box->motion.shears)
+        vector[box->motion.gradient][box->motion.flow] = box->motion.offset;
+    images_fill(vector, shift);
+}
+
+/* The velocity of the image one edge up the gradient, along the flow. */
+static double offset_rate(const struct box *box) {
+    const struct box_motion *motion = &box->motion;
+    return motion->shear * box->edge[motion->gradient] + motion->stretch[motion->flow] * motion->offset;
+}
+
+void box_image_velocities(const struct box *box, double velocity[IMAGE_CODES][4]) {
+    double vector[3][3] = {{0}};
+    for (int d = 0; d < 3; d++)
+        vector[d][d] = box->motion.stretch[d] * box->edge[d];
+    if (box->motion.shears)
+        vector[box->motion.gradient][box->motion.flow] = offset_rate(box);
+    images_fill(vector, velocity);
+}
+
+void box_unwrap(const struct box *box, const int32_t crossed[3], double shift[3]) {
+    const struct box_motion *motion = &box->motion;
+    for (int d = 0; d < 3; d++)
+        shift[d] = crossed[d] * box->edge[d];
+    if (motion->shears)
+        shift[motion->flow] +=
+            crossed[motion->gradient] * (motion->offset + motion->turns * box->edge[motion->flow]);
+}
+
+void box_wrap(const struct box *box, double x[3]) {
+    const struct box_motion *motion = &box->motion;
+    for (int k = 0; k < 3; k++) {
+        int d = motion->shears ? (motion->gradient + k) % 3 : k;
+        double turns = box->periodic[d] ? floor(x[d] / box->edge[d]) : 0;
+        if (box->periodic[d])
+            x[d] -= turns * box->edge[d];
+        if (motion->shears && d == motion->gradient)
+            x[motion->flow] -= turns * motion->offset;
+    }
+}
+
+void box_flow(const struct box *box, const double x[3], double velocity[3]) {
+    const struct box_motion *motion = &box->motion;
+    for (int d = 0; d < 3; d++)
+        velocity[d] = motion->stretch[d] * x[d];
+    if (motion->shears)
+        velocity[motion->flow] += motion->shear * (x[motion->gradient] - 0.5 * box->edge[motion->gradient]);
+}
+
+void box_advance(struct box *box, double dt) {
+    struct box_motion *motion = &box->motion;
+    if (motion->shears)
+        motion->offset += dt * offset_rate(box);
+    for (int d = 0; d < 3; d++)
+        box->edge[d] += dt * (motion->stretch[d] * box->edge[d]);
+}
+
+void box_settle(struct box *box) {
+    struct box_motion *motion = &box->motion;
+    if (!motion->shears)
+        return;
+    double turns = floor(motion->offset / box->edge[motion->flow] + 0.5);
+    motion->offset -= turns * box->edge[motion->flow];
+    motion->turns += turns;
+}
+
+/* The part of the deformation that shears: displacement along the flow per length along the gradient. */
+static double sheared(const struct box *now, const struct box *then) {
+    int flow = now->motion.flow, gradient = now->motion.gradient;
+    double growth = now->edge[flow] / then->edge[flow];
+    double turned = (now->motion.turns - then->motion.turns) * now->edge[flow];
+    return (now->motion.offset + turned - growth * then->motion.offset) / then->edge[gradient];
+}
+
+void box_affine(const struct box *now, const struct box *then, const double x[3], double u[3]) {
+    int gradient = now->motion.gradient;
+    for (int d = 0; d < 3; d++)
+        u[d] = (now->edge[d] / then->edge[d] - 1) * x[d];
+    if (now->motion.shears)
+        u[now->motion.flow] += sheared(now, then) * (x[gradient] - 0.5 * then->edge[gradient]);
+}
+
+double box_nearing(const struct box *now, const struct box *then) {
+    int flow = now->motion.flow, gradient = now->motion.gradient;
+    double least = 1;
+    for (int d = 0; d < now->dimension; d++)
+        least = fmin(least, now->edge[d] / then->edge[d]);
+    if (now->motion.shears) { /* the smallest singular value of [a b; 0 c] */
+        double a = now->edge[flow] / then->edge[flow], c = now->edge[gradient] / then->edge[gradient];
+        double b = sheared(now, then), sum = hypot(a + c, b), difference = hypot(a - c, b);
+        least = fmin(least, 0.5 * (sum - difference));
+    }
+    return 1 - least;
 }

@@ -7,9 +7,24 @@
 #include "core/image.h"
 #include <math.h>
 #include <stdbool.h>
+#include <stdint.h>
 
 /* Treatment of a particle whose centre leaves through an open side. */
 enum box_leave { BOX_KEEP, BOX_DELETE, BOX_ERROR };
+
+/* The motion of a periodic box. Images of a particle lie at x + n_d (edge of d), and an image one edge up the
+ * gradient of a shear also at `offset` along the flow (Lees and Edwards, J. Phys. C 5 (1972) 1921). The edges
+ * of a box that strains grow at `stretch` times their length; the lower corner stays. Images move with the
+ * box, so that an image has a velocity of its own. */
+struct box_motion {
+    bool moves; /* the box shears or strains; else all members are 0 */
+    bool shears;
+    int flow, gradient; /* directions of the shear, unlike */
+    double shear;       /* rate, 1/time */
+    double offset;      /* length; within half an edge of the flow after box_settle */
+    double turns;       /* edges that box_settle has taken off the offset since the start */
+    double stretch[3];  /* rate of each edge, 1/time */
+};
 
 struct box {
     int dimension;              /* 2 or 3; in 2D nothing moves in z and the box is one particle thick */
@@ -17,9 +32,10 @@ struct box {
     double edge[3];             /* edge lengths, > 0, length unit */
     bool periodic[3];           /* per direction; never set for z in 2D */
     enum box_leave leave[3][2]; /* per direction, lower and upper side; ignored where periodic */
+    struct box_motion motion;
 };
 
-/* Smallest squared distance of two points of the box over their periodic images. */
+/* Smallest squared distance of two points of the box at rest over their periodic images. */
 static inline double box_distance2(const struct box *box, const double a[3], const double b[3]) {
     double sum = 0;
     for (int d = 0; d < 3; d++) {
@@ -34,5 +50,42 @@ static inline double box_distance2(const struct box *box, const double a[3], con
 /* Fills shift[code] with the vector (length unit) that image `code` adds to a position; shift has
  * IMAGE_CODES rows of 4 doubles, the fourth 0. */
 void box_image_shifts(const struct box *box, double shift[IMAGE_CODES][4]);
+
+/* The same for the velocity (length/time) that an image adds to that of its original. */
+void box_image_velocities(const struct box *box, double velocity[IMAGE_CODES][4]);
+
+/* The vector (length unit) that `image`, in edges of the box, adds to a position. */
+static inline void box_shift(const struct box *box, const int image[3], double shift[3]) {
+    for (int d = 0; d < 3; d++)
+        shift[d] = image[d] * box->edge[d];
+    if (box->motion.shears)
+        shift[box->motion.flow] += image[box->motion.gradient] * box->motion.offset;
+}
+
+/* The vector that leads from the wrapped position of a particle to where it would be if it had never been
+ * wrapped; `crossed` as counted by particles_wrap. */
+void box_unwrap(const struct box *box, const int32_t crossed[3], double shift[3]);
+
+/* Brings a box-relative position into the box, up to rounding. */
+void box_wrap(const struct box *box, double x[3]);
+
+/* The velocity (length/time) of the mean flow at a box-relative position: that of a shear is 0 in the middle
+ * of the box, that of a strain at the lower corner. Any thread. */
+void box_flow(const struct box *box, const double x[3], double velocity[3]);
+
+/* Moves the box by dt. */
+void box_advance(struct box *box, double dt);
+
+/* Takes whole edges off the offset, so that images up to one edge away are the near ones. Only at a rebuild,
+ * as the images of pairs change. */
+void box_settle(struct box *box);
+
+/* The deformation since `then`, of the same box: a point that moved with the mean flow from x came to
+ * x + u, and u is the result. */
+void box_affine(const struct box *now, const struct box *then, const double x[3], double u[3]);
+
+/* By which part of itself a vector can have become shorter in the deformation since `then`: 1 less the
+ * smallest singular value of the deformation, at least 0. */
+double box_nearing(const struct box *now, const struct box *then);
 
 #endif

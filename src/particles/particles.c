@@ -267,14 +267,51 @@ static double wrap_coordinate(double *x, double edge) {
     return turns;
 }
 
+/* Wraps one particle of a box that moves: an image has a velocity of its own, and a turn along the gradient of
+ * a shear moves the particle along the flow, which is wrapped afterwards. False if crossings cannot be counted. */
+static bool wrap_moving(struct particle_state *state, const struct box *box, double velocity[IMAGE_CODES][4],
+                        int32_t *crossed) {
+    const struct box_motion *motion = &box->motion;
+    double image[3] = {0};
+    for (int k = 0; k < 3; k++) {
+        int d = (motion->gradient + k) % 3;
+        if (!box->periodic[d] || (state->x[d] >= 0 && state->x[d] < box->edge[d]))
+            continue;
+        const int one[3] = {d == 0, d == 1, d == 2};
+        const double *gained = velocity[image_code(one[0], one[1], one[2])];
+        double turns = wrap_coordinate(&state->x[d], box->edge[d]);
+        bool slides = motion->shears && d == motion->gradient;
+        for (int c = 0; c < 3; c++)
+            state->v[c] -= turns * gained[c];
+        if (slides)
+            state->x[motion->flow] -= turns * motion->offset;
+        image[d] += turns;
+        if (slides)
+            image[motion->flow] -= turns * motion->turns;
+    }
+    for (int d = 0; crossed && d < 3; d++) {
+        if (fabs(crossed[d] + image[d]) > INT32_MAX)
+            return false;
+        crossed[d] += (int32_t)image[d];
+    }
+    return true;
+}
+
 bool particles_wrap(struct particles *particles, const struct box *box) {
     int bad = 0;
+    double velocity[IMAGE_CODES][4];
+    if (box->motion.moves)
+        box_image_velocities(box, velocity);
     int32_t(*const crossed)[3] = particles_images(particles);
 #pragma omp parallel for schedule(static) reduction(| : bad)
     for (size_t k = 0; k < particles->owned; k++) {
         double *x = particles->state[k].x, sum = x[0] + x[1] + x[2];
         if (!(sum - sum == 0)) {
             bad = 1;
+            continue;
+        }
+        if (box->motion.moves) {
+            bad |= !wrap_moving(&particles->state[k], box, velocity, crossed ? crossed[k] : NULL);
             continue;
         }
         for (int d = 0; d < 3; d++) {

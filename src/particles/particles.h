@@ -80,11 +80,13 @@ void particles_reorder(struct particles *particles, const uint32_t *order);
 void particles_classify(struct particles *particles, const struct size_classes *classes);
 
 /* Registers the field `image`, int32 x 3: how often a particle crossed the box; unwrapped position = x +
- * image * edge. For boxes with a periodic direction. particles_images gives the values, NULL without. */
+ * image * edge (box_unwrap). For boxes with a periodic direction. particles_images gives the values, NULL
+ * without. */
 void particles_count_images(struct particles *particles);
 int32_t (*particles_images(const struct particles *particles))[3];
 
 /* Wraps owned particles into the box in the periodic directions (and counts crossings where images are kept).
+ * In a box that moves, a particle takes the velocity of its image over.
  * False if there are positions that are no numbers, or coordinates whose crossings 32 bits do not count;
  * these are left as they are. Opens its own thread team. */
 bool particles_wrap(struct particles *particles, const struct box *box);

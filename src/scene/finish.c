@@ -90,6 +90,19 @@ static bool finish_box(struct scene *scene, struct error *error) {
     return true;
 }
 
+static void finish_motion(struct scene *scene) {
+    struct box_motion *motion = &scene->box.motion;
+    if (!scene->shear_given)
+        return;
+    *motion = (struct box_motion){.moves = true,
+                                  .shears = true,
+                                  .flow = scene->shear.flow,
+                                  .gradient = scene->shear.gradient,
+                                  .shear = scene->shear.rate,
+                                  .offset = scene->shear.offset};
+    scene->ghosts.in_place = true;
+}
+
 static void finish_newton(struct scene *scene) {
     for (int k = 0; k < PHYSICS_COUNT; k++)
         if (scene->physics_given[k] && physics_has_particles(k))
@@ -374,6 +387,7 @@ bool finish_scene(struct scene *scene, struct error *error) {
         !finish_fields(scene, error))
         return false;
     finish_step(scene);
+    finish_motion(scene);
     finish_newton(scene);
     scene->ghosts.reduced = scene->ghosts_name == SCENE_GHOSTS_REDUCED ||
                             (scene->ghosts_name == SCENE_GHOSTS_AUTO && scene->ghosts.newton);

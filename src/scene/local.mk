@@ -21,6 +21,8 @@ libscene_la_SOURCES = \
 	src/scene/scene.h \
 	src/scene/scene_check.c \
 	src/scene/scene_check.h \
+	src/scene/scene_check_box.c \
+	src/scene/scene_check_box.h \
 	src/scene/scene_check_walls.c \
 	src/scene/scene_check_walls.h \
 	src/scene/scene_particles.c \

@@ -37,6 +37,8 @@ struct scene {
     uint64_t seed;
     struct box box;
     double box_lower[3], box_upper[3];
+    int shear_given;
+    struct scene_shear shear;
     int leave_all;
     int leave_side[3][2];
     double gravity[3];

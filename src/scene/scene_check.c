@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Combinations of keys that cannot be: each is refused with its place before anything runs. */
 #include "scene/scene_check.h"
+#include "scene/scene_check_box.h"
 #include "scene/scene_check_walls.h"
 
 #include <math.h>
@@ -367,7 +368,8 @@ static bool check_output(const struct scene *scene, struct error *error) {
 }
 
 bool scene_check(const struct scene *scene, struct error *error) {
-    return check_law(scene, error) && check_step(scene, error) && check_plane(scene, error) &&
-           scene_check_walls(scene, error) && check_search(scene, error) && check_groups(scene, error) &&
-           check_sources(scene, error) && check_insertions(scene, error) && check_output(scene, error);
+    return check_law(scene, error) && scene_check_box(scene, error) && check_step(scene, error) &&
+           check_plane(scene, error) && scene_check_walls(scene, error) && check_search(scene, error) &&
+           check_groups(scene, error) && check_sources(scene, error) && check_insertions(scene, error) &&
+           check_output(scene, error);
 }

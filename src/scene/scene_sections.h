@@ -30,6 +30,14 @@ struct scene_step {
     double speed_max; /* largest impact speed expected for the stable step; 0: from the particles */
 };
 
+/* Shear of the box. */
+struct scene_shear {
+    double rate;        /* 1/time */
+    double offset;      /* of the image one edge up the gradient, at the start; length */
+    int flow, gradient; /* directions */
+    bool profile;       /* particles start with the velocity of the mean flow in addition to their own */
+};
+
 /* Vector instructions used at most; the numbers are those of enum index_instructions. */
 enum scene_simd { SCENE_SIMD_AUTO, SCENE_SIMD_BASELINE, SCENE_SIMD_V3, SCENE_SIMD_V4 };
 

@@ -38,6 +38,22 @@ static const struct schema_row leave_rows[] = {
 };
 static const struct schema_table leave_table = TABLE(leave_rows);
 
+static const struct schema_name direction_names[] = {{"x", 0, NULL}, {"y", 1, NULL}, {"z", 2, NULL}, {0}};
+
+static const struct schema_row shear_rows[] = {
+    {.key = "rate", .type = SCHEMA_REAL, .unit = "1/s", .required = true, AT(struct scene, shear.rate),
+     .help = "change of the mean velocity along the gradient; 0 keeps the offset that a checkpoint has", .example = "10 1/s"},
+    {.key = "flow", .type = SCHEMA_NAME, .names = direction_names, .fallback = "x", AT(struct scene, shear.flow),
+     .help = "direction of the mean velocity"},
+    {.key = "gradient", .type = SCHEMA_NAME, .names = direction_names, .fallback = "y", AT(struct scene, shear.gradient),
+     .help = "direction in which the mean velocity changes"},
+    {.key = "offset", .type = SCHEMA_REAL, .unit = "m", .fallback = "0", AT(struct scene, shear.offset),
+     .help = "displacement of the image one edge up the gradient along the flow, at the start"},
+    {.key = "profile", .type = SCHEMA_BOOL, .fallback = "true", AT(struct scene, shear.profile),
+     .help = "particles start with the mean velocity in addition to their own; off: the shear spreads from the boundaries"},
+};
+static const struct schema_table shear_table = TABLE(shear_rows);
+
 static const struct schema_row box_rows[] = {
     {.key = "dimension", .type = SCHEMA_INT, .fallback = "3", .range = "[2, 3]",
      AT(struct scene, box.dimension),
@@ -52,6 +68,9 @@ static const struct schema_row box_rows[] = {
      .example = "[true, true, false]"},
     {.key = "leave", .type = SCHEMA_SECTION, .sub = &leave_table, .main = "all",
      .help = "treatment of a particle whose centre leaves through an open side"},
+    {.key = "shear", .type = SCHEMA_SECTION, .sub = &shear_table, .optional = true, .main = "rate",
+     .offset = 0, .count_offset = offsetof(struct scene, shear_given),
+     .help = "homogeneous shear across Lees-Edwards boundaries: both directions periodic, no walls, groups, insertions or fluid"},
 };
 static const struct schema_table box_table = TABLE(box_rows);
 

@@ -106,6 +106,23 @@ insertions: [{rate: 500, material: soft, sizes: 0.15, region: {shape: box, lower
 END
 } >flow.yaml
 
+# Sheared fast enough that copies across the gradient come from other ranks at each rebuild; ratio 8, springs
+{
+    echo "$common"
+    cat <<'END'
+box: {lower: [0, 0, 0], upper: [8, 6, 5], periodic: true, shear: {rate: -20, flow: z, gradient: x}}
+step: {dt: 0.0004, count: 120}
+materials: [{name: soft, density: 1}, {name: hard, density: 2}]
+contact: {law: hooke, rolling: spring}
+material_pairs: [{restitution: 0.7, friction: 0.4, rolling_friction: 0.1, k_n: 500}]
+skin: {length: 0.05}
+particles:
+  sources:
+    - {from: random, count: 8, material: hard, sizes: 0.8, velocity_sigma: 6}
+    - {from: random, count: 700, material: soft, sizes: {law: uniform, min: 0.1, max: 0.18}, velocity_sigma: 6}
+END
+} >sheared.yaml
+
 # contents DIR FILE: the last checkpoint in lines, sorted
 contents() {
     checkpoint_lines "$1/checkpoint-$(newest "$1").h5" >"$2" && [ -s "$2" ]
@@ -168,7 +185,7 @@ comes_and_goes() {
     done
 }
 
-for case in bed ten boulder thin flow; do
+for case in bed ten boulder thin flow sheared; do
     check "$case: the reference moves enough" reference $case
     for setting in '1 2 linkcell brick auto' '2 1 multi bisection auto' '4 2 hgrid brick shadow' '8 1 bytype bisection shadow' \
         '4 1 auto brick auto' '2 2 hgrid bisection auto domain.threshold=1.001' \
@@ -189,7 +206,7 @@ check 'thin: two particles meet through two images' twice
 check 'thin: ranks across the thin direction' layout thin 4 1 hgrid brick auto domain.x=2
 check 'thin: four of them' layout thin 4 2 linkcell brick auto domain.x=4
 check 'in the fast mode the layout shows in the last bits' differs
-for setting in 'bed 100' 'flow 400'; do
+for setting in 'bed 100' 'flow 400' 'sheared 120'; do
     check "${setting% *}: the whole of it" whole $setting
     check "${setting% *}: 4 ranks go on with what 1 x 2 wrote" goes_on $setting 1 4
     check "${setting% *}: 1 rank goes on with what 3 x 2 wrote" goes_on $setting 3 1

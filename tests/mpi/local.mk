@@ -9,7 +9,8 @@ check_PROGRAMS += \
 	tests/mpi/test_ghosts \
 	tests/mpi/test_groups \
 	tests/mpi/test_migrate \
-	tests/mpi/test_shadows
+	tests/mpi/test_shadows \
+	tests/mpi/test_shear
 
 MPI_TEST_FLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS) $(CMOCKA_CFLAGS) -I$(top_srcdir)/tests/mpi
 MPI_TEST_LIBS = libintegrate.la libwalls.la libcontact.la $(COMM_LIBS) $(TEST_LIBS) $(MPI_LIBS)
@@ -36,6 +37,9 @@ tests_mpi_test_migrate_SOURCES = tests/mpi/test_migrate.c tests/mpi/team.c tests
 tests_mpi_test_migrate_CPPFLAGS = $(MPI_TEST_FLAGS)
 tests_mpi_test_migrate_LDADD = $(MPI_TEST_LIBS)
 
+tests_mpi_test_shear_SOURCES = tests/mpi/test_shear.c tests/mpi/team.c tests/mpi/team.h tests/mpi/cloud.c tests/mpi/cloud.h
+tests_mpi_test_shear_CPPFLAGS = $(MPI_TEST_FLAGS)
+tests_mpi_test_shear_LDADD = $(MPI_TEST_LIBS)
 tests_mpi_test_shadows_SOURCES = tests/mpi/test_shadows.c tests/mpi/team.c tests/mpi/team.h
 tests_mpi_test_shadows_CPPFLAGS = $(MPI_TEST_FLAGS)
 tests_mpi_test_shadows_LDADD = $(MPI_TEST_LIBS)
