@@ -28,7 +28,7 @@ for name in "$@"; do
         study penetration penetration/scene.yaml --duration 0.0004 --samples 16 --members 2 --repeat 1 --judge ball_z,ball_vz \
             --set 'particles.sources[1].position=[0, 0, -4.64 cm]' --set 'particles.sources[1].velocity=[0, 0, -5.2]' ;;
     drum) # the packing takes up the turning
-        study drum drum/scene.yaml --duration 0.0004 --samples 16 --members 2 --repeat 1 --judge trajectory,energy_kinetic ;;
+        study drum drum/scene.yaml --duration 0.0012 --samples 16 --members 2 --repeat 1 --judge trajectory,energy_kinetic ;;
     angle) # discs in a drum that has turned for long: means and their spread
         study angle verify/drum-angle/scene.yaml --duration 100 --samples 200 --mean-from 50 --members 4 --repeat 1 --judge centre_x,centre_y ;;
     *) echo "speed-error.sh: there is no '$name'" >&2 && exit 2 ;;

@@ -15,8 +15,8 @@ static double range_same(const void *context, int kind_a, double a, int kind_b, 
     return *(const double *)context;
 }
 
-static const struct classes_range half = {range_same, &(const double){0.5}};
-static const struct classes_range quarter = {range_same, &(const double){0.25}};
+static const struct classes_range half = {.of = range_same, .context = &(const double){0.5}};
+static const struct classes_range quarter = {.of = range_same, .context = &(const double){0.25}};
 
 static void test_classes_by_ratio_and_by_cuts(void **state) {
     (void)state;

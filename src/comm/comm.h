@@ -28,7 +28,7 @@ enum comm_tag {
 };
 
 /* Starts MPI (thread level FUNNELED), duplicates the communicator, sets the abort hook. comm_stop finalises.
- * Collective. */
+ * A process that no mpirun or srun started starts without Open MPI's daemon and networks. Collective. */
 void comm_start(struct comm *comm, int *argc, char ***argv);
 void comm_stop(struct comm *comm);
 

@@ -171,7 +171,7 @@ static double range(const void *context, int kind_a, double radius_a, int kind_b
 /* The cut-off of the walk is one number: the largest range. */
 static void rebuilt(const struct physics_context *context) {
     struct simulation *s = context->self;
-    const struct classes_range reach = {range, context->options};
+    const struct classes_range reach = {.of = range, .context = context->options};
     s->grains.contact.range = 0;
     for (int a = 0; a < s->classes.count; a++)
         for (int b = 0; b <= a; b++)

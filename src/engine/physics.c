@@ -22,6 +22,8 @@ static void activate(struct physics_set *set, const struct physics *row, const v
     struct physics_active *active = &set->active[set->count++];
     *active = (struct physics_active){.row = row, .context = *context, .first = interactions->count};
     active->context.options = options;
+    if (row->moving)
+        interactions->moving |= row->moving(options);
     for (int k = 0; k < row->interactions; k++) {
         struct interaction interaction = row->interaction[k];
         interaction.context = options;

@@ -56,7 +56,10 @@ struct physics_context {
     struct walls *walls;                                   /* NULL: none */
     const struct clock *clock; /* number, time and length of the step; the length may change between steps */
     int threads;
-    bool ordered; /* sums in an order that no layout changes */
+    double (*speed)
+        [CLASS_MAX]; /* [thread][class]: largest squared speed of this drift; a pass that moves particles
+                                   raises it, as the skin of pair lists lives by it */
+    bool ordered;    /* sums in an order that no layout changes */
 };
 
 /* The stages of a step, in which passes run. All passes of a stage run before those of the next. */
@@ -114,6 +117,8 @@ struct physics {
     const struct physics_pass *pass;
     /* Refuses options that do not go together: a user's error. The same on all ranks. NULL: nothing to refuse. */
     bool (*check)(const struct physics_context *context, struct error *error);
+    /* Bits 1 << kind (kinds.h) of its own particles that move. NULL: none. */
+    unsigned (*moving)(const void *options);
     /* Makes the physics' own data: after the particles' fields have been registered, before the first
      * rebuild. NULL: no data. */
     void *(*create)(const struct physics_context *context);

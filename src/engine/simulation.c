@@ -119,6 +119,7 @@ static void physics_start(struct simulation *s) {
                                       .walls = s->grains.walls,
                                       .clock = &s->clock,
                                       .threads = s->threads,
+                                      .speed = s->grains.speed,
                                       .ordered = s->scene->reproducible};
     physics_begin(&s->physics, &grains_physics, &context, &s->search.interactions);
 }

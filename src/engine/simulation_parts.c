@@ -47,6 +47,7 @@ bool simulation_parts_prepare(struct simulation *s, struct error *error) {
     scene_integrator(scene, &s->grains.motion);
     if (!set_threads(s, error))
         return false;
+    s->grains.speed = memory_allocate_zero((size_t)s->threads, sizeof *s->grains.speed, "speeds");
     if (scene->walls > 0 && !walls_create(&s->grains.walls, scene->wall, scene->walls, &s->grains.law,
                                           &s->box, s->threads, error, s->comm->rank == 0 ? stderr : NULL))
         return false;
@@ -75,7 +76,6 @@ void simulation_parts_create(struct simulation *s) {
     s->search.skin = skin_create();
     s->search.sweep = s->scene->step.fused ? sweep_create(s->threads) : NULL;
     s->grains.loop = force_loop_create(s->threads);
-    s->grains.speed = memory_allocate_zero((size_t)s->threads, sizeof *s->grains.speed, "speeds");
     s->grains.contact = (struct force_context){.particles = s->particles,
                                                .history = s->grains.history,
                                                .law = &s->grains.law,

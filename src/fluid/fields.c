@@ -32,7 +32,20 @@ static const struct field
     body = {.name = "body", .type = FIELD_INT64, .components = 1,
             .use = FIELD_GHOST | FIELD_TRAVELS | FIELD_OUTPUT | FIELD_ASKED | FIELD_FIXED,
             .kinds = 1u << KIND_BOUNDARY, .needed_for = "fluid",
-            .help = "of a boundary particle: id of its grain, or -1 - number of its wall; 0: a closed pocket"};
+            .help = "of a boundary particle: id of its grain, or -1 - number of its wall; 0: a closed pocket"},
+    condition = {.name = "condition", .type = FIELD_DOUBLE, .components = 1, .use = FIELD_OUTPUT | FIELD_ASKED, OF_FLUID,
+                 .help = "condition number of the correction G of the gradient, 1 on a lattice; 0: standard operators"},
+    /* of particles that move, and of volumes that differ: there where a scene has them */
+    volume = {.name = "fluid_volume", .type = FIELD_DOUBLE, .components = 1, .needed_for = "fluid",
+              .kinds = 1u << KIND_FLUID | 1u << KIND_BOUNDARY, .help = "volume of a particle"},
+    velocity_before = {.name = "fluid_velocity_before", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS,
+                       .unit = "m s-1", OF_FLUID, .help = "velocity of the step before"},
+    drift = {.name = "fluid_drift", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS, .unit = "m s-1",
+             OF_FLUID, .help = "velocity of the particle less that of the fluid"},
+    drift_advection = {.name = "fluid_drift_advection", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS,
+                       .unit = "m s-2", OF_FLUID, .help = "(drift . grad) u"},
+    gradient = {.name = "fluid_gradient", .type = FIELD_DOUBLE, .components = 3, .unit = "Pa m-1", OF_FLUID,
+                .help = "gradient of the pressure within a step"};
 /* clang-format on */
 
 void fluid_fields(struct particles *particles) {
@@ -45,13 +58,24 @@ void fluid_fields(struct particles *particles) {
     fields_register(particles, &row);
     fields_register(particles, &region);
     fields_register(particles, &body);
+    fields_register(particles, &condition);
+}
+
+void fluid_fields_volumes(struct particles *particles) {
+    fields_register(particles, &volume);
+}
+
+void fluid_fields_moving(struct particles *particles) {
+    fields_register(particles, &velocity_before);
+    fields_register(particles, &drift);
+    fields_register(particles, &drift_advection);
+    fields_register(particles, &gradient);
 }
 
 int fluid_handle(const struct particles *particles, enum flow_array array) {
-    static const struct field *const fields[] = {[FLOW_PRESSURE] = &pressure,
-                                                 [FLOW_PREDICTED] = &predicted,
-                                                 [FLOW_INCREMENT] = &increment,
-                                                 [FLOW_ROW] = &row};
+    static const struct field *const fields[] = {
+        [FLOW_PRESSURE] = &pressure, [FLOW_PREDICTED] = &predicted, [FLOW_INCREMENT] = &increment,
+        [FLOW_ROW] = &row,           [FLOW_GRADIENT] = &gradient,   [FLOW_VOLUME] = &volume};
     return array == FLOW_VELOCITY ? FIELD_VELOCITY : fields_handle(particles, fields[array]);
 }
 
@@ -73,6 +97,30 @@ int fluid_drag_handle(const struct particles *particles) {
 
 double *fluid_advection(const struct particles *particles) {
     return fields_values(particles, &advection);
+}
+
+double *fluid_condition(const struct particles *particles) {
+    return fields_values(particles, &condition);
+}
+
+double *fluid_volume(const struct particles *particles) {
+    return fields_values(particles, &volume);
+}
+
+double *fluid_velocity_before(const struct particles *particles) {
+    return fields_values(particles, &velocity_before);
+}
+
+double *fluid_drift(const struct particles *particles) {
+    return fields_values(particles, &drift);
+}
+
+double *fluid_drift_advection(const struct particles *particles) {
+    return fields_values(particles, &drift_advection);
+}
+
+double *fluid_gradient(const struct particles *particles) {
+    return fields_values(particles, &gradient);
 }
 
 int32_t *fluid_region(const struct particles *particles) {

@@ -20,6 +20,20 @@ int fluid_drag_handle(const struct particles *particles);
 /* (u . grad) u of the step before, three components; of the fluid particles. */
 double *fluid_advection(const struct particles *particles);
 
+/* Condition number of the gradient's correction, made before output; of the fluid particles. */
+double *fluid_condition(const struct particles *particles);
+
+/* Adds the field of volumes, for scenes in which they differ; the values, of fluid and boundary particles, or NULL. */
+void fluid_fields_volumes(struct particles *particles);
+double *fluid_volume(const struct particles *particles);
+
+/* Adds the fields of fluid particles that move; the arrays of struct flow of these names, or NULL. */
+void fluid_fields_moving(struct particles *particles);
+double *fluid_velocity_before(const struct particles *particles);
+double *fluid_drift(const struct particles *particles);
+double *fluid_drift_advection(const struct particles *particles);
+double *fluid_gradient(const struct particles *particles);
+
 /* Number of the connected region, 0 ...; of the fluid particles. */
 int32_t *fluid_region(const struct particles *particles);
 

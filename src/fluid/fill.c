@@ -4,6 +4,7 @@
 #include "core/memory.h"
 #include "fluid/body.h"
 #include "fluid/fields.h"
+#include "fluid/motion.h"
 #include "fluid/regions.h"
 #include "fluid/state.h"
 #include "particles/fields.h"
@@ -127,7 +128,7 @@ static bool options_suit(const struct physics_context *context, struct error *er
             context->scene, error, "fluid.time",
             "steady goes with equations: stokes alone; for the steady flow of navier_stokes run a "
             "transient one until it no longer changes");
-    return drive_suits(context, error);
+    return drive_suits(context, error) && motion_suits(context, error);
 }
 
 bool fill_run(const struct physics_context *context, const struct physics_share *share, struct error *error) {

@@ -33,6 +33,14 @@ struct operators_values flow_increment(const struct flow *flow) {
     return (struct operators_values){flow->increment, 1};
 }
 
+struct operators_values flow_drift(const struct flow *flow) {
+    return (struct operators_values){flow->drift, 3};
+}
+
+struct operators_values flow_gradient(const struct flow *flow) {
+    return (struct operators_values){flow->gradient, 3};
+}
+
 void flow_mean(const struct flow *flow, struct operators_values value, double mean[3], double *volume) {
     const struct weights *weights = flow->weights;
     double sum[4] = {0};

@@ -9,7 +9,15 @@
 #include "fluid/operators.h"
 
 /* The arrays whose copies a scheme brings up to date. */
-enum flow_array { FLOW_VELOCITY, FLOW_PRESSURE, FLOW_PREDICTED, FLOW_INCREMENT, FLOW_ROW };
+enum flow_array {
+    FLOW_VELOCITY,
+    FLOW_PRESSURE,
+    FLOW_PREDICTED,
+    FLOW_INCREMENT,
+    FLOW_ROW,
+    FLOW_GRADIENT,
+    FLOW_VOLUME
+};
 
 /* All borrowed. Values of fluid particles alone are used. */
 struct flow {
@@ -17,13 +25,19 @@ struct flow {
     const struct weights *weights;
     double *velocity; /* u, length/time: 3 components, velocity_stride doubles from one to the next */
     size_t velocity_stride;
-    double *pressure;         /* p, pressure, without that of the driving force */
-    double *predicted;        /* 3 components: u* of a step; scratch of the coupled solver */
-    double *increment;        /* phi of a step; scratch */
-    double *advection_before; /* 3 components: (u . grad) u of the step before; copies have none */
-    int64_t *row;             /* global number of a fluid particle's row (flow_number) */
-    int regions;              /* connected regions of the fluid on all ranks, >= 1 */
-    const int32_t *region;    /* by row of the weights; NULL with one region */
+    double *pressure;  /* p, pressure, without that of the driving force */
+    double *predicted; /* 3 components: u* of a step; scratch of the coupled solver */
+    double *increment; /* phi of a step; scratch */
+    double *
+        advection_before; /* 3 components: (u . grad) u of the step before, or drift_advection; copies have none */
+    /* Of particles that move (path.h), 3 components each; NULL where they rest. Copies have the gradient alone. */
+    double *velocity_before; /* u of the step before */
+    double *drift;           /* velocity of the particle less that of the fluid there, w - u */
+    double *drift_advection; /* (drift . grad) u */
+    double *gradient;        /* grad p; scratch of a step */
+    int64_t *row;            /* global number of a fluid particle's row (flow_number) */
+    int regions;             /* connected regions of the fluid on all ranks, >= 1 */
+    const int32_t *region;   /* by row of the weights; NULL with one region */
     /* Sends an array's values to the copies. NULL: there are none. Collective. */
     void (*forward)(const struct flow *flow, enum flow_array array);
     const void *context;
@@ -40,6 +54,8 @@ struct operators_values flow_velocity(const struct flow *flow);
 struct operators_values flow_pressure(const struct flow *flow);
 struct operators_values flow_predicted(const struct flow *flow);
 struct operators_values flow_increment(const struct flow *flow);
+struct operators_values flow_drift(const struct flow *flow);
+struct operators_values flow_gradient(const struct flow *flow);
 
 /* The velocity of a row's particle. */
 static inline double *flow_velocity_of(const struct flow *flow, size_t row) {

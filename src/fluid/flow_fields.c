@@ -4,11 +4,16 @@
 #include "fluid/fields.h"
 #include "particles/fields.h"
 
-static void forward(const struct flow *flow, enum flow_array array) {
-    const struct physics_context *context = flow->context;
+void flow_fields_forward(const struct physics_context *context, enum flow_array array) {
+    if (context->ghosts == NULL)
+        return;
     struct field_list list = fields_one(fluid_handle(context->particles, array));
     ghosts_forward_begin(context->ghosts, context->particles, &list);
     ghosts_forward_end(context->ghosts, context->particles);
+}
+
+static void forward(const struct flow *flow, enum flow_array array) {
+    flow_fields_forward(flow->context, array);
 }
 
 static void *values(const struct physics_context *context, enum flow_array array) {
@@ -25,6 +30,10 @@ void flow_fields_take(struct flow *flow, const struct physics_context *context, 
                           .predicted = values(context, FLOW_PREDICTED),
                           .increment = values(context, FLOW_INCREMENT),
                           .advection_before = fluid_advection(context->particles),
+                          .velocity_before = fluid_velocity_before(context->particles),
+                          .drift = fluid_drift(context->particles),
+                          .drift_advection = fluid_drift_advection(context->particles),
+                          .gradient = fluid_gradient(context->particles),
                           .row = values(context, FLOW_ROW),
                           .regions = regions,
                           .region = regions > 1 ? fluid_region(context->particles) + weights->first : NULL,

@@ -11,4 +11,7 @@
 void flow_fields_take(struct flow *flow, const struct physics_context *context, const struct weights *weights,
                       int regions);
 
+/* Brings the copies of an array of the particles up to date. Collective. */
+void flow_fields_forward(const struct physics_context *context, enum flow_array array);
+
 #endif

@@ -3,11 +3,14 @@
 #include "fluid/fluid.h"
 
 double fluid_support(const struct fluid_options *options, int dimension) {
+    static const double of_order[] = {0, 2.2, 2.6, 3.1, 3.6}; /* moving least squares */
     double support = options->kernel.support;
-    if (isnan(support) && options->fill.jitter > 0)
-        support = dimension == 2 ? 3.1 : 2.8;
-    else if (isnan(support))
-        support = dimension == 2 ? 2.3 : 2.2;
+    bool displaced = options->fill.jitter > 0 || options->motion.name != FLUID_FIXED;
+    if (!isnan(support))
+        return support * options->spacing;
+    support = displaced ? (dimension == 2 ? 3.1 : 2.8) : dimension == 2 ? 2.3 : 2.2;
+    if (options->operators.name == WEIGHTS_MLS)
+        support = fmax(support, of_order[options->operators.order]);
     return support * options->spacing;
 }
 

@@ -10,6 +10,8 @@ enum fluid_equations { FLUID_STOKES, FLUID_NAVIER_STOKES };
 enum fluid_time { FLUID_STEADY, FLUID_TRANSIENT };
 enum fluid_arrangement { FLUID_CUBIC };
 enum fluid_profile { FLUID_UNIFORM, FLUID_TAYLOR_GREEN };
+enum fluid_motions { FLUID_FIXED, FLUID_LAGRANGIAN, FLUID_ALE };
+enum fluid_shifting { FLUID_SHIFT_LIND, FLUID_SHIFT_NONE };
 enum fluid_preconditioner { FLUID_BOOMERAMG, FLUID_GAMG };
 enum { FLUID_PETSC_MAX = 512 };
 
@@ -52,13 +54,31 @@ struct fluid_solver {
     char petsc[FLUID_PETSC_MAX]; /* options handed on to PETSc */
 };
 
+/* The largest shift in a step, in spacings. */
+#define FLUID_SHIFT_MOST 0.1
+
+/* The motion of the particles (motion.h). */
+struct fluid_motion {
+    enum fluid_motions name;
+    enum fluid_shifting shifting; /* LAGRANGIAN */
+    double strength;              /* of the shift, A */
+    double filter;                /* of the pressure, steps */
+    double velocity[3], swing[3]; /* ALE: length/time, length */
+    double period;                /* of the swing, time */
+};
+
+struct fluid_operators {
+    enum weights_operators name;
+    int order; /* of moving least squares */
+};
+
 /* Lengths, times and masses in the units of the scene. */
 struct fluid_options {
     double spacing, density, viscosity; /* dynamic viscosity */
     enum fluid_equations equations;
     enum fluid_time time;
-    int motion;
-    enum weights_operators operators;
+    struct fluid_motion motion;
+    struct fluid_operators operators;
     struct fluid_kernel kernel;
     struct fluid_fill fill;
     struct fluid_drive drive;

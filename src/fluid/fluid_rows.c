@@ -16,10 +16,19 @@ static const struct schema_name time_names[] = {
     {"steady", FLUID_STEADY, "the flow that no longer changes, solved for directly"},
     {"transient", FLUID_TRANSIENT, "step after step"},
     {0}};
-static const struct schema_name motion_names[] = {{"fixed", 0, "the particles stay, and the fluid flows through them"}, {0}};
+static const struct schema_name motion_names[] = {
+    {"fixed", FLUID_FIXED, "the particles stay, and the fluid flows through them"},
+    {"lagrangian", FLUID_LAGRANGIAN, "the particles move with the fluid"},
+    {"ale", FLUID_ALE, "the particles are points with a velocity of their own"},
+    {0}};
+static const struct schema_name shifting_names[] = {
+    {"lind", FLUID_SHIFT_LIND, "against the gradient of their concentration (Lind et al. 2012)"},
+    {"none", FLUID_SHIFT_NONE, "for comparison: particles gather and leave gaps"},
+    {0}};
 static const struct schema_name operators_names[] = {
     {"corrected", WEIGHTS_CORRECTED, "of second order on any arrangement"},
     {"standard", WEIGHTS_STANDARD, "without corrections: for comparison, on lattices"},
+    {"mls", WEIGHTS_MLS, "moving least squares: polynomials fitted to neighbours"},
     {0}};
 static const struct schema_name kernel_names[] = {
     {"wendland_c2", KERNEL_WENDLAND_C2, NULL}, {"wendland_c4", KERNEL_WENDLAND_C4, NULL},
@@ -35,6 +44,32 @@ static const struct schema_name preconditioner_names[] = {
     {"boomeramg", FLUID_BOOMERAMG, "algebraic multigrid of hypre"},
     {"gamg", FLUID_GAMG, "algebraic multigrid of PETSc itself"},
     {0}};
+
+static const struct schema_row motion_rows[] = {
+    {.key = "name", .type = SCHEMA_NAME, .names = motion_names, .fallback = "fixed", AT(struct fluid_motion, name),
+     .help = "the motion"},
+    {.key = "shifting", .type = SCHEMA_NAME, .names = shifting_names, .fallback = "lind", .when = "name=lagrangian",
+     AT(struct fluid_motion, shifting), .help = "a small velocity that keeps particles apart"},
+    {.key = "strength", .type = SCHEMA_REAL, .range = "(0, 20]", .fallback = "2", .when = "name=lagrangian & shifting=lind",
+     AT(struct fluid_motion, strength), .help = "A of the shift -A spacing U grad C, U the largest speed"},
+    {.key = "filter", .type = SCHEMA_REAL, .range = "[0, 2]", .fallback = "0.5", .when = "name=lagrangian|ale",
+     AT(struct fluid_motion, filter), .help = "time, in steps, of the filter against pressures that alternate between neighbours; 0: none"},
+    {.key = "velocity", .type = SCHEMA_VECTOR, .unit = "m/s", .fallback = "[0, 0, 0]", .when = "name=ale",
+     AT(struct fluid_motion, velocity), .help = "velocity of all points, along periodic directions"},
+    {.key = "swing", .type = SCHEMA_VECTOR, .unit = "m", .fallback = "[0, 0, 0]", .when = "name=ale", AT(struct fluid_motion, swing),
+     .help = "amplitude of a standing wave of the points, one wave an edge (half a wave where the box is not periodic)"},
+    {.key = "period", .type = SCHEMA_REAL, .unit = "s", .range = "(0, inf)", .fallback = "1", .when = "name=ale",
+     AT(struct fluid_motion, period), .help = "period of the swing", .example = "0.5 s"},
+};
+static const struct schema_table motion_table = TABLE(motion_rows);
+
+static const struct schema_row operators_rows[] = {
+    {.key = "name", .type = SCHEMA_NAME, .names = operators_names, .fallback = "corrected",
+     AT(struct fluid_operators, name), .help = "the operators"},
+    {.key = "order", .type = SCHEMA_INT, .range = "[1, 4]", .fallback = "2", .when = "name=mls", AT(struct fluid_operators, order),
+     .help = "order of the polynomials; 1 has the Laplacian of the corrected operators"},
+};
+static const struct schema_table operators_table = TABLE(operators_rows);
 
 static const struct schema_row kernel_rows[] = {
     {.key = "name", .type = SCHEMA_NAME, .names = kernel_names, .fallback = "wendland_c2",
@@ -116,10 +151,10 @@ static const struct schema_row section[] = {
      AT(struct fluid_options, equations), .help = "the equations of the flow"},
     {.key = "time", .type = SCHEMA_NAME, .names = time_names, .fallback = "transient", AT(struct fluid_options, time),
      .help = "a flow in time, or the steady one (of stokes)"},
-    {.key = "motion", .type = SCHEMA_NAME, .names = motion_names, .fallback = "fixed", AT(struct fluid_options, motion),
+    {.key = "motion", .type = SCHEMA_SECTION, .sub = &motion_table, .main = "name", .offset = offsetof(struct fluid_options, motion),
      .help = "the motion of the particles of the fluid"},
-    {.key = "operators", .type = SCHEMA_NAME, .names = operators_names, .fallback = "corrected",
-     AT(struct fluid_options, operators), .help = "gradient, divergence and Laplacian"},
+    {.key = "operators", .type = SCHEMA_SECTION, .sub = &operators_table, .main = "name",
+     .offset = offsetof(struct fluid_options, operators), .help = "gradient, divergence and Laplacian"},
     {.key = "kernel", .type = SCHEMA_SECTION, .sub = &kernel_table, .main = "name",
      .offset = offsetof(struct fluid_options, kernel), .help = "the kernel and its support"},
     {.key = "fill", .type = SCHEMA_SECTION, .sub = &fill_table, .offset = offsetof(struct fluid_options, fill),

@@ -4,15 +4,36 @@
  * smoothing length h that other codes give.) Sources: Dehnen and Aly, MNRAS 425 (2012) 1068, table 1;
  * Morris, Fox, Zhu, J. Comput. Phys. 136 (1997) 214.
  *
- * How to add a kernel: a number of enum kernel_name, a row in kernel.c, a case in the two functions below. */
+ * A kernel is a row of a table: f is a sum of terms (edge - q)_+^power (c0 + c1 q + ...), and f' follows from the
+ * same numbers.
+ *
+ * How to add a kernel: a number of enum kernel_name, a row in kernel.c, its name in fluid_rows.c.
+ * tests/test_fluid_operators checks the integrals of each row. */
 #ifndef SCREE_FLUID_KERNEL_H
 #define SCREE_FLUID_KERNEL_H
 
 enum kernel_name { KERNEL_WENDLAND_C2, KERNEL_WENDLAND_C4, KERNEL_WENDLAND_C6, KERNEL_QUINTIC, KERNELS };
 
-/* A kernel of one support and dimension. Plain data. */
+enum { KERNEL_TERMS_MAX = 3, KERNEL_FACTORS_MAX = 4 };
+
+/* (edge - q)_+^power (factor[0] + factor[1] q + ...); power >= 1. */
+struct kernel_term {
+    double edge;
+    int power;
+    double factor[KERNEL_FACTORS_MAX];
+};
+
+/* A row: the integral of W over the space is 1 with s = two / R^2 or three / R^3. */
+struct kernel_row {
+    const char *name; /* in a scene: "wendland_c2" */
+    double two, three;
+    int terms;
+    struct kernel_term term[KERNEL_TERMS_MAX];
+};
+
+/* A kernel of one support and dimension. Plain data; the row is static. */
 struct kernel {
-    enum kernel_name name;
+    const struct kernel_row *row;
     double support; /* R, length */
     double value;   /* factor of f, 1 / length^dimension */
     double slope;   /* factor of f', 1 / length^(dimension + 1) */
@@ -31,45 +52,37 @@ static inline double kernel_power(double x, int n) {
     return result;
 }
 
-/* (a - s)_+ to the power n. */
-static inline double kernel_rest(double a, double s, int n) {
-    return s < a ? kernel_power(a - s, n) : 0;
+/* W(r) and dW/dr, r >= 0; both 0 from the support on. Any thread. */
+static inline void kernel_both(const struct kernel *kernel, double r, double *value, double *slope) {
+    double q = r / kernel->support;
+    *value = *slope = 0;
+    for (int t = 0; t < kernel->row->terms; t++) {
+        const struct kernel_term *term = &kernel->row->term[t];
+        double rest = term->edge - q, sum = 0, change = 0;
+        if (!(rest > 0))
+            continue;
+        for (int k = KERNEL_FACTORS_MAX - 1; k >= 0; k--) {
+            change = change * q + sum;
+            sum = sum * q + term->factor[k];
+        }
+        double power = kernel_power(rest, term->power - 1);
+        *value += kernel->value * power * rest * sum;
+        *slope += kernel->slope * power * (rest * change - term->power * sum);
+    }
 }
 
-/* W(r), r >= 0; 0 from the support on. Any thread. */
+/* W(r); 0 from the support on. Any thread. */
 static inline double kernel_value(const struct kernel *kernel, double r) {
-    double q = r / kernel->support, p = 1 - q, s = 3 * q;
-    if (!(q < 1))
-        return 0;
-    switch (kernel->name) {
-    case KERNEL_WENDLAND_C4:
-        return kernel->value * kernel_power(p, 6) * (35 * q * q + 18 * q + 3) / 3;
-    case KERNEL_WENDLAND_C6:
-        return kernel->value * kernel_power(p, 8) * (32 * q * q * q + 25 * q * q + 8 * q + 1);
-    case KERNEL_QUINTIC:
-        return kernel->value *
-               (kernel_power(3 - s, 5) - 6 * kernel_rest(2, s, 5) + 15 * kernel_rest(1, s, 5));
-    default:
-        return kernel->value * kernel_power(p, 4) * (4 * q + 1);
-    }
+    double value, slope;
+    kernel_both(kernel, r, &value, &slope);
+    return value;
 }
 
 /* dW/dr, not positive; 0 from the support on. Any thread. */
 static inline double kernel_slope(const struct kernel *kernel, double r) {
-    double q = r / kernel->support, p = 1 - q, s = 3 * q;
-    if (!(q < 1))
-        return 0;
-    switch (kernel->name) {
-    case KERNEL_WENDLAND_C4:
-        return kernel->slope * -56.0 / 3 * q * (5 * q + 1) * kernel_power(p, 5);
-    case KERNEL_WENDLAND_C6:
-        return kernel->slope * -22 * q * (16 * q * q + 7 * q + 1) * kernel_power(p, 7);
-    case KERNEL_QUINTIC:
-        return kernel->slope * 3 *
-               (-5 * kernel_power(3 - s, 4) + 30 * kernel_rest(2, s, 4) - 75 * kernel_rest(1, s, 4));
-    default:
-        return kernel->slope * -20 * q * kernel_power(p, 3);
-    }
+    double value, slope;
+    kernel_both(kernel, r, &value, &slope);
+    return slope;
 }
 
 #endif

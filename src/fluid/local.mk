@@ -30,21 +30,30 @@ libfluid_la_SOURCES = \
 	src/fluid/march.h \
 	src/fluid/mirror.c \
 	src/fluid/mirror.h \
+	src/fluid/mls.c \
+	src/fluid/mls.h \
 	src/fluid/momentum.c \
 	src/fluid/momentum.h \
+	src/fluid/motion.c \
+	src/fluid/motion.h \
 	src/fluid/nodes.c \
 	src/fluid/nodes.h \
 	src/fluid/operators.c \
 	src/fluid/operators.h \
+	src/fluid/path.c \
+	src/fluid/path.h \
 	src/fluid/physics.c \
 	src/fluid/pressure.c \
 	src/fluid/pressure.h \
 	src/fluid/projection.c \
 	src/fluid/projection.h \
+	src/fluid/projection_parts.h \
 	src/fluid/regions.c \
 	src/fluid/regions.h \
 	src/fluid/residual.c \
 	src/fluid/residual.h \
+	src/fluid/shift.c \
+	src/fluid/shift.h \
 	src/fluid/shown.c \
 	src/fluid/shown.h \
 	src/fluid/state.h \

@@ -9,6 +9,8 @@
 #include "fluid/flow_fields.h"
 #include "fluid/look.h"
 #include "fluid/mirror.h"
+#include "fluid/motion.h"
+#include "fluid/path.h"
 #include "fluid/state.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
@@ -31,36 +33,59 @@ static void wall_foot(const void *context, int wall, const double x[3], struct w
     memcpy(foot->velocity, found.velocity, sizeof foot->velocity);
 }
 
-static void weights_of(const struct physics_context *context, struct fluid *fluid) {
+/* What weights are made from, after a rebuild. */
+static void input_of(const struct physics_context *context, struct fluid *fluid) {
     struct particles *p = context->particles;
     struct kind_span span = kinds_span(p, context->classes, KIND_FLUID);
-    struct pair_rows pairs = {0};
-    pair_rows_build(&pairs, context->list[0], p->owned);
-    const struct weights_input input = {.particles = p,
-                                        .kind = kinds_of(p),
-                                        .first = span.first,
-                                        .end = span.end,
-                                        .pairs = &pairs,
-                                        .shift = (const double(*)[4])context->list[0]->shift,
-                                        .dimension = context->box->dimension};
-    const struct weights_options options = {
+    pair_rows_build(&fluid->pairs, context->list[0], p->owned);
+    fluid->input = (struct weights_input){.particles = p,
+                                          .kind = kinds_of(p),
+                                          .first = span.first,
+                                          .end = span.end,
+                                          .pairs = &fluid->pairs,
+                                          .shift = (const double(*)[4])context->list[0]->shift,
+                                          .dimension = context->box->dimension,
+                                          .volume = fluid_volume(p)};
+    fluid->weigh = (struct weights_options){
         .kernel = kernel_make(fluid->options->kernel.name, fluid->support, context->box->dimension),
-        .operators = fluid->options->operators,
+        .operators = fluid->options->operators.name,
+        .order = fluid->options->operators.order,
         .spacing = fluid->options->spacing,
         .volume = fluid->volume,
-        .slip = fluid_slip(fluid->options)};
-    const struct mirror_input mirror = {.rows = &input,
+        .slip = fluid_slip(fluid->options),
+        .moving = motion_moves(fluid->options)};
+}
+
+/* The volumes of the rows, and those of the lattice for boundary particles, go to the copies. */
+static void volumes_share(const struct physics_context *context, const struct fluid *fluid) {
+    double *volume = fluid_volume(context->particles);
+    if (volume == NULL)
+        return;
+    for (size_t k = 0; k < context->particles->owned; k++)
+        volume[k] = kernel_power(fluid->options->spacing, context->box->dimension);
+    memcpy(volume + fluid->weights.first, fluid->weights.volume,
+           fluid->weights.rows * sizeof *fluid->weights.volume);
+    flow_fields_forward(context, FLOW_VOLUME);
+}
+
+/* Weights and mirrors for the present places of the particles. */
+static void weights_of(const struct physics_context *context, struct fluid *fluid) {
+    struct particles *p = context->particles;
+    const struct mirror_input mirror = {.rows = &fluid->input,
                                         .body = fluid_body(p),
                                         .spin = (const double(*)[4])spin_of(p),
                                         .spacing = fluid->options->spacing,
                                         .wall = wall_foot,
                                         .context = context->walls};
-    weights_make(&fluid->weights, &input, &options);
+    weights_rows(&fluid->weights, &fluid->input, &fluid->weigh);
+    volumes_share(context, fluid);
+    weights_weigh(&fluid->weights, &fluid->input, &fluid->weigh);
     fluid->lost = mirror_make(&fluid->weights, &mirror);
-    pair_rows_free(&pairs);
     fluid->rows[0] = (double)fluid->weights.rows;
     fluid->rows[1] = (double)fluid->weights.poor;
-    comm_sum(context->comm, fluid->rows, 2);
+    fluid->rows[2] = (double)fluid->weights.behind;
+    comm_sum(context->comm, fluid->rows, 3);
+    fluid->placed = context->clock->step;
 }
 
 /* A number that changes if the particles of this rank, or their order, do. */
@@ -83,12 +108,15 @@ static int regions_of(const struct physics_context *context, const struct fluid 
 void march_rebuilt(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     uint64_t layout = layout_of(context->particles);
-    int64_t changed = layout != fluid->layout;
+    int64_t changed = layout != fluid->layout || motion_moves(fluid->options);
     comm_max_int(context->comm, &changed, 1);
     if (changed) {
         projection_destroy(&fluid->projection);
         steady_destroy(&fluid->steady);
+        input_of(context, fluid);
         weights_of(context, fluid);
+        if (!motion_moves(fluid->options))
+            pair_rows_free(&fluid->pairs);
         fluid->regions = regions_of(context, fluid);
     }
     fluid->layout = layout;
@@ -116,6 +144,19 @@ static bool begin(const struct physics_context *context, struct fluid *fluid) {
     return fluid->solve != NULL;
 }
 
+/* The largest speed of the fluid. Collective. */
+static double speed_largest(const struct physics_context *context) {
+    const uint8_t *kind = kinds_of(context->particles);
+    double square = 0;
+    for (size_t k = 0; k < context->particles->owned; k++) {
+        const double *v = context->particles->state[k].v;
+        if (kind[k] == KIND_FLUID)
+            square = fmax(square, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
+    }
+    comm_max(context->comm, &square, 1);
+    return sqrt(square);
+}
+
 /* A step in time; matrices and solvers are made where there are none. */
 static void step_transient(const struct physics_context *context, struct fluid *fluid) {
     const struct fluid_options *options = fluid->options;
@@ -127,13 +168,20 @@ static void step_transient(const struct physics_context *context, struct fluid *
                                               .preconditioner = preconditioner_of(options),
                                               .tolerance_velocity = 1e-8,
                                               .tolerance_pressure = tolerance_of(options, 1e-5)};
-    if (fluid->projection == NULL)
+    bool old = fluid->projection != NULL, moves = motion_moves(options);
+    if (!old)
         fluid->projection = projection_create(fluid->solve, &fluid->flow, &wanted, &fluid->error);
     if (fluid->projection == NULL)
         return;
+    if (old && moves)
+        projection_refill(fluid->projection, &fluid->flow);
     drive_adjust(&fluid->drive, options, context->box, &fluid->flow, context->clock->dt);
-    projection_step(fluid->projection, &fluid->flow, &fluid->past, context->clock->dt, fluid->drive.force,
-                    &fluid->error);
+    if (!moves)
+        projection_step(fluid->projection, &fluid->flow, &fluid->past, context->clock->dt, fluid->drive.force,
+                        &fluid->error);
+    else if (path_step(fluid->projection, &fluid->flow, &fluid->past, context->clock->dt,
+                       options->motion.filter, fluid->drive.force, &fluid->error))
+        motion_drift(context, speed_largest(context));
 }
 
 /* The steady flow at once, in the first step; the steps after it leave it as it is. */
@@ -154,7 +202,17 @@ static void step_steady(const struct physics_context *context, struct fluid *flu
             drive_scale(&fluid->drive, options, context->box, &fluid->flow, &fluid->error);
 }
 
-/* Walls that slide within themselves have new velocities; one that comes nearer or goes away is refused. */
+/* Walls may slide within themselves: one that comes nearer or goes away is refused. */
+static void walls_check(const struct physics_context *context, struct fluid *fluid, double moved) {
+    comm_sum(context->comm, &moved, 1);
+    if (moved > 0)
+        error_set(
+            &fluid->error, ERROR_USER,
+            "fluid: a wall moves towards the fluid or away from it; allowed are walls that slide within "
+            "themselves, as a lid does");
+}
+
+/* Walls that slide within themselves have new velocities. */
 static void walls_follow(const struct physics_context *context, struct fluid *fluid) {
     const struct weights *weights = &fluid->weights;
     const double same = 1e-6 * fluid->options->spacing;
@@ -166,33 +224,17 @@ static void walls_follow(const struct physics_context *context, struct fluid *fl
         for (size_t k = weights->foot_start[row]; k < weights->foot_start[row + 1]; k++) {
             struct weights_foot *foot = &weights->foot[k];
             struct wall_foot now;
+            double across = 0;
             if (foot->body >= 0)
                 continue;
             walls_foot(context->walls, body_wall(foot->body),
                        context->particles->state[weights->first + row].x, &now);
-            moved += fabs(now.distance - foot->distance) > same;
+            for (int d = 0; d < 3; d++)
+                across += now.normal[d] * now.velocity[d] * context->clock->dt;
+            moved += fabs(across) > same;
             memcpy(foot->velocity, now.velocity, sizeof foot->velocity);
         }
-    double all = (double)moved;
-    comm_sum(context->comm, &all, 1);
-    if (all > 0)
-        error_set(
-            &fluid->error, ERROR_USER,
-            "fluid: a wall moves towards the fluid or away from it; allowed are walls that slide within "
-            "themselves, as a lid does");
-}
-
-/* The largest speed of the fluid. Collective. */
-static double speed_largest(const struct physics_context *context) {
-    const uint8_t *kind = kinds_of(context->particles);
-    double square = 0;
-    for (size_t k = 0; k < context->particles->owned; k++) {
-        const double *v = context->particles->state[k].v;
-        if (kind[k] == KIND_FLUID)
-            square = fmax(square, v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-    }
-    comm_max(context->comm, &square, 1);
-    return sqrt(square);
+    walls_check(context, fluid, (double)moved);
 }
 
 double march_limit(const struct physics_context *context, double most) {
@@ -222,6 +264,11 @@ void march_step(const struct physics_context *context) {
     if (context->clock->step == fluid->done || fluid->error.kind != ERROR_NONE)
         return;
     fluid->done = context->clock->step;
+    if (motion_moves(fluid->options) && fluid->placed != context->clock->step)
+        weights_of(context, fluid);
+    if (motion_moves(fluid->options) && context->walls != NULL && walls_move(context->walls))
+        walls_at_end(context->walls, context->clock->time,
+                     context->clock->dt); /* the scheme stands at the end of the step */
     walls_follow(context, fluid);
     if (fluid->error.kind != ERROR_NONE || !begin(context, fluid))
         return;
@@ -237,6 +284,8 @@ void march_look(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     double *divergence = fluid_divergence(context->particles);
     operators_divergence(&fluid->weights, flow_velocity(&fluid->flow), divergence + fluid->weights.first);
+    memcpy(fluid_condition(context->particles) + fluid->weights.first, fluid->weights.condition,
+           fluid->weights.rows * sizeof *fluid->weights.condition);
     drag_on_grains(context, &fluid->flow, fluid->options->viscosity);
     look_viscous(&fluid->flow,
                  fluid->options->viscosity * kernel_power(fluid->options->spacing, context->box->dimension),
@@ -256,5 +305,6 @@ void march_end(void *self) {
                     unused);
     }
     weights_free(&fluid->weights);
+    pair_rows_free(&fluid->pairs);
     memory_free(fluid);
 }

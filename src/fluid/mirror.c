@@ -68,8 +68,9 @@ static void own_foot(const double apart[3], struct weights_foot *foot) {
         foot->normal[d] = -apart[d] / foot->distance;
 }
 
-/* The foot of the row's particle on the body of an entry. */
-static bool foot_make(const struct build *build, size_t row, size_t entry, struct weights_foot *foot) {
+/* The foot of the row's particle on the body of an entry; counts in `behind` a particle behind it. */
+static bool foot_make(const struct build *build, size_t row, size_t entry, struct weights_foot *foot,
+                      size_t *behind) {
     size_t i = build->weights->first + row;
     int64_t body = body_at(build, entry);
     bool found = true;
@@ -82,14 +83,15 @@ static bool foot_make(const struct build *build, size_t row, size_t entry, struc
     else if (body == BODY_NONE || !(found = grain_foot(build, i, body, foot)))
         own_foot(apart, foot);
     foot->body = body;
+    *behind += foot->distance < -MIRROR_BEHIND * build->input->spacing;
     foot->distance = fmax(foot->distance, WEIGHTS_NEAREST * build->input->spacing);
     return found;
 }
 
-/* Returns the number of entries without a body. */
-static size_t row_fill(const struct build *build, size_t row) {
+/* Returns the number of entries without a body; adds to `behind` 1 if the particle is behind a body. */
+static size_t row_fill(const struct build *build, size_t row, size_t *behind) {
     struct weights *weights = build->weights;
-    size_t i = weights->first + row, at = weights->foot_start[row], lost = 0;
+    size_t i = weights->first + row, at = weights->foot_start[row], lost = 0, deep = 0;
     size_t walls = weights_walls(weights, row), before = weights->wall_start[row];
     for (size_t e = walls; e < weights->start[row + 1]; e++) {
         size_t first = first_of_body(build, row, e), own = before + (e - walls);
@@ -97,7 +99,7 @@ static size_t row_fill(const struct build *build, size_t row) {
         bool found = true;
         if (first == e) {
             weights->wall_foot[own] = (uint32_t)at;
-            found = foot_make(build, row, e, &weights->foot[at++]);
+            found = foot_make(build, row, e, &weights->foot[at++], &deep);
         } else {
             weights->wall_foot[own] = weights->wall_foot[before + (first - walls)];
         }
@@ -106,12 +108,13 @@ static size_t row_fill(const struct build *build, size_t row) {
         weights->mirror[own] = body_behind(foot, apart) / foot->distance;
         lost += !found;
     }
+    *behind += deep > 0;
     return lost;
 }
 
 size_t mirror_make(struct weights *weights, const struct mirror_input *input) {
     const struct build build = {weights, input};
-    size_t sum = 0, lost = 0;
+    size_t sum = 0, lost = 0, behind = 0;
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++)
         weights->foot_start[row] = bodies_count(&build, row);
@@ -124,8 +127,9 @@ size_t mirror_make(struct weights *weights, const struct mirror_input *input) {
         weights->foot_room = sum;
         weights->foot = memory_resize(weights->foot, sum, sizeof *weights->foot, "feet on bodies");
     }
-#pragma omp parallel for schedule(static) reduction(+ : lost)
+#pragma omp parallel for schedule(static) reduction(+ : lost, behind)
     for (size_t row = 0; row < weights->rows; row++)
-        lost += row_fill(&build, row);
+        lost += row_fill(&build, row, &behind);
+    weights->behind = behind;
     return lost;
 }

@@ -17,7 +17,11 @@ struct mirror_input {
     const void *context;
 };
 
-/* Fills mirror, wall_foot, foot and foot_start of weights that weights_make has made. Returns the number of
+/* A particle is behind a body if it lies deeper below the surface than this x spacing: nearer to the surface it counts
+ * as one at WEIGHTS_NEAREST above. */
+#define MIRROR_BEHIND 0.5
+
+/* Fills mirror, wall_foot, foot, foot_start and behind of weights that weights_make has made. Returns the number of
  * wall neighbours whose grain was not found (a mistake of the program). Opens its own team. */
 size_t mirror_make(struct weights *weights, const struct mirror_input *input);
 

@@ -4,6 +4,8 @@
 #include "core/memory.h"
 #include "fluid/residual.h"
 
+#include <math.h>
+
 enum { SWEEPS = 3 };
 
 bool momentum_make(struct momentum *momentum, struct solve *solve, struct assembly *assembly,
@@ -30,6 +32,10 @@ void momentum_free(struct momentum *momentum) {
     memory_free(momentum->side);
     memory_free(momentum->guess);
     *momentum = (struct momentum){0};
+}
+
+void momentum_refill(struct momentum *momentum) {
+    momentum->implicit = NAN;
 }
 
 /* The right-hand side of component c: the walls give what the diagonal does not have, taken at the velocity u. */

@@ -21,6 +21,9 @@ bool momentum_make(struct momentum *momentum, struct solve *solve, struct assemb
                    struct error *error);
 void momentum_free(struct momentum *momentum);
 
+/* The weights have new values: the next solve fills the matrices again. */
+void momentum_refill(struct momentum *momentum);
+
 /* Solves for u*, which goes to flow->predicted of the owned particles; `side`, by row, is b without the walls'
  * share. The velocity of the flow is the first guess. False if a solver did not converge, or the true residual
  * is above `worst`: `error` says so. Collective. */

@@ -98,17 +98,33 @@ void operators_laplacian_velocity(const struct weights *weights, struct operator
     }
 }
 
-void operators_advection(const struct weights *weights, struct operators_values u, double (*out)[3]) {
+void operators_divergence_inner(const struct weights *weights, struct operators_values g, double *out) {
     size_t dimension = (size_t)weights->dimension;
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++) {
-        const double *own = at(u, weights->first + row);
+        const double *own = at(g, weights->first + row);
+        double sum = 0;
+        for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++) {
+            const double *other = partner_at(weights, g, e);
+            for (size_t d = 0; d < dimension; d++)
+                sum += weights->vector[e * dimension + d] * (other[d] - own[d]);
+        }
+        out[row] = sum;
+    }
+}
+
+void operators_advection(const struct weights *weights, struct operators_values carrier,
+                         struct operators_values u, double (*out)[3]) {
+    size_t dimension = (size_t)weights->dimension;
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++) {
+        const double *own = at(u, weights->first + row), *way = at(carrier, weights->first + row);
         double sum[3] = {0}, difference[3];
         size_t e = weights->start[row], wall = weights->wall_start[row], walls = weights_walls(weights, row);
         for (; e < weights->start[row + 1]; e++) {
             double along = 0;
             for (size_t d = 0; d < dimension; d++)
-                along += own[d] * weights->vector[e * dimension + d];
+                along += way[d] * weights->vector[e * dimension + d];
             if (e >= walls)
                 operators_mirror(weights, wall++, own, difference);
             for (int d = 0; d < 3; d++)

@@ -27,8 +27,12 @@ void operators_divergence(const struct weights *weights, struct operators_values
 /* out[row] = div grad u, each component, mirrored (no slip, or the slip of the weights). */
 void operators_laplacian_velocity(const struct weights *weights, struct operators_values u, double (*out)[3]);
 
-/* out[row] = (u . grad) u, mirrored. */
-void operators_advection(const struct weights *weights, struct operators_values u, double (*out)[3]);
+/* out[row] = (carrier . grad) u, mirrored; of the carrier the values of owned particles alone are read. */
+void operators_advection(const struct weights *weights, struct operators_values carrier,
+                         struct operators_values u, double (*out)[3]);
+
+/* out[row] = div g over fluid neighbours alone, without walls: of a gradient of the pressure. */
+void operators_divergence_inner(const struct weights *weights, struct operators_values g, double *out);
 
 /* The difference u_j - u_i of the velocity at a wall entry: no penetration along the normal, the slip of the
  * walls across. Any thread. */

@@ -2,8 +2,10 @@
 /* A fluid as a physics: its interaction, its particles, its passes. Read engine/physics.h and march.h first. */
 #include "core/memory.h"
 #include "engine/physics.h"
+#include "fluid/fields.h"
 #include "fluid/fill.h"
 #include "fluid/march.h"
+#include "fluid/motion.h"
 #include "fluid/nodes.h"
 #include "fluid/state.h"
 #include "particles/kinds.h"
@@ -27,8 +29,12 @@ static void *create(const struct physics_context *context) {
     fluid->options = context->options;
     fluid->drive = drive_begin(fluid->options, context->box);
     fluid->support = fluid_support(fluid->options, context->box->dimension);
-    fluid->volume =
-        fluid->options->fill.jitter > 0 ? 0 : kernel_power(fluid->options->spacing, context->box->dimension);
+    if (fluid->options->fill.jitter > 0 || motion_moves(fluid->options))
+        fluid_fields_volumes(context->particles);
+    else
+        fluid->volume = kernel_power(fluid->options->spacing, context->box->dimension);
+    if (motion_moves(fluid->options))
+        fluid_fields_moving(context->particles);
     return fluid;
 }
 
@@ -41,9 +47,15 @@ static void guard(const struct physics_context *context, struct error *error) {
         *error = fluid->error;
     if (fluid->lost > 0)
         error_set(error, ERROR_PHYSICS, "fluid: %zu wall neighbours have lost their grain", fluid->lost);
+    if (fluid->rows[2] > 0)
+        error_set(error, ERROR_PHYSICS,
+                  "fluid: %g particles of the fluid have gone behind a wall or into a grain in step %llu, t "
+                  "= %.9g: shorter "
+                  "steps, or motion: fixed",
+                  fluid->rows[2], (unsigned long long)context->clock->step, context->clock->time);
     if (fluid->rows[1] > poor_most * fluid->rows[0])
         scene_fail(context->scene, error, "fluid.kernel.support",
-                   "%g spacings give %g of %g particles too few neighbours for the corrected operators; more "
+                   "%g spacings give %g of %g particles too few neighbours for these operators; more "
                    "support is needed (2.2 on a cubic lattice)",
                    fluid->support / fluid->options->spacing, fluid->rows[1], fluid->rows[0]);
 }
@@ -69,7 +81,7 @@ static void print(const struct physics_context *context, FILE *file) {
     fprintf(file, "\nfluid\n  particles    %.0f fluid, %.0f boundary, %.0f grains\n", fluids,
             sum[KIND_BOUNDARY], sum[KIND_GRAIN]);
     fprintf(file,
-            "  neighbours   %.1f a fluid particle, within %.6g = %.3g spacings; %g have standard operators\n",
+            "  neighbours   %.1f a fluid particle, within %.6g = %.3g spacings; %g have simpler operators\n",
             sum[KINDS] / fluids, fluid->support, fluid->support / fluid->options->spacing, fluid->rows[1]);
     fprintf(file, "  unknowns     %.0f: %d velocities and a pressure each; %d connected region%s\n",
             fluids * (context->box->dimension + 1), context->box->dimension, fluid->regions,
@@ -96,7 +108,15 @@ static void restart(const struct physics_context *context, struct restart *list)
     restart_add(list, RESTART_INTEGER, true, &fluid->drive.steps, "fluid: steps of the drive");
 }
 
-static const struct physics_pass passes[] = {{.name = "flow",
+static const struct physics_pass passes[] = {{.name = "follow",
+                                              .why = "particles of a fluid that move",
+                                              .stage = PASS_MOVE,
+                                              .timer = "advance",
+                                              .reads = "velocity fluid_velocity_before fluid_drift",
+                                              .writes = "position",
+                                              .needed = motion_needed,
+                                              .rows = motion_move},
+                                             {.name = "flow",
                                               .stage = PASS_CLOSE,
                                               .does = "the flow of a fluid: operators, matrices and solves",
                                               .reads = "velocity pressure fluid_advection",
@@ -115,6 +135,7 @@ const struct physics fluid_physics = {.name = "fluid",
                                       .pass = passes,
                                       .create = create,
                                       .destroy = march_end,
+                                      .moving = motion_kinds,
                                       .fill = fill_run,
                                       .rebuilt = march_rebuilt,
                                       .limit = march_limit,

@@ -1,26 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The step of an incompressible flow: projection_step reads as the scheme. Read projection.h first. */
-#include "fluid/projection.h"
+#include "fluid/projection_parts.h"
 #include "core/memory.h"
-#include "fluid/momentum.h"
-#include "fluid/pressure.h"
 
 #include <math.h>
 #include <string.h>
 
 /* From this theta dt nu / spacing^2 on Jacobi takes too many iterations. */
 #define JACOBI_MOST 20.0
-
-struct projection {
-    struct projection_options options;
-    struct assembly assembly;
-    struct momentum momentum;
-    struct pressure pressure;
-    /* by row */
-    double (*side)[3], (*viscous)[3], (*gradient)[3], (*advection)[3];
-    double *divergence;
-    double divergence_size;
-};
 
 static bool make_systems(struct projection *projection, struct solve *solve, const struct flow *flow,
                          struct error *error) {
@@ -50,6 +37,7 @@ struct projection *projection_create(struct solve *solve, const struct flow *flo
     projection->gradient = memory_allocate(rows, sizeof *projection->gradient, "projection");
     projection->advection = memory_allocate_zero(rows, sizeof *projection->advection, "projection");
     projection->divergence = memory_allocate(rows, sizeof *projection->divergence, "projection");
+    projection->source = memory_allocate(rows, sizeof *projection->source, "projection");
     if (!make_systems(projection, solve, flow, error))
         projection_destroy(&projection);
     return projection;
@@ -67,8 +55,15 @@ void projection_destroy(struct projection **projection) {
     memory_free(p->gradient);
     memory_free(p->advection);
     memory_free(p->divergence);
+    memory_free(p->source);
     memory_free(p);
     *projection = NULL;
+}
+
+void projection_refill(struct projection *projection, const struct flow *flow) {
+    assembly_pressure(&projection->assembly, flow->weights);
+    solve_values(projection->pressure.system, projection->assembly.value);
+    momentum_refill(&projection->momentum);
 }
 
 /* (u . grad) u at the middle of the step, extrapolated from this step and the one before; keeps that of this
@@ -79,7 +74,7 @@ static void extrapolate_advection(struct projection *projection, const struct fl
     double ahead = past->steps > 0 ? 0.5 * dt / past->dt : 0;
     if (!projection->options.advection)
         return;
-    operators_advection(weights, flow_velocity(flow), projection->advection);
+    operators_advection(weights, flow_velocity(flow), flow_velocity(flow), projection->advection);
     for (size_t row = 0; row < weights->rows; row++)
         for (size_t d = 0; d < 3; d++) {
             double *before = &flow->advection_before[3 * (weights->first + row) + d],
@@ -106,8 +101,7 @@ static void fill_side(struct projection *projection, const struct flow *flow, do
                       projection->advection[row][d]);
 }
 
-/* The divergence of u* by row, and its size. */
-static void diverge(struct projection *projection, const struct flow *flow) {
+void projection_diverge(struct projection *projection, const struct flow *flow) {
     size_t rows = flow->weights->rows;
     double sum[2] = {0, (double)rows};
     flow_forward(flow, FLOW_PREDICTED);
@@ -118,16 +112,17 @@ static void diverge(struct projection *projection, const struct flow *flow) {
     projection->divergence_size = sqrt(sum[0] / fmax(sum[1], 1));
 }
 
-/* u^(n+1) and p. */
-static void correct(struct projection *projection, const struct flow *flow, double theta, double dt) {
+void projection_correct(struct projection *projection, const struct flow *flow, double rotational,
+                        double share) {
     const struct weights *weights = flow->weights;
-    double rotational = theta * projection->options.viscosity, share = dt / projection->options.density;
     flow_forward(flow, FLOW_INCREMENT);
     operators_gradient(weights, flow_increment(flow), projection->gradient);
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++) {
         size_t i = weights->first + row;
         double *u = flow_velocity_of(flow, row);
+        if (flow->velocity_before != NULL)
+            memcpy(&flow->velocity_before[3 * i], u, 3 * sizeof *u);
         for (int d = 0; d < weights->dimension; d++)
             u[d] = flow->predicted[3 * i + (size_t)d] - share * projection->gradient[row][d];
         flow->pressure[i] += flow->increment[i] - rotational * projection->divergence[row];
@@ -145,11 +140,12 @@ bool projection_step(struct projection *projection, const struct flow *flow, str
     if (!momentum_solve(&projection->momentum, &projection->assembly, flow, implicit,
                         (const double(*)[3])projection->side, error))
         return false;
-    diverge(projection, flow);
+    projection_diverge(projection, flow);
     if (!pressure_solve(&projection->pressure, flow, projection->divergence, projection->options.density / dt,
                         error))
         return false;
-    correct(projection, flow, theta, dt);
+    projection_correct(projection, flow, theta * projection->options.viscosity,
+                       dt / projection->options.density);
     *past = (struct projection_past){past->steps + 1, dt};
     return true;
 }

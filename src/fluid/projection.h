@@ -40,6 +40,9 @@ struct projection *projection_create(struct solve *solve, const struct flow *flo
                                      const struct projection_options *options, struct error *error);
 void projection_destroy(struct projection **projection);
 
+/* The weights have new values on the old pattern: particles have moved. */
+void projection_refill(struct projection *projection, const struct flow *flow);
+
 /* Makes a step under a force per volume; copies of velocity and pressure are up to date before and after.
  * False, with an error (ERROR_PHYSICS), if a solver failed. */
 bool projection_step(struct projection *projection, const struct flow *flow, struct projection_past *past,

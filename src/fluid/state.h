@@ -13,7 +13,12 @@ struct fluid {
     double support;                      /* radius, length */
     double volume;                       /* of a particle on the lattice, length^dimension; 0: they differ */
     struct weights weights;
-    double rows[2];  /* of all ranks: fluid particles, those with singular tensors */
+    struct weights_input input;   /* of the weights; what it borrows lives until the next rebuild */
+    struct weights_options weigh; /* their options */
+    struct pair_rows pairs;       /* of the last rebuild; kept where particles move */
+    uint64_t placed;              /* the step for whose places the weights are */
+    double rows
+        [3]; /* of all ranks: fluid particles, those without the operators asked for, those behind a body */
     size_t lost;     /* wall neighbours without a body */
     uint64_t layout; /* checksum of the particles for which the matrices were made; 0: none */
     int regions;     /* connected regions */

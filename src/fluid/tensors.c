@@ -66,13 +66,20 @@ static bool gradient_make(struct tensors *tensors, const struct tensors_neighbou
             for (int q = 0; q < dimension; q++)
                 matrix[s * width + q] -= to->strength * to->distance * to->e[s] * to->e[q];
     }
+    double size[2] = {0};
+    for (int s = 0; s < dimension; s++)
+        for (int q = 0; q < dimension; q++)
+            size[0] += matrix[s * width + q] * matrix[s * width + q];
     for (int d = 0; d < dimension; d++)
         matrix[d * width + dimension + d] = 1;
     if (!solve(matrix, dimension, width))
         return false;
     for (int s = 0; s < dimension; s++)
-        for (int q = 0; q < dimension; q++)
+        for (int q = 0; q < dimension; q++) {
             tensors->gradient[s][q] = matrix[s * width + dimension + q];
+            size[1] += tensors->gradient[s][q] * tensors->gradient[s][q];
+        }
+    tensors->condition = sqrt(size[0] * size[1]) / dimension;
     return true;
 }
 

@@ -20,6 +20,7 @@ enum { TENSORS_TWO = 6 }; /* the components mn with m <= n: xx yy zz xy xz yz; i
 /* A neighbour. */
 struct tensors_neighbour {
     double strength; /* V W', 1 / length */
+    double value;    /* W; not read here (mls.h) */
     double distance; /* |r| > 0 */
     double e[3];     /* r / |r|; e[2] is 0 in two dimensions */
 };
@@ -28,6 +29,7 @@ struct tensors {
     double gradient[3][3];         /* G */
     double laplacian[TENSORS_TWO]; /* L */
     double rest[3];                /* c */
+    double condition;              /* |M| |G| / dimension, Frobenius norms; 0: standard operators */
 };
 
 /* Computes the tensors of `count` neighbours in 2 or 3 dimensions. False if M or S is singular, as with too few or

@@ -2,7 +2,7 @@
 /* Rows of weights from rows of pairs: count, scan, fill. Read weights.h first. */
 #include "fluid/weights.h"
 #include "core/memory.h"
-#include "fluid/tensors.h"
+#include "fluid/mls.h"
 #include "particles/kinds.h"
 #include <string.h>
 
@@ -11,17 +11,15 @@ struct build {
     struct weights *weights;
     const struct weights_input *input;
     const struct weights_options *options;
-    size_t longest; /* entries of the longest row of pairs */
 };
 
 static int kind_at(const struct weights_input *input, size_t k) {
     return input->kind ? input->kind[k] : KIND_FLUID;
 }
 
-/* The neighbour that an entry of the pairs stands for; false if it lies beyond the support. */
-static bool neighbour_of(const struct build *build, size_t i, uint32_t partner,
-                         struct tensors_neighbour *to) {
-    const struct weights_input *input = build->input;
+/* The place of the neighbour that an entry of the pairs stands for; false if it has no part in the row. */
+static bool neighbour_of(const struct weights_input *input, const struct weights_options *options, size_t i,
+                         uint32_t partner, struct tensors_neighbour *to) {
     const struct particle_state *state = input->particles->state;
     const double *shift = input->shift[pair_image(partner)], *xj = state[pair_partner(partner)].x;
     double square = 0;
@@ -30,7 +28,7 @@ static bool neighbour_of(const struct build *build, size_t i, uint32_t partner,
         square += to->e[d] * to->e[d];
     }
     to->distance = sqrt(square);
-    if (!(to->distance < build->options->kernel.support) || to->distance == 0)
+    if ((!options->moving && !(to->distance < options->kernel.support)) || to->distance == 0)
         return false;
     for (int d = 0; d < 3; d++)
         to->e[d] /= to->distance;
@@ -44,7 +42,7 @@ static void row_count(const struct build *build, size_t row) {
     for (size_t e = pairs->start[i]; e < pairs->start[i + 1]; e++) {
         struct tensors_neighbour to;
         int kind = kind_at(build->input, pair_partner(pairs->partner[e]));
-        if (kind == KIND_GRAIN || !neighbour_of(build, i, pairs->partner[e], &to))
+        if (kind == KIND_GRAIN || !neighbour_of(build->input, build->options, i, pairs->partner[e], &to))
             continue;
         entries++;
         walls += kind == KIND_BOUNDARY;
@@ -61,7 +59,7 @@ static void row_fill(const struct build *build, size_t row) {
     for (size_t e = pairs->start[i]; e < pairs->start[i + 1]; e++) {
         struct tensors_neighbour to;
         int kind = kind_at(build->input, pair_partner(pairs->partner[e]));
-        if (kind != KIND_GRAIN && neighbour_of(build, i, pairs->partner[e], &to))
+        if (kind != KIND_GRAIN && neighbour_of(build->input, build->options, i, pairs->partner[e], &to))
             weights->partner[at[kind == KIND_BOUNDARY]++] = pairs->partner[e];
     }
 }
@@ -81,43 +79,68 @@ static void row_volume(const struct build *build, size_t row) {
     double sum = kernel_value(&build->options->kernel, 0);
     for (size_t e = weights->start[row]; e < weights->start[row + 1]; e++) {
         struct tensors_neighbour to;
-        neighbour_of(build, weights->first + row, weights->partner[e], &to);
+        neighbour_of(build->input, build->options, weights->first + row, weights->partner[e], &to);
         sum += kernel_value(&build->options->kernel, to.distance);
     }
     weights->volume[row] = build->options->volume > 0 ? build->options->volume : 1 / sum;
 }
 
 /* The volume of a neighbour. */
-static double volume_of(const struct build *build, size_t particle) {
-    const struct weights_input *input = build->input;
-    if (build->options->volume > 0)
-        return build->options->volume;
+static double volume_of(const struct weights *weights, const struct weights_input *input,
+                        const struct weights_options *options, size_t particle) {
+    if (options->volume > 0)
+        return options->volume;
     if (input->volume)
-        return input->volume(input->context, particle);
+        return input->volume[particle];
     if (particle >= input->first && particle < input->end)
-        return build->weights->volume[particle - input->first];
-    return kernel_power(build->options->spacing, input->dimension);
+        return weights->volume[particle - input->first];
+    return kernel_power(options->spacing, input->dimension);
 }
 
-/* Computes the weights of a row; returns true if its tensors are singular. */
+void weights_neighbour(const struct weights *weights, const struct weights_input *input,
+                       const struct weights_options *options, size_t entry, size_t row,
+                       struct tensors_neighbour *to) {
+    uint32_t partner = weights->partner[entry];
+    neighbour_of(input, options, weights->first + row, partner, to);
+    kernel_both(&options->kernel, to->distance, &to->value, &to->strength);
+    to->strength *= volume_of(weights, input, options, pair_partner(partner));
+}
+
+/* Replaces the weights of a row by those of moving least squares, of the highest order that its neighbours allow. True
+ * if that is the order asked for. */
+static bool row_fit(const struct build *build, size_t row, const struct tensors_neighbour *neighbour,
+                    size_t count) {
+    struct weights *weights = build->weights;
+    int wanted = build->options->order, least = wanted < 2 ? wanted : 2;
+    size_t first = weights->start[row];
+    struct mls_options options = {wanted, weights->dimension, build->options->kernel.support,
+                                  kernel_value(&build->options->kernel, 0)};
+    for (; options.order >= least; options.order--)
+        if (mls_weigh(&options, neighbour, count, weights->vector + first * (size_t)weights->dimension,
+                      weights->scalar + first))
+            break;
+    return options.order == wanted;
+}
+
+/* Computes the weights of a row; returns true if it does not have the operators asked for. */
 static bool row_weigh(const struct build *build, size_t row, struct tensors_neighbour *neighbour) {
     struct weights *weights = build->weights;
     size_t first = weights->start[row], count = weights->start[row + 1] - first;
     int dimension = build->input->dimension;
     struct tensors tensors;
     bool good = true;
-    for (size_t e = 0; e < count; e++) {
-        neighbour_of(build, weights->first + row, weights->partner[first + e], &neighbour[e]);
-        neighbour[e].strength = volume_of(build, pair_partner(weights->partner[first + e])) *
-                                kernel_slope(&build->options->kernel, neighbour[e].distance);
-    }
+    for (size_t e = 0; e < count; e++)
+        weights_neighbour(weights, build->input, build->options, first + e, row, &neighbour[e]);
     if (build->options->operators == WEIGHTS_STANDARD)
         tensors_standard(&tensors, dimension);
     else
         good = tensors_make(&tensors, neighbour, count, dimension);
+    weights->condition[row] = tensors.condition;
     for (size_t e = 0; e < count; e++)
         weights->scalar[first + e] = tensors_weigh(&tensors, &neighbour[e], dimension,
                                                    weights->vector + (first + e) * (size_t)dimension);
+    if (build->options->operators == WEIGHTS_MLS)
+        good = row_fit(build, row, neighbour, count) && (good || build->options->order > 1);
     return !good;
 }
 
@@ -129,6 +152,7 @@ static void reserve_rows(struct weights *weights) {
     weights->wall_start = memory_resize(weights->wall_start, room, sizeof *weights->wall_start, "weights");
     weights->foot_start = memory_resize(weights->foot_start, room, sizeof *weights->foot_start, "weights");
     weights->volume = memory_resize(weights->volume, room, sizeof *weights->volume, "weights");
+    weights->condition = memory_resize(weights->condition, room, sizeof *weights->condition, "weights");
 }
 
 static void reserve_entries(struct weights *weights) {
@@ -147,16 +171,26 @@ static void reserve_entries(struct weights *weights) {
     }
 }
 
-static void weigh(const struct build *build) {
-    struct weights *weights = build->weights;
-    size_t poor = 0, poor_first = SIZE_MAX;
+static size_t longest_row(const struct weights *weights) {
+    size_t longest = 0;
+    for (size_t row = 0; row < weights->rows; row++)
+        longest = weights->start[row + 1] - weights->start[row] > longest
+                      ? weights->start[row + 1] - weights->start[row]
+                      : longest;
+    return longest;
+}
+
+void weights_weigh(struct weights *weights, const struct weights_input *input,
+                   const struct weights_options *options) {
+    const struct build build = {weights, input, options};
+    size_t poor = 0, poor_first = SIZE_MAX, longest = longest_row(weights);
 #pragma omp parallel reduction(+ : poor) reduction(min : poor_first)
     {
         struct tensors_neighbour *neighbour =
-            memory_allocate(build->longest + 1, sizeof *neighbour, "weights of a row");
+            memory_allocate(longest + 1, sizeof *neighbour, "weights of a row");
 #pragma omp for schedule(static)
         for (size_t row = 0; row < weights->rows; row++)
-            if (row_weigh(build, row, neighbour)) {
+            if (row_weigh(&build, row, neighbour)) {
                 poor++;
                 poor_first = row < poor_first ? row : poor_first;
             }
@@ -166,19 +200,18 @@ static void weigh(const struct build *build) {
     weights->poor_first = poor_first;
 }
 
-void weights_make(struct weights *weights, const struct weights_input *input,
+void weights_rows(struct weights *weights, const struct weights_input *input,
                   const struct weights_options *options) {
-    struct build build = {weights, input, options, 0};
+    const struct build build = {weights, input, options};
     weights->dimension = input->dimension;
     weights->first = input->first;
     weights->rows = input->end - input->first;
     weights->slip = options->slip;
+    weights->behind = 0;
     reserve_rows(weights);
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++)
         row_count(&build, row);
-    for (size_t row = 0; row < weights->rows; row++)
-        build.longest = weights->start[row] > build.longest ? weights->start[row] : build.longest;
     sum_up(weights->start, weights->rows);
     sum_up(weights->wall_start, weights->rows);
     reserve_entries(weights);
@@ -187,8 +220,13 @@ void weights_make(struct weights *weights, const struct weights_input *input,
         row_fill(&build, row);
         row_volume(&build, row);
     }
-    weigh(&build);
     memset(weights->foot_start, 0, (weights->rows + 1) * sizeof *weights->foot_start);
+}
+
+void weights_make(struct weights *weights, const struct weights_input *input,
+                  const struct weights_options *options) {
+    weights_rows(weights, input, options);
+    weights_weigh(weights, input, options);
 }
 
 void weights_free(struct weights *weights) {
@@ -202,13 +240,14 @@ void weights_free(struct weights *weights) {
     memory_free(weights->foot);
     memory_free(weights->foot_start);
     memory_free(weights->volume);
+    memory_free(weights->condition);
     *weights = (struct weights){0};
 }
 
 size_t weights_memory(const struct weights *weights) {
     size_t entry = sizeof *weights->partner + sizeof *weights->scalar +
                    (size_t)weights->dimension * sizeof *weights->vector;
-    return weights->row_room * (3 * sizeof(size_t) + sizeof(double)) + weights->entry_room * entry +
+    return weights->row_room * (3 * sizeof(size_t) + 2 * sizeof(double)) + weights->entry_room * entry +
            weights->wall_room * (sizeof *weights->mirror + sizeof *weights->wall_foot) +
            weights->foot_room * sizeof *weights->foot;
 }

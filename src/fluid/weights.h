@@ -26,12 +26,13 @@
 
 #include "core/error.h"
 #include "fluid/kernel.h"
+#include "fluid/tensors.h"
 #include "pairs/interaction.h"
 #include <math.h>
 
 #define WEIGHTS_MIRROR_CAP 3.0
 
-enum weights_operators { WEIGHTS_CORRECTED, WEIGHTS_STANDARD };
+enum weights_operators { WEIGHTS_CORRECTED, WEIGHTS_STANDARD, WEIGHTS_MLS };
 
 /* The tangent plane of a body at the point nearest to a fluid particle i. */
 struct weights_foot {
@@ -58,9 +59,11 @@ struct weights {
     struct weights_foot *foot; /* by row, then by body */
     size_t *foot_start;        /* [rows + 1]: feet of row k */
     double *volume;            /* by row: V_i, length^dimension */
-    double slip;               /* slip length of the walls, >= 0; INFINITY: no friction */
-    size_t poor;               /* rows whose tensors are singular: they have standard operators */
-    size_t poor_first;         /* the first of them (a row) */
+    double *condition; /* by row: |M| |G| / dimension of tensors.h, 1 on a lattice; 0: standard operators */
+    double slip;       /* slip length of the walls, >= 0; INFINITY: no friction */
+    size_t poor;       /* rows without the operators asked for: singular tensors, or too few neighbours */
+    size_t poor_first; /* the first of them (a row) */
+    size_t behind;     /* rows whose particle lies behind the surface of a body (mirror.h) */
     size_t row_room, entry_room, wall_room, foot_room;
 };
 
@@ -84,9 +87,13 @@ static inline double weights_tangential_factor(const struct weights *weights, si
 struct weights_options {
     struct kernel kernel;
     enum weights_operators operators;
+    int order;      /* of WEIGHTS_MLS (mls.h) */
     double spacing; /* length */
     double volume;  /* > 0: the same volume for all particles (a lattice); 0: V_i = 1 / sum of W */
     double slip;    /* slip length */
+    bool
+        moving; /* rows keep all pairs, with weights of 0 beyond the support: the pattern of the matrices then
+                       lives as long as the pairs, though particles move */
 };
 
 /* The neighbourhood from which weights are made; all borrowed. */
@@ -97,14 +104,28 @@ struct weights_input {
     const struct pair_rows *pairs;     /* rows of all pairs up to the support at least */
     const double (*shift)[4];          /* of image codes, as in the pair list */
     int dimension;
-    double (*volume)(const void *context, size_t particle); /* NULL: from options */
-    const void *context;
+    const double
+        *volume; /* by particle number, copies too; NULL: own rows' V_i, spacing^dimension of others */
 };
 
 /* Makes rows, neighbours within the support alone, tensors and weights. Mirrors are mirror_make's. Opens its
- * own team; bits do not depend on threads. */
+ * own team; bits do not depend on threads. A row with too few neighbours for its operators has those of the next
+ * simpler kind, and is counted in `poor`: moving least squares of order m those of m - 1 ... 2, then corrected ones,
+ * then standard ones. */
 void weights_make(struct weights *weights, const struct weights_input *input,
                   const struct weights_options *options);
+
+/* The same in two parts, where copies must get the volumes in between: rows with their volumes; weights. */
+void weights_rows(struct weights *weights, const struct weights_input *input,
+                  const struct weights_options *options);
+void weights_weigh(struct weights *weights, const struct weights_input *input,
+                   const struct weights_options *options);
+
+/* The neighbour of particle i that an entry of the pairs stands for, with W and V W'. Any thread, after
+ * weights_rows. */
+void weights_neighbour(const struct weights *weights, const struct weights_input *input,
+                       const struct weights_options *options, size_t entry, size_t row,
+                       struct tensors_neighbour *to);
 void weights_free(struct weights *weights);
 
 /* Bytes held. */

@@ -129,7 +129,7 @@ static void add_block(const struct stability *s, const struct force_context *con
 
 void stability_pairs(struct stability *s, const struct force_context *context) {
     const struct pairlist *list = context->list;
-#pragma omp parallel for schedule(static) num_threads(list->threads)
+#pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < list->threads; t++)
         for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
             add_block(s, context, &list->blocks[b]);
@@ -201,7 +201,7 @@ static double block_worst(const struct stability *s, const struct force_context 
 double stability_worst(const struct stability *s, const struct force_context *context) {
     const struct pairlist *list = context->list;
     double most = 0.0;
-#pragma omp parallel for schedule(static) num_threads(list->threads) reduction(max : most)
+#pragma omp parallel for schedule(static, 1) reduction(max : most)
     for (int t = 0; t < list->threads; t++)
         for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
             most = fmax(most, block_worst(s, context, &list->blocks[b]));

@@ -25,7 +25,7 @@ static double range_of_all(const void *context, int kind_a, double radius_a, int
 }
 
 struct classes_range interactions_range(const struct interactions *interactions) {
-    return (struct classes_range){range_of_all, interactions};
+    return (struct classes_range){range_of_all, interactions, interactions->moving};
 }
 
 void interactions_create(struct interactions *interactions, const struct pairlist_options *options) {
@@ -47,7 +47,7 @@ struct pairlist *interaction_list(const struct interactions *interactions, int k
 /* The margins of interaction k: its range and the skin of all. */
 static void margins_set(struct interactions *interactions, int k, const struct size_classes *classes) {
     const struct interaction *row = &interactions->row[k];
-    const struct classes_range range = {row->range, row->context};
+    const struct classes_range range = {row->range, row->context, interactions->moving};
     for (int a = 0; a < classes->count; a++)
         for (int b = 0; b < classes->count; b++)
             interactions->margin[k][a][b] = classes_range_of(classes, &range, a, b) + classes->skin[a][b];

@@ -36,7 +36,8 @@ struct interaction {
 struct interactions {
     int count;
     struct interaction row[INTERACTIONS_MAX];
-    struct pairlist *all;                                  /* the pairs that the index finds; owned */
+    unsigned moving;      /* bits 1 << kind of the kinds that move beside grains (classes.h) */
+    struct pairlist *all; /* the pairs that the index finds; owned */
     struct pairlist *own[INTERACTIONS_MAX];                /* NULL: the interaction shares `all`; owned */
     double margin[INTERACTIONS_MAX][CLASS_MAX][CLASS_MAX]; /* of each, skin included */
 };

@@ -106,12 +106,25 @@ static void range_add(struct sweep_thread *thread, bool early, struct sweep_rang
     thread->unsorted[thread->late_count++] = range;
 }
 
+/* Where the range of row `first` ends. An early range takes late rows between early ones along, since short
+ * ranges cost more than moving a few rows before their block. */
+static uint32_t range_end(const uint8_t *early, uint32_t first, uint32_t end) {
+    uint32_t last = (uint32_t)members_run(early, first, end);
+    while (early[first] && last < end) {
+        uint32_t next = (uint32_t)members_run(early, last, end);
+        if (next == end || next - last > SWEEP_GAP)
+            break;
+        last = (uint32_t)members_run(early, next, end);
+    }
+    return last;
+}
+
 /* Cuts the rows of a block into ranges of one grain, early or late. */
 static void ranges_cut(struct sweep_thread *thread, const uint8_t *early, const struct pair_block *block) {
     for (uint32_t first = block->first_row; first < block->last_row;) {
         uint32_t grain_end = (first / SWEEP_GRAIN + 1) * SWEEP_GRAIN;
         uint32_t end = grain_end < block->last_row ? grain_end : block->last_row;
-        uint32_t last = (uint32_t)members_run(early, first, end);
+        uint32_t last = range_end(early, first, end);
         range_add(thread, early[first], (struct sweep_range){first, last, block->size_class});
         first = last;
     }

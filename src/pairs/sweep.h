@@ -14,13 +14,14 @@
  * order: the same bits.
  *
  * Ranges, not particles: the rows of a thread are cut at multiples of SWEEP_GRAIN and where early and late
- * meet; a grain moves as a whole, with its first use. */
+ * meet; a grain moves as a whole, with its first use. Up to SWEEP_GAP late rows between early ones move with
+ * these. */
 #ifndef SCREE_PAIRS_SWEEP_H
 #define SCREE_PAIRS_SWEEP_H
 
 #include "pairs/pairlist.h"
 
-enum { SWEEP_GRAIN = 256 };
+enum { SWEEP_GRAIN = 256, SWEEP_GAP = 16 };
 
 /* Particles first ... last-1, of one size class and one thread. */
 struct sweep_range {

@@ -124,9 +124,11 @@ double classes_range_of(const struct size_classes *classes, const struct classes
     return most;
 }
 
-/* True if particles of neither class move: only grains, kind 0, do. */
-static bool both_rest(const struct size_classes *classes, int a, int b) {
-    return a < classes->count && b < classes->count && classes->kind[a] != 0 && classes->kind[b] != 0;
+/* True if particles of neither class move: grains, kind 0, do, and others where the physics says so. */
+static bool both_rest(const struct size_classes *classes, const struct classes_range *range, int a, int b) {
+    unsigned moving = 1u | (range ? range->moving : 0);
+    return a < classes->count && b < classes->count && !(moving >> classes->kind[a] & 1) &&
+           !(moving >> classes->kind[b] & 1);
 }
 
 void classes_set_margins(struct size_classes *classes, const struct classes_options *options,
@@ -135,10 +137,10 @@ void classes_set_margins(struct size_classes *classes, const struct classes_opti
     for (int a = 0; a <= n; a++) {
         for (int b = 0; b <= n; b++) {
             int smaller = smaller_class(classes, a, b);
-            double skin = both_rest(classes, a, b) ? 0
-                          : options->skin_given    ? options->skin
-                          : smaller < n            ? options->skin_relative * classes->radius_min[smaller]
-                                                   : 0;
+            double skin = both_rest(classes, range, a, b) ? 0
+                          : options->skin_given           ? options->skin
+                          : smaller < n ? options->skin_relative * classes->radius_min[smaller]
+                                        : 0;
             classes->skin[a][b] = skin;
             double reach = a < n   ? classes_range_of(classes, range, a, b)
                            : b < n ? classes_range_of(classes, range, b, a)

@@ -5,7 +5,7 @@
  * Classes are numbered from small to large: class c holds the radii in (cut[c-1], cut[c]]. Classes are the
  * same on every rank. If there are several kinds of particles, each kind has classes of its own, kind after
  * kind (kinds.h). The margin of a class pair is added to r_i + r_j: range (of the interactions) + skin. Walls
- * count as one more class, number `count`. Fluid and boundary particles do not move: among them the skin is
+ * count as one more class, number `count`. Among kinds that do not move (classes_range.moving) the skin is
  * 0. */
 #ifndef SCREE_PARTICLES_CLASSES_H
 #define SCREE_PARTICLES_CLASSES_H
@@ -42,6 +42,7 @@ struct classes_range {
      * radius. A wall has an infinite radius. NULL: 0. Any thread. */
     double (*of)(const void *context, int kind_a, double radius_a, int kind_b, double radius_b);
     const void *context;
+    unsigned moving; /* bits 1 << kind of the kinds that move beside grains */
 };
 
 struct size_classes {

@@ -120,6 +120,9 @@ const struct wall_options *walls_options(const struct walls *walls, int wall);
 /* Moves all walls from time t to t + dt (positions at t + dt, velocities of the half step). servo_force[wall]
  * is the force on each wall, already summed over ranks (NULL where there is no servo). */
 void walls_advance(struct walls *walls, double t, double dt, const double (*servo_force)[3]);
+
+/* Gives the walls, which walls_advance has moved to t in a step dt, their velocities at t itself, until the next step. */
+void walls_at_end(struct walls *walls, double t, double dt);
 bool walls_have_servo(const struct walls *walls);
 bool walls_move(const struct walls *walls);
 

@@ -236,6 +236,16 @@ void walls_advance(struct walls *walls, double t, double dt, const double (*serv
     }
 }
 
+void walls_at_end(struct walls *walls, double t, double dt) {
+    double moment = 1e-4 * dt;
+    for (int w = 0; w < walls->count; w++) {
+        struct wall *wall = &walls->wall[w];
+        if (wall->options.motions > 0)
+            wall->twist =
+                wall_mover_twist(wall->mover, t - moment, moment, wall->servo_offset, wall->servo_speed);
+    }
+}
+
 /* The largest displacement, across the plane, of a point of a plane within the extent of the particles: the
  * distance of a corner is linear in the corner. */
 static double plane_displacement(const struct walls *walls, const struct wall *wall) {

@@ -87,14 +87,33 @@ for scene in sphere channel; do
     check "$scene: the same flow on 3 ranks" flows 3 "$scene"
 done
 
-resumes() { # RANKS
+resumes() { # RANKS [FLAG...]
+    local ranks=$1
+    shift
     rm -rf whole half
-    run_scene "$1" channel.yaml whole --set threads=1 &&
-        run_scene "$1" channel.yaml half --set threads=1 --resume whole/checkpoint-6.h5 &&
+    run_scene "$ranks" channel.yaml whole --set threads=1 "$@" &&
+        run_scene "$ranks" channel.yaml half --set threads=1 --resume whole/checkpoint-6.h5 "$@" &&
         cmp <(tail -n 1 whole/observables.csv) <(tail -n 1 half/observables.csv)
 }
 check "a resume gives the same bits" resumes 1
 check "a resume on 2 ranks gives the same bits" resumes 2
+# particles that move with the flow, beside walls of which one slides; lists that live for some steps
+moving=(--set fluid.motion=lagrangian --set skin.length=0.06)
+check "particles that move: a resume gives the same bits" resumes 1 "${moving[@]}"
+check "particles that move: a resume on 2 ranks gives the same bits" resumes 2 "${moving[@]}"
+rm -rf one
+run_scene 1 channel.yaml one --set threads=1 --set fluid.solver.tolerance=1e-9 "${moving[@]}"
+moves() { # RANKS THREADS [FLAG...]: the flow of one rank, and particles that have moved
+    local ranks=$1 threads=$2
+    shift 2
+    rm -rf other
+    run_scene "$ranks" channel.yaml other --set threads="$threads" --set fluid.solver.tolerance=1e-9 "${moving[@]}" "$@" && close one/observables.csv other/observables.csv
+}
+check "particles that move: the same flow on 2 ranks x 2 threads" moves 2 2
+check "particles that move: the same flow on 3 ranks, hgrid" moves 3 1 --set index=hgrid
+check "particles that move: the same flow with brute, a search in each step" moves 1 1 --set index=brute --set step.rebuild_every=1
+points=(--set 'fluid.motion={name: ale, velocity: [0.5, 0, 0], swing: [0.01, 0.01, 0], period: 0.2}')
+check "points with a velocity of their own: a resume gives the same bits" resumes 1 "${points[@]}"
 driven() { # a flow of given mass goes on as if it had not stopped
     rm -rf whole half
     run_scene 1 channel.yaml whole --set threads=1 --set 'fluid.drive={mass_flow: 0.7}' &&
@@ -220,7 +239,9 @@ check "no fluid in the region" refused 'there is no fluid' channel.yaml --set 'f
 check "an open side" refused 'open side near|wall' channel.yaml --set box.periodic=false
 check "a region that ends in the open" refused 'open side near' sphere.yaml --set 'fluid.fill={region: {shape: box, lower: [-1, 0, 2], upper: [0, 1, 2.5]}}'
 check "grains that move" refused 'grain 1 moves freely|not built' sphere.yaml --set 'particles={from: single, position: [-0.9, 0.1, 2.05], radius: 0.31, density: 1}' --set 'groups=[]'
-check "moving particles of the fluid" refused 'fluid.motion|fixed' channel.yaml --set fluid.motion=lagrangian
+check "a motion that is not known" refused 'fluid.motion|lagrangian' channel.yaml --set fluid.motion=eulerian
+check "particles that move without inertia" refused 'fluid.motion|navier_stokes' channel.yaml --set fluid.motion=lagrangian --set fluid.equations=stokes
+check "points that leave the box" refused 'fluid.motion.velocity|along y' channel.yaml --set 'fluid.motion={name: ale, velocity: [0, 1, 0]}'
 check "a steady flow with inertia" refused 'fluid.time|stokes' channel.yaml --set fluid.time=steady
 check "an unknown key" refused 'fluid.viscosty|fluid.viscosity' channel.yaml --set fluid.viscosty=1
 check "vortices in a box that does not repeat" refused 'taylor_green|periodic' channel.yaml --set 'fluid.initial={flow: taylor_green, speed: 1}'

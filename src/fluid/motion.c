@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Moves the particles of a fluid. Read motion.h first. */
+#include "fluid/motion.h"
+#include "fluid/path.h"
+#include "fluid/shift.h"
+#include "fluid/state.h"
+#include "particles/kinds.h"
+#include <math.h>
+#include <string.h>
+
+bool motion_moves(const struct fluid_options *options) {
+    return options->motion.name != FLUID_FIXED;
+}
+
+unsigned motion_kinds(const void *options) {
+    return motion_moves(options) ? 1u << KIND_FLUID : 0;
+}
+
+bool motion_needed(const struct physics_context *context) {
+    return motion_moves(context->options);
+}
+
+bool motion_suits(const struct physics_context *context, struct error *error) {
+    const struct fluid_options *options = context->options;
+    const struct fluid_motion *motion = &options->motion;
+    if (!motion_moves(options))
+        return true;
+    if (options->time != FLUID_TRANSIENT || options->equations != FLUID_NAVIER_STOKES)
+        return scene_fail(context->scene, error, "fluid.motion",
+                          "particles that move need equations: navier_stokes and time: transient; allowed "
+                          "with others: fixed");
+    for (int d = 0; d < context->box->dimension; d++)
+        if (motion->name == FLUID_ALE && motion->velocity[d] != 0 && !context->box->periodic[d])
+            return scene_fail(context->scene, error, "fluid.motion.velocity",
+                              "points would leave the box along %c; allowed are velocities along periodic "
+                              "directions",
+                              'x' + d);
+    return true;
+}
+
+void motion_given(const struct fluid_motion *motion, const struct box *box, const double x[3], double time,
+                  double w[3]) {
+    double omega = 2 * M_PI / motion->period, shape = omega * cos(omega * time);
+    for (int d = 0; d < box->dimension; d++)
+        shape *= sin((box->periodic[d] ? 2 : 1) * M_PI * x[d] / box->edge[d]);
+    for (int d = 0; d < 3; d++)
+        w[d] = d < box->dimension ? motion->velocity[d] + shape * motion->swing[d] : 0;
+}
+
+/* The velocity of a particle in the step that begins: that of the flow ahead, or the given one at the middle. */
+static void velocity_of(const struct physics_context *context, size_t i, double ahead, double w[3]) {
+    const struct fluid *fluid = context->self;
+    const struct fluid_motion *motion = &fluid->options->motion;
+    const double *x = context->particles->state[i].x;
+    double dt = context->clock->dt, start = context->clock->time - dt, middle[3];
+    if (motion->name == FLUID_LAGRANGIAN) {
+        path_velocity(&fluid->flow, i, ahead, w);
+        return;
+    }
+    motion_given(motion, context->box, x, start, w);
+    for (int d = 0; d < 3; d++)
+        middle[d] = x[d] + 0.5 * dt * w[d];
+    motion_given(motion, context->box, middle, start + 0.5 * dt, w);
+}
+
+void motion_move(const struct physics_context *context, int thread, size_t first, size_t last,
+                 int size_class) {
+    const struct fluid *fluid = context->self;
+    double dt = context->clock->dt, ahead = fluid->past.steps > 0 ? 0.5 * dt / fluid->past.dt : 0;
+    double *largest = &context->speed[thread][size_class];
+    if (context->classes->kind[size_class] != KIND_FLUID)
+        return;
+    for (size_t i = first; i < last; i++) {
+        double w[3], square = 0;
+        velocity_of(context, i, ahead, w);
+        for (int d = 0; d < context->box->dimension; d++) {
+            context->particles->state[i].x[d] += dt * w[d];
+            square += w[d] * w[d];
+        }
+        if (!isnan(*largest) && !(square <= *largest))
+            *largest = square;
+    }
+}
+
+/* The drift of points with a given velocity. */
+static void drift_given(const struct physics_context *context) {
+    const struct fluid *fluid = context->self;
+    const struct weights *weights = &fluid->weights;
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++) {
+        size_t i = weights->first + row;
+        double w[3];
+        motion_given(&fluid->options->motion, context->box, context->particles->state[i].x,
+                     context->clock->time, w);
+        for (size_t d = 0; d < 3; d++)
+            fluid->flow.drift[3 * i + d] = w[d] - context->particles->state[i].v[d];
+    }
+}
+
+void motion_drift(const struct physics_context *context, double speed) {
+    const struct fluid *fluid = context->self;
+    const struct fluid_motion *motion = &fluid->options->motion;
+    const struct shift_options shift = {motion->shifting == FLUID_SHIFT_LIND ? motion->strength : 0, speed,
+                                        FLUID_SHIFT_MOST * fluid->options->spacing / context->clock->dt};
+    if (motion->name == FLUID_ALE)
+        drift_given(context);
+    else
+        shift_velocity(&fluid->weights, &fluid->input, &fluid->weigh, &shift, fluid->flow.drift);
+    path_drift_advect(&fluid->flow);
+}

@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The step of a flow along the paths of its particles. Read path.h first. */
+#include "fluid/path.h"
+#include "core/memory.h"
+#include "fluid/projection_parts.h"
+
+#include <string.h>
+
+/* a u^n - b u^(n-1) + g dt [(1 + r) c^n - r c^(n-1) - grad p / rho + f / rho]. */
+static void fill_side(struct projection *projection, const struct flow *flow, double r, double dt,
+                      const double force[3]) {
+    const struct weights *weights = flow->weights;
+    double density = projection->options.density, whole = 1 + 2 * r, g = (1 + r) / whole;
+    operators_gradient(weights, flow_pressure(flow), projection->gradient);
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++) {
+        const double *u = flow_velocity_of(flow, row);
+        for (size_t d = 0; d < 3; d++) {
+            size_t at = 3 * (weights->first + row) + d;
+            double drift = (1 + r) * flow->drift_advection[at] - r * flow->advection_before[at];
+            projection->side[row][d] =
+                ((1 + r) * (1 + r) * u[d] - r * r * flow->velocity_before[at]) / whole +
+                g * dt * (drift + (force[d] - projection->gradient[row][d]) / density);
+        }
+    }
+}
+
+/* Adds tau / rho (div grad p - lap p) to the divergence; projection->gradient is grad p. */
+static void filter_pressure(struct projection *projection, const struct flow *flow, double share) {
+    const struct weights *weights = flow->weights;
+    double *sum = (double *)projection->viscous, *laplacian = sum + weights->rows;
+    if (share == 0)
+        return;
+    memcpy(flow->gradient + 3 * weights->first, projection->gradient,
+           weights->rows * sizeof *projection->gradient);
+    flow_forward(flow, FLOW_GRADIENT);
+    operators_divergence_inner(weights, flow_gradient(flow), sum);
+    operators_laplacian(weights, flow_pressure(flow), laplacian);
+    for (size_t row = 0; row < weights->rows; row++)
+        projection->source[row] = projection->divergence[row] + share * (sum[row] - laplacian[row]);
+}
+
+bool path_step(struct projection *projection, const struct flow *flow, struct projection_past *past,
+               double dt, double filter, const double force[3], struct error *error) {
+    double r = past->steps > 0 ? dt / past->dt : 0, g = (1 + r) / (1 + 2 * r);
+    double density = projection->options.density, viscosity = projection->options.viscosity;
+    fill_side(projection, flow, r, dt, force);
+    if (!momentum_solve(&projection->momentum, &projection->assembly, flow, g * dt * viscosity / density,
+                        (const double(*)[3])projection->side, error))
+        return false;
+    projection_diverge(projection, flow);
+    memcpy(projection->source, projection->divergence, flow->weights->rows * sizeof *projection->source);
+    filter_pressure(projection, flow, filter * dt / density);
+    if (!pressure_solve(&projection->pressure, flow, projection->source, density / (g * dt), error))
+        return false;
+    projection_correct(projection, flow, viscosity, g * dt / density);
+    *past = (struct projection_past){past->steps + 1, dt};
+    return true;
+}
+
+void path_drift_advect(const struct flow *flow) {
+    size_t first = 3 * flow->weights->first, doubles = 3 * flow->weights->rows;
+    memcpy(flow->advection_before + first, flow->drift_advection + first,
+           doubles * sizeof *flow->drift_advection);
+    operators_advection(flow->weights, flow_drift(flow), flow_velocity(flow),
+                        (double(*)[3])(flow->drift_advection + first));
+}

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Velocities that keep particles apart. Read shift.h first. */
+#include "fluid/shift.h"
+
+/* grad C of a row. */
+static void concentration(const struct weights *weights, const struct weights_input *input,
+                          const struct weights_options *options, size_t row, double gradient[3]) {
+    double usual = kernel_value(&options->kernel, options->spacing);
+    for (int d = 0; d < 3; d++)
+        gradient[d] = 0;
+    for (size_t e = weights->start[row]; e < weights->start[row + 1]; e++) {
+        struct tensors_neighbour to;
+        weights_neighbour(weights, input, options, e, row, &to);
+        double pairing = 1 + 0.2 * kernel_power(to.value / usual, 4);
+        for (int d = 0; d < 3; d++)
+            gradient[d] += to.strength * pairing * to.e[d];
+    }
+}
+
+void shift_velocity(const struct weights *weights, const struct weights_input *input,
+                    const struct weights_options *options, const struct shift_options *shift, double *drift) {
+    double factor = -shift->strength * options->spacing * shift->speed;
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++) {
+        double s[3], square = 0;
+        concentration(weights, input, options, row, s);
+        for (int d = 0; d < 3; d++) {
+            s[d] *= factor;
+            square += s[d] * s[d];
+        }
+        double size = sqrt(square), part = size > shift->most ? shift->most / size : 1;
+        for (size_t d = 0; d < 3; d++)
+            drift[3 * (weights->first + row) + d] = part * s[d];
+    }
+}
