@@ -70,6 +70,16 @@ check "3 ranks, brute" operators 3 1 --set index=brute
 check "4 ranks, hgrid" operators 4 1 --set index=hgrid
 check "8 ranks" operators 8 1
 check "2 ranks, reproducible order of sums" operators 2 1 --set newton=false
+displaced=(--set fluid.fill.jitter=0.2 --set fluid.kernel.support=2.8)
+rm -rf run
+check "displaced particles, whose volumes differ: one rank" run_scene 1 sphere.yaml run --set index=brute --set step.count=0 "${displaced[@]}"
+frame run >first
+check "displaced particles: the same operators on 3 ranks" operators 3 1 "${displaced[@]}"
+check "displaced particles: moving least squares are other operators" eval '! operators 1 1 "${displaced[@]}" --set fluid.operators=mls'
+rm -rf run
+check "moving least squares: one rank" run_scene 1 sphere.yaml run --set index=brute --set step.count=0 "${displaced[@]}" --set fluid.operators=mls
+frame run >first
+check "moving least squares: 3 ranks, hgrid" operators 3 1 "${displaced[@]}" --set fluid.operators=mls --set index=hgrid
 
 # close FILE FILE: last rows agree to 1e-5 of the flow (the solver's tolerance); ranks may take other numbers of iterations
 close() {
