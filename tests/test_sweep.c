@@ -63,6 +63,26 @@ static void cloud_search(struct cloud *c, int threads, bool newton) {
     pairlist_build(c->list, c->index, &c->view, &c->box);
 }
 
+static int block_of_row(const struct pairlist *list, uint32_t row) {
+    for (int b = 0; b < list->thread_block[list->threads]; b++)
+        if (row >= list->blocks[b].first_row && row < list->blocks[b].last_row)
+            return b;
+    return -1;
+}
+
+/* Early ranges of one block and one grain with a short gap between them are one range. */
+static void check_gaps(const struct sweep *sweep, const struct pairlist *list) {
+    for (int t = 0; t < sweep->threads; t++) {
+        const struct sweep_thread *thread = &sweep->thread[t];
+        for (size_t r = 1; r < thread->early_count; r++) {
+            uint32_t before = thread->early[r - 1].last, first = thread->early[r].first;
+            bool apart = first / SWEEP_GRAIN != (before - 1) / SWEEP_GRAIN ||
+                         block_of_row(list, first) != block_of_row(list, before - 1);
+            assert_true(apart || first > before + SWEEP_GAP);
+        }
+    }
+}
+
 static void check_plan(int threads, size_t ghosts, bool newton) {
     struct cloud c = {0};
     struct sweep *sweep = sweep_create(threads);
@@ -77,6 +97,7 @@ static void check_plan(int threads, size_t ghosts, bool newton) {
         sweep_build(sweep, c.list, c.particles->owned, originals, count);
         if (!sweep_valid(sweep, c.list, c.particles->owned, why, sizeof why))
             fail_msg("%d threads: %s", threads, why);
+        check_gaps(sweep, c.list);
     }
     for (size_t k = 0; k < count; k++)
         assert_true(sweep->early[originals[k]]);
