@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 EXTRA_DIST += docs/architecture.md docs/building.md docs/scene.md
 EXTRA_DIST += docs/indexes.md docs/images/penetration.png
-EXTRA_DIST += docs/physics.md docs/fluid.md \
+EXTRA_DIST += docs/physics.md docs/user-law.md docs/fluid.md \
 	docs/images/fluid-cavity.png docs/images/fluid-spheres.png docs/images/fluid-vortices.png
 EXTRA_DIST += docs/packing.md
 EXTRA_DIST += docs/scaling.md docs/layouts.md \
@@ -44,6 +44,7 @@ EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-plane-mesh.svg \
 	docs/images/verify-restitution-hertz.svg \
 	docs/images/verify-restitution-hooke.svg \
+	docs/images/verify-restitution-speed.svg \
 	docs/images/verify-rolling-decay.svg \
 	docs/images/verify-settling.svg \
 	docs/images/verify-slide-to-roll.svg \

@@ -93,7 +93,7 @@ static void test_conservation(void **state) {
 /* Springs of a pair that two threads compute are opposite to the last bit. */
 static void test_mirrored_springs(void **state) {
     (void)state;
-    struct law law = law_number(16, 1);
+    struct law law = law_number(8 * LAW_ELASTIC_COUNT, 1);
     struct rig rig;
     rig_make(&rig, &law, (struct layout){2, 0.0, NULL});
     rig_run(&rig);
@@ -277,7 +277,7 @@ static void test_order_of_images(void **state) {
 /* As many contacts as there is room for records: what the last batch writes behind them has room, too. */
 static void test_history_padding(void **state) {
     (void)state;
-    struct law law = law_number(16, 1);
+    struct law law = law_number(8 * LAW_ELASTIC_COUNT, 1);
     struct rig rig;
     rig_make(&rig, &law, (struct layout){1, 0.0, NULL});
     history_reserve(rig.history, 0, 1);

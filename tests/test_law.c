@@ -59,14 +59,15 @@ static struct law_options options_of(int k) {
 enum { OPTIONS = 32 * LAW_COUNT };
 
 static struct law random_law(int k) {
-    struct law_pair pair = {.restitution = 0.6,
-                            .friction = 0.4,
-                            .rolling_friction = 0.2,
-                            .k_n = 1e7,
-                            .k_t = 3e6,
-                            .gamma_n = 500.0,
-                            .gamma_t = 200.0,
-                            .extra = {.k_2 = 2e7, .yield_pressure = 1e9}};
+    struct law_pair pair = {
+        .restitution = 0.6,
+        .friction = 0.4,
+        .rolling_friction = 0.2,
+        .k_n = 1e7,
+        .k_t = 3e6,
+        .gamma_n = 500.0,
+        .gamma_t = 200.0,
+        .extra = {.k_2 = 2e7, .yield_pressure = 1e9, .plasticity_ratio = 0.5, .adhesion_exponent = 1.5}};
     return law_for(options_of(k), glass, pair);
 }
 
@@ -281,11 +282,12 @@ static void impact_of(enum law_normal normal, const struct law_coefficients *c, 
  * its derivative, the stiffness its share of the overlap, and impacts reach and last as long as stated. */
 static void test_rows(void **state) {
     (void)state;
-    struct law_pair pair = {.restitution = 0.6,
-                            .friction = 0.4,
-                            .k_n = 1e7,
-                            .k_t = 3e6,
-                            .extra = {.k_2 = 2e7, .yield_pressure = 1e9}};
+    struct law_pair pair = {
+        .restitution = 0.6,
+        .friction = 0.4,
+        .k_n = 1e7,
+        .k_t = 3e6,
+        .extra = {.k_2 = 2e7, .yield_pressure = 1e9, .plasticity_ratio = 0.5, .adhesion_exponent = 1.5}};
     for (int k = 0; k < LAW_COUNT; k++) {
         struct law_options options = law_options_default();
         options.normal = (enum law_normal)k;

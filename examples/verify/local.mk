@@ -85,6 +85,9 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/restitution-hooke/particles.txt \
 	examples/verify/restitution-hooke/plot.gp \
 	examples/verify/restitution-hooke/scene.yaml \
+	examples/verify/restitution-speed/particles.txt \
+	examples/verify/restitution-speed/plot.gp \
+	examples/verify/restitution-speed/scene.yaml \
 	examples/verify/rolling-decay/scene.yaml \
 	examples/verify/settling/scene.yaml \
 	examples/verify/slide-to-roll/scene.yaml \
@@ -148,6 +151,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/plane-mesh/check \
 	examples/verify/restitution-hertz/check \
 	examples/verify/restitution-hooke/check \
+	examples/verify/restitution-speed/check \
 	examples/verify/rolling-decay/check \
 	examples/verify/settling/check \
 	examples/verify/slide-to-roll/check \

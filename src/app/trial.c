@@ -20,7 +20,7 @@ static void step_once(struct simulation *s) {
     s->agree.signals =
         (struct step_signals){.stop = run_signalled() != 0, .error = s->error.kind != ERROR_NONE};
     s->grains.contact.want_virial = false;
-    s->grains.contact.want_sums = s->grains.sums_each_step;
+    s->grains.contact.want_sums = s->grains.sums_each_step || s->grains.contact.want_work;
     step_run(s, every > 0 && (s->clock.step + 1) % (uint64_t)every == 0);
 }
 

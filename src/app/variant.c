@@ -81,7 +81,8 @@ static void put_laws(struct list *list, const struct scene *scene) {
     char text[VARIANT_TEXT_MAX];
     /* cohesion and springs that depend on the contact radius go with few other laws */
     bool plain = scene->law.cohesion == LAW_COHESION_NONE && scene->law.tangential <= LAW_TANGENTIAL_HISTORY;
-    if (!row->form->linear && plain && scene->law.damping == LAW_DAMPING_RESTITUTION) {
+    if (!row->form->linear && plain && !law_has_trait(scene->law.normal, "file") &&
+        scene->law.damping == LAW_DAMPING_RESTITUTION) {
         snprintf(text, sizeof text, "%s for %s", law_row_get(law_linear())->name, row->name);
         put(list, "law", VARIANT_LINEAR, 0, text);
     }

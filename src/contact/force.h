@@ -34,6 +34,12 @@ struct force_contact {
     size_t number_i, number_j; /* of the particles on this rank, copies included; j of a wall: SIZE_MAX */
 };
 
+/* The work of a contact. */
+struct force_work {
+    double taken;  /* as force_sums.taken */
+    double stored; /* what its tangential, rolling and twisting springs hold now */
+};
+
 struct force_context {
     struct particles *particles;
     const struct pairlist *list;
@@ -45,6 +51,11 @@ struct force_context {
     bool want_virial; /* fill the virial; only with want_sums */
     bool prescribed;  /* there may be particles whose motion is prescribed */
     bool ordered;     /* forces are summed in an order that no layout changes (pairs/walk_ordered.h) */
+    bool
+        want_work; /* a physics asks for the work of single contacts in every step: want_sums is then always set */
+    /* Where that work goes; NULL: nowhere. */
+    struct force_work *pair_work; /* by pair of the list: set for each contact */
+    struct force_work *wall_work; /* by owned particle: those of its contacts with walls are added */
 };
 
 /* A force loop's own memory (slots, batches of each thread), and the compiled kernel that the loop runs: the

@@ -4,6 +4,7 @@
 #include "contact/force_account.h"
 #include "contact/force_kernel.h"
 #include "contact/force_physics.h"
+#include "contact/law_user.h"
 #include "contact/material.h"
 
 /* Coefficients of each contact, where they differ between materials. */
@@ -19,6 +20,30 @@ static void force_mix_one(struct force_batch *b, const struct law_coefficients *
         force_set_coefficients(b, k, c);
 }
 
+/* The springs of a law of the user's: its loop over the batch. */
+static void force_ask(const struct law_user *user, struct force_batch *b) {
+    struct scree_law_batch batch = {.count = b->walk.padded,
+                                    .overlap = b->overlap,
+                                    .radius = b->effective,
+                                    .k_n = b->coefficient[0],
+                                    .k_t = b->coefficient[1],
+                                    .force = b->springs[0],
+                                    .stiffness = b->springs[1],
+                                    .tangential = b->springs[2],
+                                    .contact = b->springs[3],
+                                    .energy = b->springs[4]};
+    for (int p = 0; p < LAW_PARAMETERS_MAX; p++)
+        batch.parameter[p] = b->parameter[p];
+    user->law->batch(&batch);
+}
+
+/* Its parameters of contact k. */
+static void force_parameters(const struct law_user *user, struct force_batch *b, int k,
+                             const struct law_extra *extra) {
+    for (int p = 0; p < user->law->parameters; p++)
+        b->parameter[p][k] = extra->parameter[p];
+}
+
 static void force_begin(struct force_thread *thread, const struct force_context *context) {
     const struct law_options *options = &context->law->options;
     thread->step = law_step_of(options, context->dt);
@@ -30,6 +55,8 @@ static void force_begin(struct force_thread *thread, const struct force_context 
     thread->respond = force_respond_find(options, context->want_sums);
     if (context->law->uniform)
         force_mix_one(&thread->batch, &context->law->pair[0][0]);
+    for (int k = 0; options->user && k < FORCE_BATCH; k++)
+        force_parameters(options->user, &thread->batch, k, &context->law->extra[0][0]);
 }
 
 static void force_compute(const struct walk_task *task, struct walk_batch *batch) {
@@ -38,6 +65,13 @@ static void force_compute(const struct walk_task *task, struct walk_batch *batch
     if (!context->law->uniform)
         force_mix(context->law, thread->material, &thread->batch);
     thread->measure(&thread->batch, thread->step);
+    const struct law_user *user = context->law->options.user;
+    for (int k = 0; user && !context->law->uniform && k < batch->padded; k++)
+        force_parameters(user, &thread->batch, k,
+                         &context->law->extra[material_of(thread->material, batch->i[k])]
+                                             [material_of(thread->material, batch->j[k])]);
+    if (user)
+        force_ask(user, &thread->batch);
     thread->respond(&thread->batch, thread->step);
 }
 
@@ -54,11 +88,17 @@ static void force_note(const struct walk_task *task, struct walk_batch *batch) {
     force_watch(context->particles, &thread->batch, &thread->sums);
     if (thread->energies)
         force_account(&thread->batch, context->want_virial, &thread->sums);
+    if (thread->energies && context->pair_work)
+        force_put_work(task, &thread->batch);
 }
 
 static void force_answer(const struct law_options *options, bool energies, struct force_batch *batch,
                          struct law_step step) {
     batch->walk.padded = (batch->walk.count + FORCE_LANES - 1) / FORCE_LANES * FORCE_LANES;
+    for (int k = 0; options->user && k < batch->walk.count; k++)
+        force_parameters(options->user, batch, k, batch->extra[k]);
+    if (options->user)
+        force_ask(options->user, batch);
     force_respond_find(options, energies)(batch, step);
 }
 

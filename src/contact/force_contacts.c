@@ -39,7 +39,7 @@ static bool force_pair_fixed(const struct particles *p, const double (*omega)[4]
            (omega == NULL || force_same(omega[i], omega[j]));
 }
 
-/* Fills the input of a law with parts, whose other members are there. */
+/* Fills the input of a law with parts or of the user's, whose other members are there. */
 static void force_pair_general(const struct force_context *context, size_t k, const double *record,
                                struct law_general *all) {
     const struct particles *p = context->particles;
@@ -48,7 +48,7 @@ static void force_pair_general(const struct force_context *context, size_t k, co
     all->extra = &context->law->extra[material_of(material, i)][material_of(material, j)];
     all->radius[0] = p->state[i].radius;
     all->radius[1] = p->state[j].radius;
-    for (int c = 0; record && c < context->law->history_components; c++)
+    for (int c = 0; record && context->law->general && c < context->law->history_components; c++)
         all->value[c] = record[c];
 }
 
@@ -84,8 +84,7 @@ static bool force_pair_contact(const struct force_context *context, size_t k, co
     in->half_normal = in->normal;
     if (context->list->moves)
         in->velocity = law_add(in->velocity, 1.0, (struct law_vector){drift[0], drift[1], drift[2]});
-    if (context->law->general)
-        force_pair_general(context, k, record, all);
+    force_pair_general(context, k, record, all);
     if (!law.friction || omega == NULL)
         return true;
     struct law_vector wi = {omega[i][0], omega[i][1], omega[i][2]};
@@ -113,6 +112,9 @@ static bool force_pair_home(int64_t id_i, int64_t id_j, struct law_vector separa
 static bool force_answer_of(const struct law *law, struct law_general *all, struct law_response *out) {
     if (law->general)
         return law_general_respond(law, law_general_step(&law->options, 0.0), all, out);
+    if (law->options.user)
+        all->contact.springs = law_springs_of(&law->options, &all->contact.coefficients, all->extra,
+                                              all->contact.radius, all->contact.overlap);
     *out = law_respond(law_case_of(&law->options, false), law_step_of(&law->options, 0.0), &all->contact);
     return true;
 }

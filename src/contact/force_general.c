@@ -87,4 +87,6 @@ void force_general_note(const struct walk_task *task, struct walk_batch *batch) 
         if (thread->batch.active[k])
             thread->sums.contact_sides += k >= batch->both && k < batch->one ? 1 : 2;
     force_kernel_find(NULL)->account(context, thread);
+    if (thread->energies && context->pair_work)
+        force_put_work(task, &thread->batch);
 }

@@ -37,8 +37,11 @@ struct force_batch {
     double half_normal[3][FORCE_BATCH];
     double surface[3][FORCE_BATCH];
     double spin[3][FORCE_BATCH];
-    double energy[3][FORCE_BATCH]; /* normal, springs, work taken; if asked for */
-    /* Of a law with parts: coefficients of the parts; contact k interacts. */
+    double springs[5]
+                  [FORCE_BATCH]; /* of a law of the user's: force, stiffness, tangential, contact, energy */
+    double parameter[LAW_PARAMETERS_MAX][FORCE_BATCH]; /* its input */
+    double energy[3][FORCE_BATCH];                     /* normal, springs, work taken; if asked for */
+    /* Of a law with parts or of the user's: coefficients of the parts; contact k interacts. */
     const struct law_extra *extra[FORCE_BATCH];
     bool active[FORCE_BATCH];
 };
@@ -64,6 +67,14 @@ static inline void force_add_virial(double virial[6], double weight, const doubl
     virial[3] += weight * 0.5 * (d[0] * f[1] + d[1] * f[0]);
     virial[4] += weight * 0.5 * (d[0] * f[2] + d[2] * f[0]);
     virial[5] += weight * 0.5 * (d[1] * f[2] + d[2] * f[1]);
+}
+
+/* Writes down the work of each contact of the batch. */
+static inline void force_put_work(const struct walk_task *task, const struct force_batch *b) {
+    const struct force_context *context = task->work->context;
+    for (int k = 0; k < b->walk.count; k++)
+        context->pair_work[task->pair_base + b->walk.pair[k]] =
+            (struct force_work){b->energy[2][k], b->energy[1][k]};
 }
 
 /* Adds a thread's sums to the total; largest overlaps are compared. */

@@ -61,6 +61,12 @@ LAW_INLINE void force_respond(struct law_case law, struct force_batch *b, int k,
                                               b->coefficient[2][k], b->coefficient[3][k],
                                               b->coefficient[4][k], b->coefficient[5][k]},
                              .radius = b->effective[k]};
+    if (law.given)
+        in.springs = (struct law_springs){.force = b->springs[0][k],
+                                          .stiffness = b->springs[1][k],
+                                          .tangential = b->springs[2][k],
+                                          .contact = b->springs[3][k],
+                                          .energy = b->springs[4][k]};
     if (law.friction) {
         in.surface = force_vector(b->surface, k);
         in.spring = force_vector(b->walk.history, k);
@@ -137,13 +143,17 @@ FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_plain, .radius = false)
 FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_radius, .radius = true)
 FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_lever, .lever_radius = true)
 FORCE_PHYSICS_FAMILY(force_measure_all, force_measure_both, .radius = true, .lever_radius = true)
-#define FORCE_LAW(NAME, name, traits, summary)                                                               \
-    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name, .normal = LAW_##NAME)                              \
-    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_energies, .normal = LAW_##NAME, .energies = true) \
-    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_given, .normal = LAW_##NAME, .coefficient = true) \
-    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_given_energies, .normal = LAW_##NAME,             \
-                         .coefficient = true, .energies = true)
-LAW_ELASTIC_TABLE(FORCE_LAW)
+#define FORCE_LAW_CASES(name, ...)                                                                           \
+    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name, __VA_ARGS__)                                       \
+    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_energies, __VA_ARGS__, .energies = true)          \
+    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_given, __VA_ARGS__, .coefficient = true)          \
+    FORCE_PHYSICS_FAMILY(force_respond_all, force_##name##_given_energies, __VA_ARGS__, .coefficient = true, \
+                         .energies = true)
+#define FORCE_LAW(NAME, name, traits, summary) FORCE_LAW_CASES(name, .normal = LAW_##NAME)
+#define FORCE_LAW_GIVEN(NAME, name, traits, summary)                                                         \
+    FORCE_LAW_CASES(name, .normal = LAW_##NAME, .given = true)
+LAW_BUILT_TABLE(FORCE_LAW)
+LAW_GIVEN_TABLE(FORCE_LAW_GIVEN)
 
 static force_physics *const force_measure_table[2][2][5] = {
     {FORCE_PHYSICS_ROW(force_measure_plain), FORCE_PHYSICS_ROW(force_measure_lever)},

@@ -39,7 +39,7 @@ static bool law_within(double value, double least, bool open) {
 
 /* Springs come from young and poisson of the materials, not from k_n and k_t of the pair. */
 static bool law_has_moduli(const struct law_options *o) {
-    return law_row_get(o->normal)->form->moduli && o->damping != LAW_DAMPING_COEFFICIENT;
+    return law_form_of(o)->moduli && o->damping != LAW_DAMPING_COEFFICIENT;
 }
 
 static bool law_check_material(const struct law_material *m, const struct law_options *o,
@@ -81,8 +81,7 @@ static bool law_check_pair(const struct law_pair *p, const struct law_options *o
     if (asked && !(p->restitution >= 0.0 && p->restitution <= 1.0))
         return error_set(error, ERROR_USER, "material pair %s, %s: restitution is %g; allowed is 0 to 1", a,
                          b, p->restitution);
-    if (law_row_get(o->normal)->form->unload && !law_row_get(o->normal)->form->moduli &&
-        !(p->extra.k_2 > p->k_n))
+    if (law_has_trait(o->normal, "hysteresis") && !(p->extra.k_2 > p->k_n))
         return error_set(error, ERROR_USER, "material pair %s, %s: k_2 is %g; allowed is more than k_n, %g",
                          a, b, p->extra.k_2, p->k_n);
     return law_check_extra(&p->extra, o, (const char *[]){a, b}, error);
@@ -95,7 +94,7 @@ static double law_tsuji(double e) {
 
 /* The normal damper's coefficient, for the base that the damping has. */
 static double law_damper(const struct law_options *o, const struct law_pair *p) {
-    const struct law_form *form = law_row_get(o->normal)->form;
+    const struct law_form *form = law_form_of(o);
     switch (o->damping) {
     case LAW_DAMPING_COEFFICIENT:
         return p->gamma_n;
@@ -112,7 +111,7 @@ static double law_damper(const struct law_options *o, const struct law_pair *p) 
 
 static struct law_coefficients law_combine(const struct law_options *o, const struct law_material *a,
                                            const struct law_material *b, const struct law_pair *p) {
-    const struct law_form *form = law_row_get(o->normal)->form;
+    const struct law_form *form = law_form_of(o);
     bool friction = o->tangential != LAW_FRICTIONLESS;
     struct law_coefficients c = {.k_n = p->k_n,
                                  .k_t = p->k_t,
@@ -139,7 +138,7 @@ static struct law_coefficients law_combine(const struct law_options *o, const st
 /* True if contacts need the general loop. */
 static bool law_has_parts(const struct law *law) {
     const struct law_options *o = &law->options;
-    bool general = law_row_get(o->normal)->form->unload || o->cohesion != LAW_COHESION_NONE ||
+    bool general = law_form_of(o)->unload || o->cohesion != LAW_COHESION_NONE ||
                    o->tangential > LAW_TANGENTIAL_HISTORY || o->rolling > LAW_ROLLING_SPRING ||
                    o->twisting != LAW_TWISTING_NONE || o->damping == LAW_DAMPING_VISCOELASTIC ||
                    o->lammps_granular;
@@ -162,6 +161,7 @@ static int law_place(int *next, bool wanted, int count) {
 /* Lays out the history of a contact: vectors first. */
 static void law_lay_out(struct law *law) {
     const struct law_options *o = &law->options;
+    const struct law_form *form = law_form_of(o);
     bool general = law->general, apart = false;
     int next = 0;
     for (int a = 0; a < law->materials; a++)
@@ -176,7 +176,7 @@ static void law_lay_out(struct law *law) {
     law->memory.radius = law_place(
         &next, o->tangential == LAW_TANGENTIAL_RESCALE || o->tangential == LAW_TANGENTIAL_RESCALE_FORCE, 1);
     law->memory.slides = law_place(&next, general && law->spin && apart && law->memory.spring >= 0, 1);
-    law->memory.largest = law_place(&next, law_row_get(o->normal)->form->unload != NULL, 1);
+    law->memory.past = law_place(&next, form->remembers > 0, form->remembers);
     law->history_components = next;
 }
 
@@ -205,8 +205,10 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
     law->uniform = true;
     for (int a = 0; a < materials; a++)
         for (int b = 0; b < materials; b++)
-            law->uniform =
-                law->uniform && memcmp(&law->pair[a][b], &law->pair[0][0], sizeof law->pair[a][b]) == 0;
+            law->uniform = law->uniform &&
+                           memcmp(&law->pair[a][b], &law->pair[0][0], sizeof law->pair[a][b]) == 0 &&
+                           memcmp(law->extra[a][b].parameter, law->extra[0][0].parameter,
+                                  sizeof law->extra[a][b].parameter) == 0;
     law->spin = options->tangential != LAW_FRICTIONLESS;
     law->general = law_has_parts(law);
     law_lay_out(law);

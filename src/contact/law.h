@@ -30,9 +30,13 @@ enum { LAW_MATERIALS_MAX = 32, LAW_MEMORY_MAX = 12 };
  * the spring takes the rest of the limit (Luding, Granular Matter 10 (2008) 235; LAMMPS). */
 enum law_sliding { LAW_SLIDING_SERIES, LAW_SLIDING_TOTAL };
 
+struct law_user; /* law_user.h */
+
 /* Options of the law (scene key `contact`). Plain data. */
 struct law_options {
     enum law_normal normal;
+    char file[LAW_PATH_MAX];     /* a law with the trait `file`: its C file */
+    const struct law_user *user; /* the law of that file, loaded; NULL: one of the table. Borrowed */
     enum law_damping damping;
     enum law_end end;
     enum law_tangential tangential; /* frictionless: no spin, no torque, no history anywhere */
@@ -57,11 +61,11 @@ struct law_options {
  * doubles each; then numbers. */
 struct law_memory {
     int spring, roll;
-    int twist;   /* twisting spring, rad */
-    int held;    /* 1: the surfaces interacted one step ago, across a gap too */
-    int radius;  /* contact radius one step ago */
-    int slides;  /* 1: the contact slid one step ago */
-    int largest; /* overlap so far, of a law with hysteresis */
+    int twist;  /* twisting spring, rad */
+    int held;   /* 1: the surfaces interacted one step ago, across a gap too */
+    int radius; /* contact radius one step ago */
+    int slides; /* 1: the contact slid one step ago */
+    int past;   /* the numbers of a law with hysteresis, the largest overlap first */
 };
 
 struct law {
@@ -80,6 +84,16 @@ struct law {
 
 /* The defaults: hertz, restitution, end at zero force, history, no rolling. */
 struct law_options law_options_default(void);
+
+/* The normal law's form, springs, largest overlap of an elastic impact and its duration (law_form.h), be it a law of the
+ * table or of a file. Any thread. */
+const struct law_form *law_form_of(const struct law_options *options);
+struct law_springs law_springs_of(const struct law_options *options, const struct law_coefficients *c,
+                                  const struct law_extra *extra, double radius, double overlap);
+double law_impact_of(const struct law_options *options, const struct law_coefficients *c,
+                     const struct law_extra *extra, double mass, double radius, double speed);
+double law_duration_of(const struct law_options *options, const struct law_coefficients *c,
+                       const struct law_extra *extra, double mass, double radius, double overlap);
 
 /* The largest gap at which spheres of these radii interact, for any two materials; a wall has an infinite
  * radius. Without materials -INFINITY. Any thread. */

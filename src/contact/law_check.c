@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Refuses parts of a law that do not combine, and coefficients of parts that are out of range (law_parts.h). */
-#include "contact/law.h"
+#include "contact/law_user.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -50,6 +50,9 @@ void law_title(const struct law_options *options, char text[LAW_TITLE_MAX]) {
     int chosen[LAW_PART_COUNT], count;
     law_parts_of(options, chosen);
     snprintf(text, LAW_TITLE_MAX, "%s", law_row_get(options->normal)->name);
+    if (options->user)
+        snprintf(text, LAW_TITLE_MAX, "file %s (text %016llx)", options->user->name,
+                 (unsigned long long)options->user->checksum);
     for (int k = 0; k < LAW_PART_COUNT; k++) {
         char part[64];
         snprintf(part, sizeof part, "%s %s", law_part_key((enum law_part)k),
@@ -80,8 +83,8 @@ bool law_check_extra(const struct law_extra *x, const struct law_options *o, con
     bool surface = o->cohesion == LAW_COHESION_JKR || o->cohesion == LAW_COHESION_DMT;
     bool wet = o->cohesion == LAW_COHESION_CAPILLARY, far = o->cohesion == LAW_COHESION_VAN_DER_WAALS;
     bool friction = o->tangential != LAW_FRICTIONLESS, given = o->twisting == LAW_TWISTING_SDS;
-    const struct law_form *form = law_row_get(o->normal)->form;
-    bool hysteresis = form->unload && !form->moduli, yields = form->unload && form->moduli;
+    bool hysteresis = law_has_trait(o->normal, "hysteresis"), yields = law_has_trait(o->normal, "yield");
+    bool cakes = law_has_trait(o->normal, "compaction");
     const struct {
         const char *key;
         double value, most;
@@ -102,6 +105,10 @@ bool law_check_extra(const struct law_extra *x, const struct law_options *o, con
         {"rolling_damping", x->rolling_damping, INFINITY, o->rolling != LAW_ROLLING_NONE, false},
         {"rolling_damping_ratio", x->rolling_damping_ratio, INFINITY, o->rolling == LAW_ROLLING_EPSD, false},
         {"yield_pressure", x->yield_pressure, INFINITY, yields, true},
+        {"plasticity_ratio", x->plasticity_ratio, 1.0 - 1e-9, cakes, false},
+        {"adhesion_energy", x->adhesion_energy, INFINITY, cakes, false},
+        {"adhesion_exponent", x->adhesion_exponent, INFINITY, cakes, true},
+        {"pull_off", x->pull_off, INFINITY, cakes, false},
         {"k_2", x->k_2, INFINITY, hysteresis, true},
         {"k_c", x->k_c, INFINITY, hysteresis, false},
         {"plasticity_depth", x->plasticity_depth, INFINITY, hysteresis, false},
@@ -115,6 +122,9 @@ bool law_check_extra(const struct law_extra *x, const struct law_options *o, con
             return error_set(error, ERROR_USER, "material pair %s, %s: %s is %g; allowed is %s%g", name[0],
                              name[1], rows[r].key, rows[r].value, rows[r].open ? "above 0 up to " : "0 to ",
                              rows[r].most);
+    if (o->user && x->parameters != o->user->law->parameters)
+        return error_set(error, ERROR_USER, "material pair %s, %s: parameters: %d given; the law %s takes %d",
+                         name[0], name[1], x->parameters, o->user->name, o->user->law->parameters);
     if (wet && x->surface_tension > 0.0 && !(x->bridge_volume > 0.0) == !(x->bridge_fraction > 0.0))
         return error_set(error, ERROR_USER,
                          "material pair %s, %s: give one of bridge_volume and bridge_fraction, above 0",

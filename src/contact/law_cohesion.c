@@ -109,7 +109,7 @@ double law_cohesion_largest(enum law_cohesion cohesion, const struct law_surface
 
 /* The range of a pair of materials. */
 static double law_pair_range(const struct law *law, int a, int b, double radius_a, double radius_b) {
-    const struct law_form *form = law_row_get(law->options.normal)->form;
+    const struct law_form *form = law_form_of(&law->options);
     double effective = 1.0 / (1.0 / radius_a + 1.0 / radius_b);
     struct law_surfaces surfaces = {&law->pair[a][b], &law->extra[a][b], {radius_a, radius_b}, effective};
     double range = form->range ? form->range(&law->pair[a][b], radius_a, radius_b) : 0.0;
@@ -118,7 +118,7 @@ static double law_pair_range(const struct law *law, int a, int b, double radius_
 
 double law_range(const struct law *law, double radius_a, double radius_b) {
     double most = law->materials ? 0.0 : -INFINITY;
-    if (law->options.cohesion == LAW_COHESION_NONE && law_row_get(law->options.normal)->form->range == NULL)
+    if (law->options.cohesion == LAW_COHESION_NONE && law_form_of(&law->options)->range == NULL)
         return most;
     for (int a = 0; a < law->materials; a++)
         for (int b = 0; b <= a; b++)

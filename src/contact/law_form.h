@@ -22,7 +22,13 @@
 /* A loop over contacts vectorises only if the compiler inlines all calls in the loop. */
 #define LAW_INLINE static inline __attribute__((always_inline))
 
-enum { LAW_NAME_MAX = 64 };
+/* The larger of two numbers; not fmax, which a loop would call. */
+LAW_INLINE double law_most(double a, double b) {
+    return a > b ? a : b;
+}
+
+/* Numbers of a pair of materials that a law of the user's takes. */
+enum { LAW_NAME_MAX = 64, LAW_PATH_MAX = 1024, LAW_PARAMETERS_MAX = 8 };
 
 /* The end of a contact: at zero overlap (the damper may attract just before), or as soon as the force would
  * attract. */
@@ -58,7 +64,13 @@ struct law_extra {
     double
         plasticity_depth;  /* overlap over the reduced radius at which the slope is k_2; 0: at any overlap */
     double yield_pressure; /* laws with yield: pressure */
-    double twisting_friction; /* sds: limit of the torque over the normal force; length */
+    double plasticity_ratio;              /* eepa: lambda_p = 1 - k_1/k_2, 0 ... below 1 */
+    double adhesion_exponent;             /* eepa: chi of the adhesive branch */
+    double adhesion_energy;               /* eepa: delta gamma of the adhesive branch; energy/area */
+    double pull_off;                      /* eepa: constant pull while the surfaces touch; force */
+    double twisting_friction;             /* sds: limit of the torque over the normal force; length */
+    double parameter[LAW_PARAMETERS_MAX]; /* of a law of the user's */
+    int parameters;                       /* how many are given */
 };
 
 /* Coefficients of a pair of materials (scene key `material_pairs`; missing pairs are an error unless one
@@ -91,6 +103,15 @@ struct law_springs {
     double tangential; /* stiffness of the tangential and of the rolling spring */
     double contact;    /* factor of a given damping coefficient */
     double energy;     /* stored in the normal spring */
+    double press;      /* adhesion of the law's own, which friction's limit counts beside the force */
+};
+
+/* Numbers that a law with hysteresis may remember of a contact. */
+enum { LAW_PAST_MAX = 2 };
+
+/* What plastic flow has left of two spheres: their effective radius, and the overlap at which they just touch. */
+struct law_flat {
+    double radius, left;
 };
 
 /* The other properties of a form. */
@@ -105,10 +126,16 @@ struct law_form {
     /* The largest gap at which two spheres of these radii interact, length; monotonic in each radius. NULL:
      * no interaction without touch. */
     double (*range)(const struct law_coefficients *c, double radius_a, double radius_b);
-    /* A law that remembers the largest overlap so far: the springs at an overlap; updates `largest`. Contacts then
-     * go through the general loop. NULL: the law remembers none. */
+    /* A law with hysteresis: the springs at an overlap; updates the numbers that a contact remembers, `past`, of
+     * which there are `remembers`, all 0 for a new contact; the first is the largest overlap. Contacts then go
+     * through the general loop. NULL: the law remembers nothing. */
     struct law_springs (*unload)(const struct law_coefficients *c, const struct law_extra *extra,
-                                 double radius, double overlap, double *largest);
+                                 double radius, double overlap, double past[LAW_PAST_MAX]);
+    int remembers;
+    /* A law with hysteresis that combines with the cohesion of elastic spheres: what it has left of the spheres after
+     * the largest overlap `most`. */
+    struct law_flat (*flatten)(const struct law_coefficients *c, const struct law_extra *extra, double radius,
+                               double most);
     /* Largest overlap of an elastic impact at `speed`, with the effective mass and radius; length. */
     double (*impact)(const struct law_coefficients *c, double mass, double radius, double speed);
     /* Duration of the elastic impact that reaches `overlap`; time. */

@@ -19,7 +19,7 @@ static double damper_base(const struct law_options *options, const struct law_gr
     case LAW_DAMPING_COEFFICIENT:
         return mass * grip->factor;
     case LAW_DAMPING_VISCOELASTIC: /* A dF/dd of the spring alone */
-        return law_row_get(options->normal)->form->tangent * grip->spring;
+        return law_form_of(options)->tangent * grip->spring;
     case LAW_DAMPING_RESTITUTION:
     case LAW_DAMPING_TSUJI:
     case LAW_DAMPING_COUNT:
@@ -30,13 +30,26 @@ static double damper_base(const struct law_options *options, const struct law_gr
 
 /* Energy lost by plastic flow in this step: the work of the elastic force less what it stores more. */
 static double plastic_loss(const struct law *law, const struct law_surfaces *surfaces,
-                           const struct law_grip *now, double overlap, double growth, double largest) {
-    if (law->memory.largest < 0)
+                           const struct law_grip *now, double overlap, double growth, struct law_past past) {
+    if (law->memory.past < 0 || !now->touches)
         return 0.0;
-    struct law_past past = {true, largest};
-    struct law_grip before = law_grip_at(&law->options, surfaces, fmax(overlap - growth, 0.0), &past);
-    return 0.5 * (now->force + before.force) * (overlap - fmax(overlap - growth, 0.0)) -
-           (now->energy - before.energy);
+    struct law_grip before = law_grip_at(&law->options, surfaces, overlap - growth, &past);
+    return 0.5 * (now->force + before.force) * growth - (now->energy - before.energy);
+}
+
+/* Reads what a contact remembers of the normal direction. */
+static struct law_past past_of(const struct law *law, const double *value) {
+    struct law_past past = {.held = law->memory.held >= 0 && value[law->memory.held] != 0.0};
+    for (int k = 0; law->memory.past >= 0 && k < law_form_of(&law->options)->remembers; k++)
+        past.number[k] = value[law->memory.past + k];
+    return past;
+}
+
+static void past_put(const struct law *law, const struct law_past *past, double *value) {
+    if (law->memory.held >= 0)
+        value[law->memory.held] = past->held ? 1.0 : 0.0;
+    for (int k = 0; law->memory.past >= 0 && k < law_form_of(&law->options)->remembers; k++)
+        value[law->memory.past + k] = past->number[k];
 }
 
 bool law_general_respond(const struct law *law, struct law_step step, struct law_general *in,
@@ -45,19 +58,15 @@ bool law_general_respond(const struct law *law, struct law_step step, struct law
     const struct law_contact *contact = &in->contact;
     struct law_surfaces surfaces = {
         &contact->coefficients, in->extra, {in->radius[0], in->radius[1]}, contact->radius};
-    int held = law->memory.held, largest = law->memory.largest;
-    struct law_past past = {held >= 0 && in->value[held] != 0.0, largest >= 0 ? in->value[largest] : 0.0};
-    double before = past.largest, rate = law_dot(contact->velocity, contact->normal);
+    struct law_past before = past_of(law, in->value), past = before;
+    double rate = law_dot(contact->velocity, contact->normal);
     struct law_grip grip = law_grip_at(options, &surfaces, contact->overlap, &past);
     *out = (struct law_response){0};
     if (!grip.interacts) {
         memset(in->value, 0, sizeof in->value);
         return false;
     }
-    if (held >= 0)
-        in->value[held] = 1.0;
-    if (largest >= 0)
-        in->value[largest] = past.largest;
+    past_put(law, &past, in->value);
     double base = grip.touches ? damper_base(options, &grip, contact->mass) : 0.0;
     double force = grip.force - contact->coefficients.c_n * base * rate;
     if (options->end == LAW_END_FORCE)

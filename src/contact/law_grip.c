@@ -3,17 +3,30 @@
 #include "contact/law_grip.h"
 #include "contact/law_jkr.h"
 
-/* JKR takes the place of Hertz's force. */
+/* JKR takes the place of Hertz's force, around the dent that plastic flow has left. */
 static struct law_grip grip_jkr(const struct law_options *options, const struct law_surfaces *s,
-                                double overlap) {
-    double modulus = law_modulus(s->c), gamma = s->extra->surface_energy, end = overlap;
-    double a = law_jkr_radius(modulus, gamma, s->effective, overlap);
-    struct law_jkr now = law_jkr_at(modulus, gamma, s->effective, a);
-    end = law_jkr_end_radius(modulus, gamma, s->effective, options->jkr_end);
-    double left = law_jkr_at(modulus, gamma, s->effective, end).energy;
-    return (struct law_grip){.force = now.force,
+                                double overlap, struct law_past *past) {
+    double modulus = law_modulus(s->c), gamma = s->extra->surface_energy;
+    const struct law_form *form = law_form_of(options);
+    struct law_flat flat = {s->effective, 0.0};
+    if (form->flatten) {
+        past->number[0] = fmax(past->number[0], overlap);
+        flat = form->flatten(s->c, s->extra, s->effective, past->number[0]);
+    }
+    double depth = overlap - flat.left;
+    double end = law_jkr_end_overlap(modulus, gamma, flat.radius, options->jkr_end);
+    past->held = depth > 0.0 || (past->held && depth > end);
+    if (!past->held) /* a dent is remembered as long as the spheres overlap */
+        return (struct law_grip){.interacts = overlap > 0.0};
+    double a = law_jkr_radius(modulus, gamma, flat.radius, depth);
+    struct law_jkr now = law_jkr_at(modulus, gamma, flat.radius, a);
+    double last = law_jkr_end_radius(modulus, gamma, flat.radius, options->jkr_end);
+    double left = law_jkr_at(modulus, gamma, flat.radius, last).energy;
+    return (struct law_grip){.interacts = true,
+                             .touches = true,
+                             .force = now.force,
                              .least = fmin(now.force, 0.0),
-                             .press = 2.0 * law_cohesion_largest(LAW_COHESION_JKR, s),
+                             .press = 6.0 * M_PI * gamma * flat.radius,
                              .a = a,
                              .spring = s->c->k_n * a,
                              .factor = a,
@@ -25,22 +38,19 @@ static struct law_grip grip_jkr(const struct law_options *options, const struct 
 struct law_grip law_grip_at(const struct law_options *options, const struct law_surfaces *s, double overlap,
                             struct law_past *past) {
     struct law_grip grip = {0};
+    if (options->cohesion == LAW_COHESION_JKR && s->extra->surface_energy > 0.0)
+        return grip_jkr(options, s, overlap, past);
     bool remembers = law_cohesion_remembers(options->cohesion), touches = overlap > 0.0;
-    bool reached = -overlap < law_cohesion_range(options, s);
-    bool interacts = touches || (reached && (past->held || !remembers));
-    if (!interacts)
+    past->held = touches || ((past->held || !remembers) && -overlap < law_cohesion_range(options, s));
+    if (!past->held)
         return grip;
-    if (options->cohesion == LAW_COHESION_JKR && s->extra->surface_energy > 0.0) {
-        grip = grip_jkr(options, s, overlap);
-        grip.interacts = grip.touches = true;
-        return grip;
-    }
     if (touches) {
-        const struct law_form *form = law_row_get(options->normal)->form;
+        const struct law_form *form = law_form_of(options);
         struct law_springs springs = form->unload
-                                         ? form->unload(s->c, s->extra, s->effective, overlap, &past->largest)
-                                         : law_springs(options->normal, s->c, s->effective, overlap);
+                                         ? form->unload(s->c, s->extra, s->effective, overlap, past->number)
+                                         : law_springs_of(options, s->c, s->extra, s->effective, overlap);
         grip = (struct law_grip){.force = springs.force,
+                                 .press = springs.press,
                                  .a = sqrt(s->effective * overlap),
                                  .spring = springs.stiffness,
                                  .factor = springs.contact,
@@ -53,7 +63,7 @@ struct law_grip law_grip_at(const struct law_options *options, const struct law_
     grip.touches = touches;
     grip.least = fmin(grip.force, 0.0) - pull.force;
     grip.force -= pull.force;
-    grip.press = options->cohesion == LAW_COHESION_DMT ? 2.0 * pull.force : pull.force;
+    grip.press += options->cohesion == LAW_COHESION_DMT ? 2.0 * pull.force : pull.force;
     grip.tangent -= pull.slope;
     grip.energy += pull.energy;
     return grip;
@@ -61,7 +71,7 @@ struct law_grip law_grip_at(const struct law_options *options, const struct law_
 
 double law_grip_rest(const struct law_options *options, const struct law_surfaces *surfaces) {
     double low = 0.0, high = surfaces->effective;
-    if (options->cohesion == LAW_COHESION_NONE)
+    if (options->cohesion == LAW_COHESION_NONE && surfaces->extra->pull_off == 0.0)
         return 0.0;
     for (int k = 0; k < 60; k++) {
         double middle = 0.5 * (low + high);

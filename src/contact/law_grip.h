@@ -31,11 +31,11 @@ struct law_grip {
 
 /* What a contact remembers of the normal direction. */
 struct law_past {
-    bool held;      /* the contact interacted one step ago */
-    double largest; /* overlap so far, of a law with hysteresis; updated */
+    bool held;                   /* the surfaces held to each other one step ago; updated */
+    double number[LAW_PAST_MAX]; /* of a law with hysteresis (law_form.h); updated */
 };
 
-/* The normal direction at an overlap (negative: a gap). */
+/* The normal direction at an overlap (negative: a gap); updates `past`. */
 struct law_grip law_grip_at(const struct law_options *options, const struct law_surfaces *surfaces,
                             double overlap, struct law_past *past);
 

@@ -39,6 +39,7 @@ struct law_case {
     bool radius;            /* the springs depend on the effective radius */
     bool lever_radius;      /* the lever is r (LAMMPS's), else r - overlap / 2 */
     bool energies;          /* fill the three energies of the response */
+    bool given;             /* the springs are those of the contact: a law of the user's */
 };
 
 /* The numbers common to all contacts of one evaluation; from law_step_of. */
@@ -59,6 +60,7 @@ struct law_contact {
     struct law_vector normal;             /* unit vector from i to j, now */
     struct law_vector velocity;           /* length/time, half-step */
     struct law_coefficients coefficients; /* of the two materials */
+    struct law_springs springs;           /* of a law of the user's */
 
     struct law_vector half_normal; /* unit vector half a step ago (synchronised) */
     struct law_vector surface;     /* sum of lever x angular velocity, length/time */
@@ -93,12 +95,14 @@ LAW_INLINE struct law_case law_case_of(const struct law_options *options, bool e
     bool friction = options->tangential != LAW_FRICTIONLESS;
     bool rolling =
         friction && (options->rolling != LAW_ROLLING_NONE || options->twisting != LAW_TWISTING_NONE);
-    return (struct law_case){.normal = options->normal,
+    bool empty = law_has_trait(options->normal, "file") && options->user == NULL;
+    return (struct law_case){.normal = empty ? law_linear() : options->normal,
                              .coefficient = options->damping == LAW_DAMPING_COEFFICIENT,
                              .friction = friction,
                              .rolling = rolling,
                              .synchronised = options->synchronised,
-                             .radius = rolling || law_row_get(options->normal)->form->radius,
+                             .radius = rolling || law_form_of(options)->radius,
+                             .given = options->user != NULL,
                              .lever_radius = options->lammps_history,
                              .energies = energies};
 }
@@ -172,7 +176,8 @@ LAW_INLINE void law_rub(struct law_case law, struct law_step step, const struct 
 LAW_INLINE struct law_response law_respond(struct law_case law, struct law_step step,
                                            const struct law_contact *in) {
     struct law_response out = {0};
-    struct law_springs springs = law_springs(law.normal, &in->coefficients, in->radius, in->overlap);
+    struct law_springs springs =
+        law.given ? in->springs : law_springs(law.normal, &in->coefficients, in->radius, in->overlap);
     double base = law.coefficient ? in->mass * springs.contact : sqrt(in->mass * springs.stiffness);
     double rate = law_dot(in->velocity, in->normal);
     double force = springs.force - in->coefficients.c_n * base * rate;

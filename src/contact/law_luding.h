@@ -23,8 +23,8 @@ static inline double law_luding_slope(const struct law_coefficients *c, const st
 
 static inline struct law_springs law_luding_unload(const struct law_coefficients *c,
                                                    const struct law_extra *extra, double radius,
-                                                   double overlap, double *largest) {
-    double most = fmax(*largest, overlap), slope = law_luding_slope(c, extra, radius, most);
+                                                   double overlap, double past[LAW_PAST_MAX]) {
+    double most = fmax(past[0], overlap), slope = law_luding_slope(c, extra, radius, most);
     double force = fmin(c->k_n * overlap, slope * overlap - (slope - c->k_n) * most);
     double pull = -extra->k_c * overlap;
     if (force < pull) {
@@ -32,7 +32,7 @@ static inline struct law_springs law_luding_unload(const struct law_coefficients
         if (slope > c->k_n)
             most = (slope + extra->k_c) / (slope - c->k_n) * overlap;
     }
-    *largest = most;
+    past[0] = most;
     return (struct law_springs){.force = force,
                                 .stiffness = c->k_n,
                                 .tangent = extra->k_2,
@@ -45,6 +45,7 @@ static inline struct law_springs law_luding_unload(const struct law_coefficients
 static const struct law_form law_luding = {.damper = 2.0,
                                            .tangent = 1.0,
                                            .unload = law_luding_unload,
+                                           .remembers = 1,
                                            .impact = law_spring_impact,
                                            .duration = law_spring_duration};
 

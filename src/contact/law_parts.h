@@ -22,7 +22,7 @@
 /* Rows: NAME, name in scenes, traits of the laws (law_table.h) that the part combines with, for whom the part is. */
 #define LAW_COHESION_TABLE(ROW)                                                                              \
     ROW(NONE, none, "stiffness moduli", "dry grains")                                                        \
-    ROW(JKR, jkr, "elastic",                                                                                 \
+    ROW(JKR, jkr, "elastic yield",                                                                           \
         "fine, soft, sticky powders: elastic spheres with surface energy, whose contact area grows with it") \
     ROW(DMT, dmt, "moduli",                                                                                  \
         "fine, hard powders: the elastic force less a constant pull while the spheres touch")                \

@@ -84,10 +84,13 @@ static void resist_slide(struct resist *r) {
     r->out->moment = law_cross(force, in->normal);
 }
 
-/* The inertia against rolling: 7/5 m* r^2, r = 2 R* of two spheres, that of the sphere at a wall. */
+/* The inertia against rolling of two spheres of one density, 1 / (5/(7 m_i r_i^2) + 5/(7 m_j r_j^2)), by their effective
+ * mass and radii; that of the sphere at a wall. */
 static double rolling_inertia(const double radius[2], double effective, double mass) {
-    double r = isinf(radius[0]) || isinf(radius[1]) ? effective : 2.0 * effective;
-    return 1.4 * mass * r * r;
+    double a = radius[0], b = radius[1], aa = a * a, bb = b * b;
+    if (isinf(a) || isinf(b))
+        return 1.4 * mass * effective * effective;
+    return 1.4 * mass * (aa * bb) * (aa * a + bb * b) / (aa * aa * a + bb * bb * b);
 }
 
 /* Stiffness and damper of rolling, per displacement R* x angle. */
@@ -166,14 +169,20 @@ static void resist_twist(struct resist *r) {
     r->out->taken -= r->step.dt * rate * (cut + 0.5 * stiffness * (*angle - before));
 }
 
+void law_resist_forget(const struct law *law, double *value) {
+    const struct law_memory *m = &law->memory;
+    const int places[] = {m->twist, m->radius, m->slides};
+    memset(value, 0, (size_t)law->history_odd * sizeof *value);
+    for (size_t k = 0; k < sizeof places / sizeof places[0]; k++)
+        if (places[k] >= 0)
+            value[places[k]] = 0.0;
+}
+
 void law_resist(const struct law *law, struct law_step step, struct law_general *in,
                 const struct law_hold *hold, struct law_response *out) {
     struct resist r = {law, law_case_of(&law->options, true), step, in, hold, out, in->contact.normal};
     if (!hold->grip->touches) {
-        double held = law->memory.held >= 0 ? in->value[law->memory.held] : 0.0;
-        memset(in->value, 0, sizeof in->value);
-        if (law->memory.held >= 0)
-            in->value[law->memory.held] = held;
+        law_resist_forget(law, in->value);
         return;
     }
     if (law->options.synchronised)

@@ -17,6 +17,9 @@ struct law_hold {
 void law_resist(const struct law *law, struct law_step step, struct law_general *in,
                 const struct law_hold *hold, struct law_response *out);
 
+/* Sets the springs in `value` to zero, and leaves what the normal direction remembers. */
+void law_resist_forget(const struct law *law, double *value);
+
 /* Adds the springs and dampers for small changes. */
 void law_resist_stiff(const struct law *law, const struct law_surfaces *surfaces, const struct law_hold *hold,
                       double mass, struct law_stiff *stiff);

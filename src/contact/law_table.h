@@ -4,25 +4,38 @@
  * A row: LAW_NAME for the number, the name in scenes, the traits that keys of a scene ask for
  * (scene/schema.h), and what the law is. Traits: `moduli`, a law whose springs come from young and poisson of
  * the materials; `stiffness`, one whose springs are k_n and k_t of the pair, force/length; `hysteresis`, one that also
- * takes k_2 and k_c; `yield`, one with a yield pressure; `elastic`, moduli without plastic flow. Laws of LAW_ELASTIC_TABLE have vectorised loops of their own (force_physics.h). */
+ * takes k_2 and k_c; `yield`, one with a yield pressure; `compaction`, one with a plasticity ratio and an adhesive branch that
+ * grows with the load; `elastic`, moduli without plastic flow; `file`, a law that the user writes (law_user.h). Laws of LAW_ELASTIC_TABLE have vectorised loops of their own (force_physics.h). */
 #ifndef SCREE_CONTACT_LAW_TABLE_H
 #define SCREE_CONTACT_LAW_TABLE_H
 
+#include "contact/law_custom.h"
+#include "contact/law_eepa.h"
 #include "contact/law_hertz.h"
 #include "contact/law_hooke.h"
 #include "contact/law_luding.h"
 #include "contact/law_thornton.h"
 
-#define LAW_ELASTIC_TABLE(ROW)                                                                               \
+#define LAW_BUILT_TABLE(ROW)                                                                                 \
     ROW(HOOKE, hooke, "stiffness", "linear spring and dashpot")                                              \
     ROW(HERTZ, hertz, "moduli elastic", "elastic spheres, Hertz and Mindlin")
+
+/* Laws whose springs a file of the user's gives (law_user.h). */
+#define LAW_GIVEN_TABLE(ROW)                                                                                 \
+    ROW(CUSTOM, custom, "stiffness file",                                                                    \
+        "a law of your own: write {file: mylaw.c}, which is compiled at the start of a run")
+#define LAW_GIVEN_NAME "custom"
+#define LAW_ELASTIC_TABLE(ROW) LAW_BUILT_TABLE(ROW) LAW_GIVEN_TABLE(ROW)
 
 /* Laws whose contacts go through the general loop (law_general.h); LAW_TABLE: all laws. */
 #define LAW_PLASTIC_TABLE(ROW)                                                                               \
     ROW(LUDING, luding, "stiffness hysteresis",                                                              \
         "plastic, adhesive grains: linear springs, steeper on unloading, with a pull after compression")     \
     ROW(THORNTON, thornton, "moduli yield",                                                                  \
-        "elastic, perfectly plastic spheres with a yield pressure: fast impacts")
+        "elastic, perfectly plastic spheres with a yield pressure: fast impacts; with the cohesion jkr "     \
+        "sticky ones")                                                                                       \
+    ROW(EEPA, eepa, "moduli compaction",                                                                     \
+        "powders that cake: plastic spheres that stick the harder the more they were pressed (Edinburgh)")
 #define LAW_TABLE(ROW) LAW_ELASTIC_TABLE(ROW) LAW_PLASTIC_TABLE(ROW)
 
 /* The law of a scene that names no law. */
@@ -45,6 +58,9 @@ struct law_row {
 
 /* The row of a law. Any thread. */
 const struct law_row *law_row_get(enum law_normal normal);
+
+/* True if the traits of a law have this word. Any thread. */
+bool law_has_trait(enum law_normal normal, const char *trait);
 
 /* The law with linear springs. */
 enum law_normal law_linear(void);

@@ -1,16 +1,21 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Thornton: elastic, perfectly plastic spheres (J. Appl. Mech. 64 (1997) 383; Thornton and Ning, Powder Technol. 99
- * (1998) 154, without their surface energy). Elastic as Hertz until the pressure in the middle reaches the yield pressure p,
- * at a_y = pi R* p / (2 E*); from there on along the straight line of slope pi R* p; unloading and reloading as
- * Hertz with the flattened radius R_p around the overlap d_p that is left:
+/* Thornton: elastic, perfectly plastic spheres (J. Appl. Mech. 64 (1997) 383), and with the cohesion jkr the adhesive ones of
+ * Thornton and Ning (Powder Technol. 99 (1998) 154). Elastic as Hertz or JKR until the pressure in the middle of the
+ * contact reaches the yield pressure p, at the contact radius a_y; from there on the pressure in the middle stays p; unloading
+ * and reloading as Hertz or JKR with the flattened radius R_p around the overlap d_p that is left. With s of
+ * law_jkr.h, 0 without surface energy, and the contact radius a as parameter,
  *
- *   F = 4/3 E* sqrt(R_p) (d - d_p)^(3/2),  R_p = 4 E* / (3 F_m) ((2 F_m + F_y) / (2 pi p))^(3/2)
+ *   yield     p = E* / pi (2 a_y/R* - s/sqrt(a_y))
+ *   loading   F = F_y + pi p (a^2 - a_y^2) - 2 E* s a_y (sqrt(a) - sqrt(a_y)),  d = a^2/R* - s sqrt(a)
+ *   flattened R_p = 4/3 E* a_m^3 / (F_m + 2 E* s a_m^(3/2)),  d_p = d_m - a_m^2/R_p + s sqrt(a_m)
  *
- * with F_m the force at the largest overlap, F_y that at yield. law_thornton_springs is the elastic branch;
- * law_thornton_unload all of the law, for the general loop. The coefficient k_n is 4/3 E*. */
+ * with a_m, F_m at the largest overlap d_m. (The loading branch is the integral of their slope dF/dd.)
+ * law_thornton_springs is the elastic branch; law_thornton_unload all of the law without surface energy, for the
+ * general loop. The coefficient k_n is 4/3 E*. */
 #ifndef SCREE_CONTACT_LAW_THORNTON_H
 #define SCREE_CONTACT_LAW_THORNTON_H
 
+#include "contact/law_jkr.h"
 #include "contact/law_spheres.h"
 
 LAW_INLINE struct law_springs law_thornton_springs(const struct law_coefficients *c, double radius,
@@ -18,25 +23,44 @@ LAW_INLINE struct law_springs law_thornton_springs(const struct law_coefficients
     return law_spheres_springs(c, radius, overlap);
 }
 
+/* sqrt(a_y): the positive root of x^3 - h^2 x - q, h^2 = pi p R* / (2 E*), q = R* s / 2, by Newton's iteration from a
+ * bound above the root. */
+LAW_INLINE double law_thornton_yield(double modulus, double s, double pressure, double radius) {
+    double square = 0.5 * M_PI * pressure * radius / modulus, q = 0.5 * s * radius;
+    double x = sqrt(square) + law_cbrt(q);
+    for (int k = 0; k < 7; k++)
+        x -= (x * (x * x - square) - q) / (3.0 * x * x - square);
+    return x;
+}
+
+/* The spheres after the largest overlap `most` >= 0. */
+LAW_INLINE struct law_flat law_thornton_flat(double modulus, double gamma, double pressure, double radius,
+                                             double most) {
+    double s = 2.0 * sqrt(M_PI * gamma / modulus), root_y = law_thornton_yield(modulus, s, pressure, radius);
+    double a = law_jkr_radius(modulus, gamma, radius, most), a_y = root_y * root_y, root = sqrt(a);
+    double force_y = modulus * a_y * (4.0 / 3.0 * a_y * a_y / radius - 2.0 * s * root_y);
+    double force =
+        force_y + M_PI * pressure * (a - a_y) * (a + a_y) - 2.0 * modulus * s * a_y * (root - root_y);
+    double flat = 4.0 / 3.0 * modulus * a * a * a / (force + 2.0 * modulus * s * a * root);
+    bool flows = a > a_y;
+    return (struct law_flat){flows ? flat : radius, flows ? most - a * a / flat + s * root : 0.0};
+}
+
+static inline struct law_flat law_thornton_sticky(const struct law_coefficients *c,
+                                                  const struct law_extra *extra, double radius, double most) {
+    return law_thornton_flat(0.75 * c->k_n, extra->surface_energy, extra->yield_pressure, radius, most);
+}
+
 static inline struct law_springs law_thornton_unload(const struct law_coefficients *c,
                                                      const struct law_extra *extra, double radius,
-                                                     double overlap, double *largest) {
-    double p = extra->yield_pressure, yield = M_PI * radius * p / (1.5 * c->k_n); /* a_y */
-    double most = fmax(*largest, overlap), overlap_yield = yield * yield / radius;
-    struct law_springs springs = law_thornton_springs(c, radius, overlap);
-    *largest = most;
-    if (most <= overlap_yield)
-        return springs;
-    double force_yield = c->k_n * yield * overlap_yield;
-    double force_most = force_yield + M_PI * radius * p * (most - overlap_yield);
-    double flat = c->k_n / force_most * pow((2.0 * force_most + force_yield) / (2.0 * M_PI * p), 1.5);
-    double left = most - pow(force_most / (c->k_n * sqrt(flat)), 2.0 / 3.0),
-           depth = fmax(overlap - left, 0.0);
-    double contact = sqrt(flat * depth);
-    springs.force = c->k_n * contact * depth;
-    springs.tangent = 1.5 * c->k_n * contact;
-    springs.energy = 0.4 * springs.force * depth;
-    springs.tangential = c->k_t * contact;
+                                                     double overlap, double past[LAW_PAST_MAX]) {
+    double most = law_most(past[0], overlap);
+    struct law_flat flat = law_thornton_flat(0.75 * c->k_n, 0.0, extra->yield_pressure, radius, most);
+    double depth = law_most(overlap - flat.left, 0.0);
+    struct law_springs springs = law_thornton_springs(c, flat.radius, depth);
+    springs.stiffness = c->k_n * sqrt(radius * overlap);
+    springs.contact = sqrt(radius * overlap);
+    past[0] = most;
     return springs;
 }
 
@@ -45,6 +69,8 @@ static const struct law_form law_thornton = {.radius = true,
                                              .tangent = 1.5,
                                              .moduli = law_spheres_moduli,
                                              .unload = law_thornton_unload,
+                                             .remembers = 1,
+                                             .flatten = law_thornton_sticky,
                                              .impact = law_spheres_impact,
                                              .duration = law_spheres_duration};
 

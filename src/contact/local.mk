@@ -14,6 +14,8 @@ libcontact_la_SOURCES = \
 	src/contact/law_check.c \
 	src/contact/law_cohesion.c \
 	src/contact/law_cohesion.h \
+	src/contact/law_eepa.h \
+	src/contact/law_custom.h \
 	src/contact/law_form.h \
 	src/contact/law_general.c \
 	src/contact/law_general.h \
@@ -28,10 +30,14 @@ libcontact_la_SOURCES = \
 	src/contact/law_parts.h \
 	src/contact/law_resist.c \
 	src/contact/law_resist.h \
+	src/contact/law_root.h \
 	src/contact/law_restitution.c \
 	src/contact/law_restitution.h \
 	src/contact/law_table.c \
 	src/contact/law_spring.h \
+	src/contact/law_springs.c \
+	src/contact/law_user.c \
+	src/contact/law_user.h \
 	src/contact/law_spheres.h \
 	src/contact/law_vector.h \
 	src/contact/law_table.h \
@@ -42,6 +48,13 @@ libcontact_la_SOURCES = \
 	src/contact/spin.h
 libcontact_la_CPPFLAGS = $(AM_CPPFLAGS) $(KERNEL_CPPFLAGS)
 libcontact_la_LIBADD = libforce_baseline.la
+
+# A law of the user's is compiled against the text of this header
+include_HEADERS += src/contact/scree_law.h
+src/contact/scree_law.text: src/contact/scree_law.h
+	$(AM_V_GEN)$(MKDIR_P) src/contact && sed 's/\\/\\\\/g; s/"/\\"/g; s/^/"/; s/$$/\\n"/' $(srcdir)/src/contact/scree_law.h >$@
+BUILT_SOURCES += src/contact/scree_law.text
+CLEANFILES += src/contact/scree_law.text
 
 # The laws over a batch, once for each instruction set
 FORCE_SOURCES = src/contact/force_block.c

@@ -32,6 +32,7 @@
 #define SCREE_ENGINE_PHYSICS_H
 
 #include "comm/ghosts.h"
+#include "contact/force.h"
 #include "engine/clock.h"
 #include "formats/restart.h"
 #include "pairs/interaction.h"
@@ -54,6 +55,7 @@ struct physics_context {
     const struct size_classes *classes;
     const struct pairlist *list[PHYSICS_INTERACTIONS_MAX]; /* lists of the interactions, in their order */
     struct walls *walls;                                   /* NULL: none */
+    struct force_context *contact; /* of grains; a physics may ask for the work of contacts in `create` */
     const struct clock *clock; /* number, time and length of the step; the length may change between steps */
     int threads;
     double (*speed)

@@ -111,7 +111,7 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
     for (int k = 0; k < s->scene->groups; k++)
         group[k] = s->scene->group[k].name;
     char law[LAW_TITLE_MAX];
-    law_title(&s->scene->law, law);
+    law_title(&s->grains.law.options, law);
     struct checkpoint checkpoint = {.restart = &restart,
                                     .particles = s->particles,
                                     .box = &s->box,

@@ -39,7 +39,7 @@ static bool check_box(const struct simulation *s, const char *path, const struct
 static bool check_law(const struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
                       struct error *error) {
     char law[LAW_TITLE_MAX];
-    law_title(&s->scene->law, law);
+    law_title(&s->grains.law.options, law);
     if (strcmp(loaded->law, law) != 0)
         return error_set(error, ERROR_USER,
                          "%s: it was written with contact.law %s, the scene has %s: "

@@ -14,6 +14,7 @@
 #include "engine/grains.h"
 #include "engine/guards.h"
 #include "engine/load.h"
+#include "contact/law_user.h"
 #include "core/memory.h"
 #include "scene/scene_read.h"
 #include "integrate/integrator.h"
@@ -117,6 +118,7 @@ static void physics_start(struct simulation *s) {
                                       .particles = s->particles,
                                       .classes = &s->classes,
                                       .walls = s->grains.walls,
+                                      .contact = &s->grains.contact,
                                       .clock = &s->clock,
                                       .threads = s->threads,
                                       .speed = s->grains.speed,
@@ -188,6 +190,7 @@ void simulation_destroy(struct simulation **simulation) {
     scene_changes_free(&s->resumed.changes);
     lineage_free(&s->lineage);
     memory_free(s->grains.speed);
+    law_user_free(&s->grains.user);
     memory_free(s);
     *simulation = NULL;
 }

@@ -6,8 +6,10 @@
 #include "engine/view.h"
 #include "comm/balance.h"
 #include "comm/cores.h"
+#include "contact/law_user.h"
 #include "core/memory.h"
 #include "core/threads.h"
+#include "pairs/walk.h"
 #include "integrate/integrator.h"
 #include <assert.h>
 #include <math.h>
@@ -34,6 +36,40 @@ static bool set_threads(struct simulation *s, struct error *error) {
     return s->threads > 0;
 }
 
+/* The widest instruction set that all ranks have, or the one that the scene names. */
+static const char *common_level(const struct simulation *s) {
+    int64_t below = -walk_level(NULL);
+    if (s->scene->simd != SCENE_SIMD_AUTO)
+        return scene_simd_name(s->scene->simd);
+    comm_max_int(s->comm, &below, 1);
+    return walk_level_name((int)-below);
+}
+
+/* Loads the law of a file: rank 0 compiles it, all ranks load the same bytes. */
+static bool load_law(struct simulation *s, struct law_options *options, struct error *error) {
+    struct law_object object = {0};
+    struct error plain = {0};
+    char place[SCENE_PATH_MAX];
+    if (!law_has_trait(options->normal, "file"))
+        return true;
+    const char *level = common_level(s);
+    if (s->comm->rank == 0)
+        law_user_compile(options->file, level, &object, &plain);
+    if (comm_agree(s->comm, &plain)) {
+        char *own = object.bytes;
+        comm_broadcast(s->comm, &object, sizeof object);
+        object.bytes = own ? own : memory_allocate(object.size, 1, "law");
+        comm_broadcast(s->comm, object.bytes, object.size);
+        s->grains.user = law_user_load(options->file, &object, &plain);
+        comm_agree(s->comm, &plain);
+    }
+    law_object_free(&object);
+    options->user = s->grains.user;
+    return plain.kind == ERROR_NONE ||
+           error_set(error, plain.kind, "%s: contact.law: %s",
+                     scene_place(s->scene, "contact.law_file", place, sizeof place), plain.text);
+}
+
 bool simulation_parts_prepare(struct simulation *s, struct error *error) {
     const struct scene *scene = s->scene;
     struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
@@ -42,7 +78,8 @@ bool simulation_parts_prepare(struct simulation *s, struct error *error) {
     assert(integrator);
     options.synchronised = integrator->synchronised;
     memcpy(pair, scene->law_pair, sizeof pair);
-    if (!law_prepare(&s->grains.law, &options, scene->materials, scene->material, pair, error))
+    if (!load_law(s, &options, error) ||
+        !law_prepare(&s->grains.law, &options, scene->materials, scene->material, pair, error))
         return false;
     scene_integrator(scene, &s->grains.motion);
     if (!set_threads(s, error))

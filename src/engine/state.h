@@ -60,6 +60,7 @@ struct timing {
 /* Data of grains (grains.c). */
 struct grains {
     struct law law;
+    struct law_user *user; /* the law of a file; NULL: none */
     struct integrator_context motion;
     const struct pairlist *list; /* of contacts; one of the lists of `interactions` */
     struct history *history;     /* NULL: the law has none */

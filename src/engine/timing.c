@@ -116,8 +116,8 @@ static double overlap_of(const struct law *law, const struct timestep_kind *a, c
             mass[k] = heaviest[k] * cube(radius[k]);
         }
     double m = 1 / (1 / mass[0] + 1 / mass[1]), r = 1 / (1 / radius[0] + 1 / radius[1]);
-    const struct law_form *form = law_row_get(law->options.normal)->form;
-    double overlap = form->impact(&law->pair[a->material][b->material], m, r, speed);
+    int p = a->material, q = b->material;
+    double overlap = law_impact_of(&law->options, &law->pair[p][q], &law->extra[p][q], m, r, speed);
     return overlap / fmin(radius[0], radius[1]);
 }
 

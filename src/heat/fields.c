@@ -38,6 +38,40 @@ static const struct field wall_flow = {
     .help = "power that flows from walls into the grain",
 };
 
+static const struct field work = {
+    .name = "heat_work",
+    .type = FIELD_DOUBLE,
+    .components = 2,
+    .use = FIELD_REVERSE | FIELD_TRAVELS,
+    .kinds = 1u << KIND_GRAIN,
+    .unit = "J",
+    .needed_for = "heat.dissipation",
+    .help = "work that contacts of the grain took in the last step, and energy that their springs hold",
+};
+static const struct field held = {
+    .name = "heat_held",
+    .type = FIELD_DOUBLE,
+    .components = 1,
+    .use = FIELD_TRAVELS,
+    .kinds = 1u << KIND_GRAIN,
+    .unit = "J",
+    .needed_for = "heat.dissipation",
+    .help = "energy that springs of contacts of the grain held one step ago",
+};
+
+void heat_work_register(struct particles *particles) {
+    fields_register(particles, &work);
+    fields_register(particles, &held);
+}
+
+double *heat_work_field(const struct particles *particles) {
+    return fields_values(particles, &work);
+}
+
+double *heat_held_field(const struct particles *particles) {
+    return fields_values(particles, &held);
+}
+
 void heat_fields(struct particles *particles) {
     fields_register(particles, &temperature);
     fields_register(particles, &flow);

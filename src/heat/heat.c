@@ -9,6 +9,8 @@
 #include "core/memory.h"
 #include "engine/physics.h"
 #include "heat/fields.h"
+#include "heat/heat_own.h"
+#include "heat/heat_work.h"
 #include "integrate/groups.h"
 #include "pairs/walk.h"
 #include "particles/kinds.h"
@@ -19,7 +21,7 @@ struct heat {
     const struct heat_options *options;
     const struct physics_context *context;
     struct walk *walk;
-    struct walk_work work;
+    struct walk_work pairs;
     double conductivity[LAW_MATERIALS_MAX], capacity[LAW_MATERIALS_MAX];
     double narrow;                           /* contact radius over that of the scene's grains */
     const struct heat_wall *wall[WALLS_MAX]; /* by wall; NULL: no heat */
@@ -27,6 +29,8 @@ struct heat {
     double *temperature, *flow, *wall_flow; /* of the fields, since the last rebuild */
     const uint8_t *material;
     bool conductance; /* sums of H instead of flows */
+    struct heat_work *work;            /* NULL: dissipation makes no heat */
+    double (*wall_power)[WALLS_MAX];   /* [thread][wall]: power into grains in the last step, W */
 };
 
 /* The power over one kelvin between bodies whose surfaces are `gap` apart (overlap: negative). */
@@ -126,8 +130,10 @@ static void *create(const struct physics_context *context) {
         heat->wall_material[w] = context->scene->wall[w].material;
     if (needs_walls(context))
         walls_visit_fixed(context->walls);
+    heat->wall_power = memory_allocate_zero((size_t)context->threads, sizeof *heat->wall_power, "heat");
+    heat->work = o->dissipation > 0.0 ? heat_work_create(context) : NULL;
     heat->walk = walk_create(&client, context->threads);
-    heat->work = (struct walk_work){.context = heat,
+    heat->pairs = (struct walk_work){.context = heat,
                                     .particles = context->particles,
                                     .stride = 1,
                                     .radii = true,
@@ -139,6 +145,8 @@ static void *create(const struct physics_context *context) {
 static void destroy(void *self) {
     struct heat *heat = self;
     walk_destroy(&heat->walk);
+    heat_work_destroy(&heat->work);
+    memory_free(heat->wall_power);
     memory_free(heat);
 }
 
@@ -154,15 +162,17 @@ static void take_fields(struct heat *heat, const struct particles *particles) {
     heat->flow = heat_flow(particles);
     heat->wall_flow = heat_wall_flow(particles);
     heat->material = material_numbers(particles);
-    heat->work.target = heat->flow;
+    heat->pairs.target = heat->flow;
 }
 
 static void rebuilt(const struct physics_context *context) {
     struct heat *heat = context->self;
     take_fields(heat, context->particles);
     begin(heat, context->particles);
-    heat->work.list = context->list[0];
-    walk_prepare(heat->walk, &heat->work);
+    heat->pairs.list = context->list[0];
+    walk_prepare(heat->walk, &heat->pairs);
+    if (heat->work)
+        heat_work_rebuilt(heat->work);
 }
 
 /* Takes the flow of the last step. */
@@ -175,24 +185,33 @@ static void warm(const struct physics_context *context, int thread, size_t first
     for (size_t i = first; i < last; i++) {
         double capacity = heat->capacity[material_of(heat->material, i)] * groups_mass(context->particles, i);
         heat->temperature[i] += context->clock->dt * heat->flow[i] / capacity;
+        if (heat->work)
+            heat->temperature[i] += heat->options->dissipation * heat_work_take(heat->work, i) / capacity;
         heat->flow[i] = heat->wall_flow[i] = 0.0;
     }
 }
 
 static void conduct(const struct physics_context *context, int thread, int block) {
     struct heat *heat = context->self;
-    walk_block(heat->walk, &heat->work, thread, block);
+    walk_block(heat->walk, &heat->pairs, thread, block);
 }
 
 static void abandon(const struct physics_context *context) {
     struct heat *heat = context->self;
-    walk_abandon(heat->walk, &heat->work);
+    walk_abandon(heat->walk, &heat->pairs);
     memset(heat->flow, 0, (context->particles->owned + context->particles->ghosts) * sizeof *heat->flow);
 }
 
+/* A thread on its way through the grains near walls. */
+struct at_walls {
+    struct heat *heat;
+    double *power; /* by wall */
+};
+
 /* A grain that touches a wall, or is near one: called by the one thread that has the grain. */
 static void at_wall(void *self, size_t i, int wall, double gap) {
-    struct heat *heat = self;
+    const struct at_walls *at = self;
+    struct heat *heat = at->heat;
     const struct heat_wall *given = heat->wall[wall];
     double radius = heat->context->particles->state[i].radius, flow = 0.0;
     if (given == NULL)
@@ -205,23 +224,49 @@ static void at_wall(void *self, size_t i, int wall, double gap) {
     }
     heat->flow[i] += flow;
     heat->wall_flow[i] += flow;
+    at->power[wall] += flow;
 }
 
 static void at_walls(const struct physics_context *context, int thread) {
     struct heat *heat = context->self;
-    walls_visit(context->walls, context->particles, thread, heat->work.range, at_wall, heat);
+    struct at_walls at = {heat, heat->wall_power[thread]};
+    memset(at.power, 0, sizeof heat->wall_power[thread]);
+    walls_visit(context->walls, context->particles, thread, heat->pairs.range, at_wall, &at);
 }
 
 static void finish(const struct physics_context *context) {
     struct heat *heat = context->self;
-    walk_finish(heat->walk, &heat->work);
+    walk_finish(heat->walk, &heat->pairs);
+}
+
+static bool needs_work(const struct physics_context *context) {
+    return ((const struct heat_options *)context->options)->dissipation > 0.0;
+}
+
+static void dissipate(const struct physics_context *context) {
+    const struct heat *heat = context->self;
+    heat_work_finish(heat->work);
+}
+
+double heat_wall_power(const struct heat *heat, int wall) {
+    double power = 0.0;
+    for (int t = 0; t < heat->context->threads; t++)
+        power += heat->wall_power[t][wall];
+    return power;
+}
+
+double heat_energy(const struct heat *heat, size_t i) {
+    const struct particles *p = heat->context->particles;
+    double energy = heat->capacity[material_of(heat->material, i)] * groups_mass(p, i) * heat->temperature[i];
+    energy += heat->context->clock->dt * heat->flow[i];
+    return heat->work ? energy + heat->options->dissipation * heat_work_lost(heat->work, i) : energy;
 }
 
 /* Puts the sums of H into the flows of the owned grains. */
 static void conductances(const struct physics_context *context, struct heat *heat) {
     struct field_list fields = fields_one(heat_flow_field(context->particles));
     heat->conductance = true;
-    walk_run(heat->walk, &heat->work);
+    walk_run(heat->walk, &heat->pairs);
     for (int t = 0; needs_walls(context) && t < context->threads; t++)
         at_walls(context, t);
     heat->conductance = false;
@@ -234,13 +279,17 @@ static double limit(const struct physics_context *context, double most) {
     struct heat *heat = context->self;
     const struct particles *p = context->particles;
     size_t all = p->owned + p->ghosts;
-    if (context->list[0] == NULL || heat->work.list == NULL)
+    if (context->list[0] == NULL || heat->pairs.list == NULL)
         return most;
     double *kept = memory_allocate(2 * all, sizeof *kept, "heat flows");
     memcpy(kept, heat->flow, all * sizeof *kept);
     memcpy(kept + all, heat->wall_flow, all * sizeof *kept);
     memset(heat->flow, 0, all * sizeof *kept);
+    double(*power)[WALLS_MAX] = memory_allocate((size_t)context->threads, sizeof *power, "heat flows");
+    memcpy(power, heat->wall_power, (size_t)context->threads * sizeof *power);
     conductances(context, heat);
+    memcpy(heat->wall_power, power, (size_t)context->threads * sizeof *power);
+    memory_free(power);
     for (size_t i = 0; i < p->owned; i++)
         if (heat_has(p, i) && heat->flow[i] > 0.0)
             most = fmin(most,
@@ -275,7 +324,15 @@ static const struct physics_pass passes[] = {
      .writes = "heat_flow",
      .needed = needs_walls,
      .share = at_walls},
-    {.name = "heat_finish", .stage = PASS_CLOSE, .timer = "conduct", .writes = "heat_flow", .whole = finish}};
+    {.name = "heat_finish", .stage = PASS_CLOSE, .timer = "conduct", .writes = "heat_flow", .whole = finish},
+    {.name = "dissipate",
+     .why = "heat.dissipation",
+     .does = "energy that contacts lose becomes heat",
+     .stage = PASS_CLOSE,
+     .reads = "position radius",
+     .writes = "heat_work",
+     .needed = needs_work,
+     .whole = dissipate}};
 
 const struct physics heat_physics = {.name = "heat",
                                      .interactions = 1,

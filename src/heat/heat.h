@@ -17,11 +17,14 @@
  *
  *   H_g = 2 pi k_g R* ln(distance / max(g, roughness))      for g < distance, overlaps count as g = 0
  *
- * (the same paper, section 4, cut off at the given gap). */
+ * (the same paper, section 4, cut off at the given gap).
+ *
+ * Of the energy that a contact loses (dampers, sliding, plastic flow) the part `dissipation` becomes heat: half of it in
+ * each of two grains, all of it in the grain at a wall (heat_work.h). */
 #ifndef SCREE_HEAT_HEAT_H
 #define SCREE_HEAT_HEAT_H
 
-#include "contact/law.h"
+#include "contact/force.h"
 #include "walls/wall.h"
 
 /* One entry of `materials`. */
@@ -45,6 +48,7 @@ struct heat_gas {
 /* The section `heat` of a scene. */
 struct heat_options {
     double temperature; /* of all grains at the start, K */
+    double dissipation; /* share of the energy lost in contacts that warms the grains, 0 ... 1 */
     double softening;
     struct heat_gas gas;
     int materials;

@@ -2,6 +2,7 @@
 /* The rows that heat adds to tables: its section of a scene and its observables. */
 #include "heat/fields.h"
 #include "heat/heat.h"
+#include "heat/heat_own.h"
 #include "integrate/groups.h"
 #include "observe/observables_kinds.h"
 #include "physics_table.h"
@@ -43,6 +44,9 @@ static const struct schema_table gas_table = TABLE(gas_rows);
 static const struct schema_row section[] = {
     {.key = "temperature", .type = SCHEMA_REAL, .unit = "K", .range = "[0, inf)", .fallback = "293.15",
      AT(struct heat_options, temperature), .help = "of all grains at the start, and of those that are inserted"},
+    {.key = "dissipation", .type = SCHEMA_REAL, .range = "[0, 1]", .fallback = "0", AT(struct heat_options, dissipation),
+     .help = "part of the mechanical energy lost in contacts that becomes heat of the grains: half of it in each of two grains, all of "
+             "it in the grain at a wall", .example = "1"},
     {.key = "softening", .type = SCHEMA_REAL, .range = "[1, inf)", .fallback = "1", AT(struct heat_options, softening),
      .help = "Young's modulus of the real grains over that of the scene: contact radii are divided by its cube root, as "
              "if the grains were as hard as the real ones", .example = "1000"},
@@ -125,6 +129,19 @@ static void take_walls(const struct observable_context *context, struct observab
             part[0] += flow[i];
 }
 
+static void take_wall(const struct observable_context *context, struct observable_item *item, double *part) {
+    const struct heat *heat = context->view->own[PHYSICS_heat];
+    if (heat)
+        part[0] = heat_wall_power(heat, item->wall);
+}
+
+static void take_energy(const struct output_view *view, const struct observable_item *item, size_t i, double *part) {
+    const struct heat *heat = view->own[PHYSICS_heat];
+    (void)item;
+    if (heat && heat_has(view->particles, i))
+        part[0] += heat_energy(heat, i);
+}
+
 #define INFO(name, family, unit, text)                                                                       \
     .info = {name, family, unit, text, OBSERVABLE_OF_ALL_OR_REGION, 1, unit}, .relevant = known
 static const struct observable_kind kinds[] = {
@@ -134,5 +151,9 @@ static const struct observable_kind kinds[] = {
      .of_rank = take_sum, .finish = finish_mean},
     {INFO("temperature_max", "temperature", "K", "highest temperature of a grain"), .parts = 2,
      .combine = OBSERVABLE_MAX, .of_rank = take_most, .finish = finish_most},
-    {INFO("heat_walls", "", "W", "power from walls into grains"), .parts = 1, .of_rank = take_walls}};
+    {INFO("heat_walls", "", "W", "power from walls into grains"), .parts = 1, .of_rank = take_walls},
+    {.info = {"heat_wall", "", "W", "power from one wall into grains", OBSERVABLE_OF_WALL, 1, NULL}, .symbol = "", .parts = 1,
+     .of_rank = take_wall, .relevant = known},
+    {INFO("energy_thermal", "", "J", "m c T of the grains, with the heat that the last step brought"), .parts = 1,
+     .of_particle = take_energy}};
 const struct observable_table heat_observables = {kinds, sizeof kinds / sizeof kinds[0]};

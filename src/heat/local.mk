@@ -5,6 +5,9 @@ libheat_la_SOURCES = \
 	src/heat/fields.h \
 	src/heat/heat.c \
 	src/heat/heat.h \
-	src/heat/heat_rows.c
+	src/heat/heat_own.h \
+	src/heat/heat_rows.c \
+	src/heat/heat_work.c \
+	src/heat/heat_work.h
 libheat_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 PHYSICS_LIBS += libheat.la

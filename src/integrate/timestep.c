@@ -58,7 +58,7 @@ struct timestep_springs timestep_springs(const struct law *law, int a, int b, do
         struct law_surfaces surfaces = timestep_surfaces(law, a, b, radius);
         return timestep_general(law, &surfaces, mass, overlap);
     }
-    struct law_springs springs = law_springs(options->normal, c, radius, overlap);
+    struct law_springs springs = law_springs_of(options, c, &law->extra[a][b], radius, overlap);
     bool given = options->damping == LAW_DAMPING_COEFFICIENT;
     double base = given ? mass * springs.contact : sqrt(mass * springs.stiffness);
     struct timestep_springs s = {.k_n = springs.tangent, .c_n = c->c_n * base};
@@ -81,7 +81,7 @@ static struct timestep_meeting timestep_meet(const struct timestep_input *input,
     int p = a->kind->material, q = b->kind->material;
     double least = input->overlap_relative > 0.0 ? input->overlap_relative : timestep_overlap_relative;
     double reached =
-        law_row_get(law->options.normal)->form->impact(&law->pair[p][q], m.mass, m.radius, input->speed_max);
+        law_impact_of(&law->options, &law->pair[p][q], &law->extra[p][q], m.mass, m.radius, input->speed_max);
     if (law->general) {
         struct law_surfaces surfaces = timestep_surfaces(law, p, q, m.radius);
         reached += law_grip_rest(&law->options, &surfaces);
@@ -184,7 +184,7 @@ static bool timestep_meets(const struct timestep_side *a, const struct timestep_
 }
 
 void timestep_limits(struct timestep_limits *limits, const struct timestep_input *input) {
-    const struct law_form *form = law_row_get(input->law->options.normal)->form;
+    const struct law *law = input->law;
     struct timestep_side side[TIMESTEP_SIDES_MAX];
     int n = timestep_sides(input, side);
     double rayleigh = INFINITY;
@@ -197,10 +197,10 @@ void timestep_limits(struct timestep_limits *limits, const struct timestep_input
             timestep_surround(input, &side[a], &side[b], &meeting);
             if (a != b)
                 timestep_surround(input, &side[b], &side[a], &meeting);
-            limits->contact_time =
-                fmin(limits->contact_time,
-                     form->duration(&input->law->pair[side[a].kind->material][side[b].kind->material],
-                                    meeting.mass, meeting.radius, meeting.overlap));
+            int p = side[a].kind->material, q = side[b].kind->material;
+            limits->contact_time = fmin(limits->contact_time,
+                                        law_duration_of(&law->options, &law->pair[p][q], &law->extra[p][q],
+                                                        meeting.mass, meeting.radius, meeting.overlap));
         }
     for (int a = 0; a < n; a++)
         for (int b = a; b < n; b++)

@@ -4,6 +4,7 @@
  *     index: hgrid               ->  index: {name: hgrid}
  *     particles: {file: a.txt}   ->  particles: {sources: [{file: a.txt}]}      (the list is marked `implied`)
  *     walls:                     ->  walls: []
+ *     law: {file: a.c}           ->  law: custom, law_file: a.c                 (rows with a file_key)
  */
 #include "scene/schema_normalise.h"
 #include "core/memory.h"
@@ -91,6 +92,29 @@ static bool rename_key(struct schema_reader *reader, const struct schema_row *ro
     return true;
 }
 
+static char *text_of(const char *text) {
+    char *copy = memory_allocate(strlen(text) + 1, 1, "value of a scene");
+    return strcpy(copy, text);
+}
+
+/* Takes {file: PATH}, child k, apart. */
+static bool unfold_file(struct schema_reader *reader, const struct schema_row *row, struct tree_node *node,
+                        size_t k, const char *key) {
+    struct tree_node *child = node->child[k];
+    const struct tree_node *given = child->children == 1 ? tree_get(child, "file") : NULL;
+    if (given == NULL || given->kind != TREE_SCALAR)
+        return schema_fail(reader, child, key, "is a name, or {file: PATH}");
+    if (tree_get(node, row->file_key))
+        return schema_fail(reader, child, key, "names a file, and %s is given, too", row->file_key);
+    struct tree_node *path = tree_new(TREE_SCALAR, given->line);
+    path->text = text_of(given->text);
+    path->quoted = given->quoted;
+    tree_clear(child, TREE_SCALAR);
+    child->text = text_of(row->file_name);
+    tree_put(node, row->file_key, path);
+    return true;
+}
+
 static bool normalise_table(struct schema_reader *reader, const struct schema_table *table,
                             struct tree_node *node, const char *prefix) {
     for (size_t k = 0; node->kind == TREE_MAP && k < node->children; k++) {
@@ -98,6 +122,9 @@ static bool normalise_table(struct schema_reader *reader, const struct schema_ta
         char key[SCHEMA_KEY_MAX];
         snprintf(key, sizeof(key), "%.120s%s%.120s", prefix, prefix[0] ? "." : "", node->key[k]);
         if (row && strcmp(row->key, node->key[k]) != 0 && !rename_key(reader, row, node, k, key))
+            return false;
+        if (row && row->file_key && node->child[k]->kind == TREE_MAP &&
+            !unfold_file(reader, row, node, k, key))
             return false;
         if (row && !normalise_row(reader, row, node->child[k], key))
             return false;

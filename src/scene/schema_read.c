@@ -150,6 +150,10 @@ static bool put_setting(struct descent *descent, const char *key, struct tree_no
             return absent(descent);
         key += length;
         if (*key == '\0') {
+            bool named =
+                value->kind == TREE_SCALAR && row->file_key && strcmp(value->text, row->file_name) == 0;
+            if (row->file_key && !named && tree_get(descent->node, row->file_key))
+                drop_key(descent->node, row->file_key); /* another name, or another file */
             if (descent->out)
                 drop_key(descent->node, name);
             else

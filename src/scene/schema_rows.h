@@ -58,6 +58,8 @@ struct schema_table {
 struct schema_row {
     const char *key;
     const char *alias; /* an older name of the key, still read, with a note; NULL: none */
+    /* NAME: {file: PATH} stands for the name `file_name`, and PATH at the key `file_key` beside it; NULL: no such form. */
+    const char *file_key, *file_name;
     enum schema_type type;
     const char *unit;     /* in SI ("m/s2"); NULL or "" for a pure number */
     const char *fallback; /* default, as YAML; NULL: none, the key may be left out */

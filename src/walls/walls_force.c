@@ -118,8 +118,8 @@ static void collect(const struct wall_task *task, int w, const struct wall_touch
     put(b->velocity, k, law_add(wall_twist_at(&wall->twist, at), -1.0, sphere.v));
     int material = material_of(task->material, task->particle);
     force_set_coefficients(b, k, &task->context->law->pair[material][wall->options.material]);
+    b->extra[k] = &task->context->law->extra[material][wall->options.material];
     if (task->context->law->general) {
-        b->extra[k] = &task->context->law->extra[material][wall->options.material];
         b->walk.radius[0][k] = state->radius;
         b->walk.radius[1][k] = INFINITY;
         recall_parts(task, w, touch, from, sphere.x, k);
@@ -195,6 +195,10 @@ static void account(const struct wall_task *task, int k) {
     sums->elastic_normal += b->energy[0][k];
     sums->elastic_tangential += b->energy[1][k];
     sums->taken += b->energy[2][k];
+    if (task->context->wall_work) {
+        task->context->wall_work[entry->particle].taken += b->energy[2][k];
+        task->context->wall_work[entry->particle].stored += b->energy[1][k];
+    }
     if (!task->context->want_virial)
         return;
     struct law_vector d = law_scale(entry->lever, get(b->normal, k)), f = get(b->walk.out + FORCE_OUT, k);

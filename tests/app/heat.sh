@@ -174,6 +174,31 @@ conserved() {
         awk -F , 'NR > 1 { exit !($2 > 293.1499999 && $4 < 293.1500001) }' closed/observables.csv
 }
 check 'without differences nothing flows' conserved
+# Friction, dampers and plastic flow warm the grains: what the grains gain is what the contacts lose, springs that end loaded included
+warmed() { # RANKS PART SETTING...
+    local ranks=$1 part=$2
+    shift 2
+    rm -rf warm
+    run_scene "$ranks" gas.yaml warm --set heat.dissipation="$part" --set heat.walls='[]' --set 'observables.list=[{name: energy_thermal}, {name: energy_dissipated}]' \
+        --set 'material_pairs[0].restitution=0.6' --set 'output.dump=~' --set step.dt=0.0008 "$@" && awk -F , -v part="$part" '
+        NR == 2 { begin = $2 } { gain = $2 - begin; lost = part * $3 }
+        END { printf "  lost %.9g, gained %.9g\n", lost, gain; exit !(lost > 0.1 && gain / lost - 1 < 1e-9 && gain / lost - 1 > -1e-9) }' warm/observables.csv
+}
+check 'what contacts lose warms the grains' warmed 1 1 --set threads=2
+check 'a part of it, on 3 ranks' warmed 3 0.25 --set reproducible=false
+check 'plastic contacts and rolling, 2 ranks' warmed 2 1 --set contact='{law: luding, rolling: epsd}' \
+    --set 'material_pairs=[{k_n: 1000, k_2: 2000, k_c: 200, restitution: 0.9, friction: 0.3, rolling_friction: 0.1}]'
+warm_resume() {
+    rm -rf warm more
+    run_scene 1 gas.yaml warm --set heat.dissipation=1 && run_scene 2 gas.yaml more --set heat.dissipation=1 --resume warm/checkpoint-400.h5 && rows warm >a && rows more | cmp - a
+}
+check 'a resume of it gives the same bits, on two ranks' warm_resume
+each_wall() { # the power of each wall in the steady chain
+    run_scene 2 chain.yaml walls --set 'observables.list=[{name: heat_wall}, {name: heat_walls}]' --set step.count=20000 --set observables.every=20000 --set 'output.dump=~' &&
+        tail -n 1 walls/observables.csv | awk -F , '{ H = 1.4 * sqrt(0.1 * 0.004); W = 1.4 * sqrt(0.2 * 0.002); P = 100 / (2 / W + 4 / H)
+            printf "  %s\n", $0; exit !($2 / P > 0.999999 && $2 / P < 1.000001 && $3 / P < -0.999999 && $3 / P > -1.000001 && $4 - $2 - $3 < 1e-12 && $4 - $2 - $3 > -1e-12) }'
+}
+check 'power of each wall' each_wall
 absent() {
     run_scene 1 gas.yaml without --set threads=1 --set 'heat=~' --set 'observables.list=[{name: energy_kinetic}]' \
         --set 'output.dump.fields=[id, position]' && rows without | cut -d ' ' -f 1-5 >cold && cut -d ' ' -f 1-5 one.rows | cmp - cold &&

@@ -24,6 +24,7 @@ dist_check_SCRIPTS += \
 	tests/app/resume.sh \
 	tests/app/stability.sh \
 	tests/app/terminal.sh \
+	tests/app/user_law.sh \
 	tests/app/threads.sh
 
 dist_check_SCRIPTS += tests/app/ranks.sh tests/app/stress.sh
