@@ -309,8 +309,8 @@ static struct errors errors_of(int dimension, int side, double reach, double chi
         for (int d = 0; d < dimension; d++)
             f[i] *= sin(k * c.particles->state[i].x[d]);
     }
-    operators_gradient(&w, (struct operators_values){f, 1}, first);
-    operators_laplacian(&w, (struct operators_values){f, 1}, second);
+    operators_gradient(&w, (struct operators_values){.value = f, .stride = 1}, first);
+    operators_laplacian(&w, (struct operators_values){.value = f, .stride = 1}, second);
     for (size_t i = 0; i < n; i++) {
         for (int d = 0; d < dimension; d++) {
             double exact = k;
@@ -372,7 +372,7 @@ static void test_mls_convergence(void **state) {
 
 /* A plane below z = 0.31 whose normal is z: the mirrored operators of a velocity that is linear in the distance and
  * vanishes at the plane are exact; so is its divergence. */
-static void plane(const void *context, int wall, const double x[3], struct weights_foot *foot) {
+static void plane(const void *context, int64_t wall, const double x[3], struct weights_foot *foot) {
     (void)context, (void)wall;
     *foot = (struct weights_foot){.distance = x[2] - 0.31, .normal = {0, 0, 1}, .velocity = {0.25, 0, 0}};
 }
@@ -413,7 +413,8 @@ static void test_mirror(void **state) {
     assert_true(w.wall_start[w.rows] > 1000);
     double *divergence = memory_allocate(fluid, sizeof *divergence, "test");
     double(*laplacian)[3] = memory_allocate(fluid, sizeof *laplacian, "test");
-    struct operators_values u = {c.particles->state[0].v, sizeof *c.particles->state / sizeof(double)};
+    struct operators_values u = {.value = c.particles->state[0].v,
+                                 .stride = sizeof *c.particles->state / sizeof(double)};
     operators_divergence(&w, u, divergence);
     operators_laplacian_velocity(&w, u, laplacian);
     int near = 0, far = 0;

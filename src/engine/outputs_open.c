@@ -68,7 +68,7 @@ static bool files_open(struct outputs *o, const struct simulation *s, bool resum
 
 struct output_run outputs_run(const struct simulation *s, const char *directory) {
     const struct scene *scene = s->scene;
-    return (struct output_run){
+    struct output_run run = {
         .directory = directory,
         .scene = s->lineage.count > 0 ? s->lineage.run[s->lineage.count - 1].scene : NULL,
         .lineage = &s->lineage,
@@ -76,7 +76,11 @@ struct output_run outputs_run(const struct simulation *s, const char *directory)
         .varying = scene->insertions > 0 || scene->deletions > 0 || simulation_may_lose(s),
         .seed = scene->seed,
         .materials = scene->materials,
-        .material = scene->material};
+        .material = scene->material,
+        .groups = scene->groups};
+    for (int g = 0; g < scene->groups; g++)
+        run.group[g] = scene->group[g].name;
+    return run;
 }
 
 bool outputs_create(struct outputs **outputs, const struct simulation *s, const struct output_run *run,

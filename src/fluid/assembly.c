@@ -107,6 +107,8 @@ struct solve_rows assembly_rows(const struct assembly *assembly) {
 
 double assembly_wall_factor(const struct weights *weights, size_t wall, int component) {
     double straight = 1 + weights->mirror[wall];
+    if (weights->pressed > 0 && weights_foot_of(weights, wall)->pressed)
+        return 0;
     if (!(weights->slip > 0))
         return straight;
     double n = weights->foot[weights->wall_foot[wall]].normal[component],
@@ -143,6 +145,12 @@ void assembly_momentum(struct assembly *assembly, const struct weights *weights,
 
 void assembly_pressure(struct assembly *assembly, const struct weights *weights) {
 #pragma omp parallel for schedule(static)
-    for (size_t row = 0; row < weights->rows; row++)
+    for (size_t row = 0; row < weights->rows; row++) {
+        size_t e = weights_walls(weights, row);
         add_neighbours(assembly, weights, row, 1);
+        for (size_t k = weights->wall_start[row]; weights->pressed > 0 && k < weights->wall_start[row + 1];
+             k++, e++)
+            if (weights_foot_of(weights, k)->pressed)
+                assembly->value[assembly->diagonal[row]] += weights->scalar[e] * (1 + weights->mirror[k]);
+    }
 }

@@ -27,7 +27,7 @@ void assembly_free(struct assembly *assembly);
 void assembly_momentum(struct assembly *assembly, const struct weights *weights, double inertia,
                        double viscous, int component);
 
-/* value = - div grad, no flux through walls. */
+/* value = - div grad, no flux through walls; regular if a pressure is given at open sides. */
 void assembly_pressure(struct assembly *assembly, const struct weights *weights);
 
 struct solve_rows assembly_rows(const struct assembly *assembly);

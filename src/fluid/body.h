@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Bodies: what bounds the fluid. A body is a grain, by its id, or a wall, by -1 - its number. Geometry alone:
+/* Bodies: what bounds the fluid. A body is a grain, by its id, or a wall, by -1 - its number, or an open side of the
+ * box, by -1 - WALLS_MAX - its number (2 x direction, 1 more for the upper side). Geometry alone:
  * the point of a body's surface nearest to x, the normal there out of the body, the signed distance and the
  * velocity of the surface. */
 #ifndef SCREE_FLUID_BODY_H
 #define SCREE_FLUID_BODY_H
 
 #include "fluid/weights.h"
+#include "walls/wall.h"
 
 /* The body of a boundary particle that stands alone, in a closed pocket of fluid: its own place is the wall. */
 enum { BODY_NONE = 0 };
@@ -16,6 +18,14 @@ static inline int64_t body_of_wall(int wall) {
 }
 static inline int body_wall(int64_t body) {
     return (int)(-1 - body);
+}
+
+/* The number of an open side as a body, and back; -1 if the body is none. */
+static inline int64_t body_of_side(int side) {
+    return -1 - WALLS_MAX - side;
+}
+static inline int body_side(int64_t body) {
+    return body < -WALLS_MAX ? (int)(-1 - WALLS_MAX - body) : -1;
 }
 
 /* The foot of x on a sphere: `away` = x - centre, `velocity` and `omega` (NULL: no spin) of the sphere. The

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Forces at feet, brought home to the grains. Read drag.h first. */
+/* Forces at feet, brought home to grains, groups and walls. Read drag.h first. */
 #include "fluid/drag.h"
 #include "core/memory.h"
 #include "fluid/fields.h"
-#include "fluid/forces.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
 #include <stdlib.h>
@@ -34,23 +33,32 @@ static size_t places_make(const struct particles *p, struct place **places) {
     return count;
 }
 
-void drag_on_grains(const struct physics_context *context, const struct flow *flow, double viscosity) {
-    struct particles *p = context->particles;
-    const struct weights *weights = flow->weights;
-    double *drag = fluid_drag(p);
+/* The grain of each foot. */
+static void grains_find(struct forces *forces, const struct particles *p, const struct weights *weights) {
     struct place *places;
     size_t feet = weights->foot_start[weights->rows], count = places_make(p, &places);
-    struct forces_part *part = memory_allocate(feet, sizeof *part, "forces of the fluid");
-    memset(drag, 0, 3 * (p->owned + p->ghosts) * sizeof *drag);
-    forces_feet(flow, viscosity, part);
+    forces->grain = memory_resize(forces->grain, feet, sizeof *forces->grain, "forces of the fluid");
     for (size_t k = 0; k < feet; k++) {
         const struct place key = {weights->foot[k].body, 0};
-        const struct place *at = key.id > 0 ? bsearch(&key, places, count, sizeof *places, by_id) : NULL;
-        for (size_t d = 0; at && d < 3; d++)
-            drag[3 * at->number + d] += part[k].viscous[d] + part[k].pressure[d];
+        const struct place *at =
+            key.id > 0 && count > 0 ? bsearch(&key, places, count, sizeof *places, by_id) : NULL;
+        forces->grain[k] = at ? at->number : SIZE_MAX;
     }
-    memory_free(part);
     memory_free(places);
+}
+
+void drag_look(struct forces *forces, const struct physics_context *context, const struct flow *flow,
+               double viscosity) {
+    struct particles *p = context->particles;
+    double *force = fluid_drag(p);
+    size_t feet = flow->weights->foot_start[flow->weights->rows];
+    grains_find(forces, p, flow->weights);
+    forces->part = memory_resize(forces->part, feet, sizeof *forces->part, "forces of the fluid");
+    forces_feet(flow, viscosity, forces->part);
+    memset(force, 0, 3 * (p->owned + p->ghosts) * sizeof *force);
+    for (size_t k = 0; k < feet; k++)
+        for (size_t d = 0; forces->grain[k] != SIZE_MAX && d < 3; d++)
+            force[3 * forces->grain[k] + d] += forces->part[k].viscous[d] + forces->part[k].pressure[d];
     if (context->ghosts) {
         struct field_list list = fields_one(fluid_drag_handle(p));
         ghosts_sum(context->ghosts, p, &list);

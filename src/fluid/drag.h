@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The force of the fluid on each grain: forces at feet (forces.h), summed over the ranks that hold copies. */
+/* The force of the fluid on bodies: forces at feet (forces.h), summed by grain, by group or by wall. */
 #ifndef SCREE_FLUID_DRAG_H
 #define SCREE_FLUID_DRAG_H
 
 #include "engine/physics.h"
 #include "fluid/flow.h"
+#include "fluid/forces.h"
 
-/* Fills the field `drag` of the owned grains; `viscosity` is dynamic. Collective. */
-void drag_on_grains(const struct physics_context *context, const struct flow *flow, double viscosity);
+/* Finds the forces at all feet, to be released by forces_free, and fills the field `drag` of the owned grains; `viscosity` is dynamic.
+ * Collective. */
+void drag_look(struct forces *forces, const struct physics_context *context, const struct flow *flow,
+               double viscosity);
 
 #endif

@@ -211,6 +211,15 @@ static void take_drag(const struct observable_context *context, struct observabl
             part[d] += value[3 * i + (size_t)d];
 }
 
+#define FORCE(name)                                                                                          \
+    {name "x", NULL, NULL}, {name "y", NULL, NULL}, {                                                        \
+        name "z", NULL, NULL                                                                                 \
+    }
+#define TORQUE(axis)                                                                                         \
+    { "torque_" axis, "N m", "N" }
+static const struct observable_component drag_components[] = {
+    FORCE(""), FORCE("viscous_"), FORCE("pressure_"), TORQUE("x"), TORQUE("y"), TORQUE("z")};
+
 #define INFO(word, unit, text, components)                                                                   \
     .info = {"fluid_" word, "fluid", unit, text, OBSERVABLE_OF_ALL, components, unit}, .parts = components,  \
     .relevant = known
@@ -226,6 +235,14 @@ static const struct observable_kind kinds[] = {
      .parts = 3,
      .relevant = known,
      .of_rank = take_drag},
+    {.info = {"drag", "", "N",
+              "force of the fluid on a wall or a group of grains, its viscous part, its pressure part, and "
+              "its torque (N m; of "
+              "a wall about its centre, of a group the sum of those on its grains about their centres)",
+              OBSERVABLE_OF_BODY, 12, "N/m"},
+     .component = drag_components,
+     .parts = 12,
+     .of_rank = shown_drag},
     {.info = {"flow_rate", "fluid", "kg/s", "mass of the fluid that flows along each direction",
               OBSERVABLE_OF_ALL, 3, "kg/(m s)"},
      .parts = 3,

@@ -4,7 +4,10 @@
 #include "core/memory.h"
 #include "fluid/body.h"
 #include "fluid/fields.h"
+#include "fluid/fill_open.h"
+#include "fluid/marks.h"
 #include "fluid/motion.h"
+#include "fluid/open.h"
 #include "fluid/regions.h"
 #include "fluid/state.h"
 #include "particles/fields.h"
@@ -92,14 +95,21 @@ static bool suits(const struct nodes *nodes, const struct regions *regions,
     if (open < 0)
         return true;
     double x[3];
+    char side[64] = "";
     nodes_place(nodes, open, x);
+    for (int k = 0; k < 2 * nodes->dimension; k++) {
+        double away = k % 2 ? context->box->edge[k / 2] - x[k / 2] : x[k / 2];
+        if (!context->box->periodic[k / 2] && away < nodes->support && side[0] == '\0')
+            snprintf(side, sizeof side, ", the side %s of the box", open_name(k));
+    }
     for (int d = 0; d < 3; d++)
         x[d] += context->box->origin[d];
     return scene_fail(
         context->scene, error, "fluid.fill",
-        "the fluid has an open side near (%g, %g, %g); needed there: a wall, a grain or a periodic "
-        "direction (free surfaces and open ends are not built yet)",
-        x[0], x[1], x[2]);
+        "the fluid has an open side near (%g, %g, %g)%s; needed there: a wall, a grain, a periodic "
+        "direction, or, at a side of the box, a velocity or pressure in fluid.open (free "
+        "surfaces are not built yet)",
+        x[0], x[1], x[2], side);
 }
 
 /* Taylor and Green's vortices need a square that repeats. */
@@ -134,11 +144,14 @@ static bool options_suit(const struct physics_context *context, struct error *er
 bool fill_run(const struct physics_context *context, const struct physics_share *share, struct error *error) {
     struct nodes nodes = {0};
     struct regions regions = {0};
-    bool good = solver_there(context, error) && options_suit(context, error) && flow_suits(context, error) &&
-                nodes_make(&nodes, context, error);
-    if (good)
+    bool good = solver_there(context, error) && options_suit(context, error) && open_suits(context, error) &&
+                flow_suits(context, error) && nodes_make(&nodes, context, error);
+    if (good) {
+        marks_make(&nodes, context);
         regions = regions_find(&nodes);
-    good = good && suits(&nodes, &regions, context, error);
+    }
+    good =
+        good && suits(&nodes, &regions, context, error) && fill_open_suits(&nodes, &regions, context, error);
     for (int64_t node = 0; good && node < nodes.all; node++) {
         double x[3];
         bool deep = nodes.state[node] == NODES_SOLID && nodes.depth[node] >= nodes.support;

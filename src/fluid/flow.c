@@ -18,27 +18,27 @@ void flow_forward(const struct flow *flow, enum flow_array array) {
 }
 
 struct operators_values flow_velocity(const struct flow *flow) {
-    return (struct operators_values){flow->velocity, flow->velocity_stride};
+    return (struct operators_values){.value = flow->velocity, .stride = flow->velocity_stride};
 }
 
 struct operators_values flow_pressure(const struct flow *flow) {
-    return (struct operators_values){flow->pressure, 1};
+    return (struct operators_values){flow->pressure, 1, 1};
 }
 
 struct operators_values flow_predicted(const struct flow *flow) {
-    return (struct operators_values){flow->predicted, 3};
+    return (struct operators_values){.value = flow->predicted, .stride = 3};
 }
 
 struct operators_values flow_increment(const struct flow *flow) {
-    return (struct operators_values){flow->increment, 1};
+    return (struct operators_values){.value = flow->increment, .stride = 1};
 }
 
 struct operators_values flow_drift(const struct flow *flow) {
-    return (struct operators_values){flow->drift, 3};
+    return (struct operators_values){.value = flow->drift, .stride = 3};
 }
 
 struct operators_values flow_gradient(const struct flow *flow) {
-    return (struct operators_values){flow->gradient, 3};
+    return (struct operators_values){.value = flow->gradient, .stride = 3};
 }
 
 void flow_mean(const struct flow *flow, struct operators_values value, double mean[3], double *volume) {

@@ -36,6 +36,7 @@ struct flow {
     double *drift_advection; /* (drift . grad) u */
     double *gradient;        /* grad p; scratch of a step */
     int64_t *row;            /* global number of a fluid particle's row (flow_number) */
+    bool pressed;            /* a pressure is given at an open side of each region: it has no free constant */
     int regions;             /* connected regions of the fluid on all ranks, >= 1 */
     const int32_t *region;   /* by row of the weights; NULL with one region */
     /* Sends an array's values to the copies. NULL: there are none. Collective. */

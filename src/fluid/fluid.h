@@ -35,6 +35,16 @@ struct fluid_drive {
     int axis;             /* 0, 1, 2 */
 };
 
+/* What is given at an open side of the box. */
+enum fluid_open_profile { FLUID_PLUG, FLUID_PARABOLIC };
+enum { FLUID_OPENS_MAX = 6 };
+struct fluid_open {
+    int side; /* 2 x direction, 1 more for the upper side */
+    enum fluid_open_profile profile;
+    double velocity[3]; /* length/time; NAN: not given */
+    double pressure;    /* NAN: not given */
+};
+
 struct fluid_walls {
     int condition;      /* 1: slip */
     double slip_length; /* length; of slip */
@@ -83,6 +93,8 @@ struct fluid_options {
     struct fluid_fill fill;
     struct fluid_drive drive;
     struct fluid_walls walls;
+    int opens;
+    struct fluid_open open[FLUID_OPENS_MAX];
     struct fluid_initial initial;
     struct fluid_solver solver;
 };

@@ -118,6 +118,26 @@ static const struct schema_row walls_rows[] = {
 };
 static const struct schema_table walls_table = TABLE(walls_rows);
 
+static const struct schema_name side_names[] = {
+    {"x_lower", 0, NULL}, {"x_upper", 1, NULL}, {"y_lower", 2, NULL}, {"y_upper", 3, NULL}, {"z_lower", 4, NULL},
+    {"z_upper", 5, NULL}, {0}};
+static const struct schema_name open_profile_names[] = {
+    {"plug", FLUID_PLUG, "the same all over the side"},
+    {"parabolic", FLUID_PARABOLIC, "that of a channel as wide as the box: times 4 s (1 - s) along each direction of the side that "
+                                   "is not periodic, s = 0 ... 1 from face to face"},
+    {0}};
+static const struct schema_row open_rows[] = {
+    {.key = "side", .type = SCHEMA_NAME, .names = side_names, .required = true, AT(struct fluid_open, side),
+     .help = "side of the box", .example = "x_lower"},
+    {.key = "velocity", .type = SCHEMA_VECTOR, .unit = "m/s", AT(struct fluid_open, velocity),
+     .help = "velocity that is given there", .example = "[1, 0, 0]"},
+    {.key = "profile", .type = SCHEMA_NAME, .names = open_profile_names, .fallback = "plug", AT(struct fluid_open, profile),
+     .help = "the velocity over the side"},
+    {.key = "pressure", .type = SCHEMA_REAL, .unit = "Pa", AT(struct fluid_open, pressure),
+     .help = "instead: pressure that is given there; the velocity does not change along the normal", .example = "0"},
+};
+static const struct schema_table open_table = TABLE(open_rows);
+
 static const struct schema_row initial_rows[] = {
     {.key = "flow", .type = SCHEMA_NAME, .names = profile_names, .fallback = "uniform", AT(struct fluid_initial, profile),
      .help = "the flow at the start"},
@@ -163,6 +183,8 @@ static const struct schema_row section[] = {
      .help = "the drive of the flow, besides moving walls"},
     {.key = "walls", .type = SCHEMA_SECTION, .sub = &walls_table, .main = "velocity",
      .offset = offsetof(struct fluid_options, walls), .help = "conditions at walls and grains"},
+    {.key = "open", .type = SCHEMA_LIST, .sub = &open_table, ARRAY_AT(struct fluid_options, open, opens),
+     .help = "open sides of the box, where fluid comes and goes"},
     {.key = "initial", .type = SCHEMA_SECTION, .sub = &initial_table, .main = "flow",
      .offset = offsetof(struct fluid_options, initial), .help = "the fluid at the start"},
     {.key = "solver", .type = SCHEMA_SECTION, .sub = &solver_table, .offset = offsetof(struct fluid_options, solver),

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Forces on bodies, foot by foot. Read forces.h first. */
 #include "fluid/forces.h"
+#include "core/memory.h"
 
 #include <string.h>
 
@@ -26,4 +27,10 @@ void forces_feet(const struct flow *flow, double viscosity, struct forces_part *
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++)
             add_entry(flow, row, e, k, viscosity, &part[weights->wall_foot[k]]);
     }
+}
+
+void forces_free(struct forces *forces) {
+    memory_free(forces->part);
+    memory_free(forces->grain);
+    *forces = (struct forces){0};
 }

@@ -17,6 +17,13 @@ struct forces_part {
     double viscous[3], pressure[3];
 };
 
+/* The forces at all feet of the weights, with the bodies that they act on. All owned. */
+struct forces {
+    struct forces_part *part; /* by foot; NULL: none yet */
+    size_t *grain;            /* by foot: number of the grain, owned or a copy; SIZE_MAX: another body */
+};
+void forces_free(struct forces *forces);
+
 /* part[foot] = the force on the body of the foot, over the neighbours of its row; feet lie at x_i - d_i n.
  * `viscosity` is dynamic. Copies need not be up to date. Opens its own team. */
 void forces_feet(const struct flow *flow, double viscosity, struct forces_part *part);

@@ -9,10 +9,14 @@ libfluid_la_SOURCES = \
 	src/fluid/drag.h \
 	src/fluid/drive.c \
 	src/fluid/drive.h \
+	src/fluid/feet.c \
+	src/fluid/feet.h \
 	src/fluid/fields.c \
 	src/fluid/fields.h \
 	src/fluid/fill.c \
 	src/fluid/fill.h \
+	src/fluid/fill_open.c \
+	src/fluid/fill_open.h \
 	src/fluid/flow.c \
 	src/fluid/flow.h \
 	src/fluid/flow_fields.c \
@@ -28,6 +32,8 @@ libfluid_la_SOURCES = \
 	src/fluid/look.h \
 	src/fluid/march.c \
 	src/fluid/march.h \
+	src/fluid/marks.c \
+	src/fluid/marks.h \
 	src/fluid/mirror.c \
 	src/fluid/mirror.h \
 	src/fluid/mls.c \
@@ -38,6 +44,8 @@ libfluid_la_SOURCES = \
 	src/fluid/motion.h \
 	src/fluid/nodes.c \
 	src/fluid/nodes.h \
+	src/fluid/open.c \
+	src/fluid/open.h \
 	src/fluid/operators.c \
 	src/fluid/operators.h \
 	src/fluid/path.c \
@@ -56,6 +64,7 @@ libfluid_la_SOURCES = \
 	src/fluid/shift.h \
 	src/fluid/shown.c \
 	src/fluid/shown.h \
+	src/fluid/shown_drag.c \
 	src/fluid/state.h \
 	src/fluid/steady.c \
 	src/fluid/steady.h \

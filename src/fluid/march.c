@@ -5,6 +5,7 @@
 #include "core/checksum.h"
 #include "core/memory.h"
 #include "fluid/drag.h"
+#include "fluid/feet.h"
 #include "fluid/fields.h"
 #include "fluid/flow_fields.h"
 #include "fluid/look.h"
@@ -24,14 +25,6 @@
 
 /* Time of a step in which nothing but the steady flow is looked for, in units of the scene. */
 #define STEADY_STEP 1.0
-
-static void wall_foot(const void *context, int wall, const double x[3], struct weights_foot *foot) {
-    struct wall_foot found;
-    walls_foot(context, wall, x, &found);
-    foot->distance = found.distance;
-    memcpy(foot->normal, found.normal, sizeof foot->normal);
-    memcpy(foot->velocity, found.velocity, sizeof foot->velocity);
-}
 
 /* What weights are made from, after a rebuild. */
 static void input_of(const struct physics_context *context, struct fluid *fluid) {
@@ -71,12 +64,13 @@ static void volumes_share(const struct physics_context *context, const struct fl
 /* Weights and mirrors for the present places of the particles. */
 static void weights_of(const struct physics_context *context, struct fluid *fluid) {
     struct particles *p = context->particles;
+    const struct feet feet = {context->walls, fluid->options, context->box};
     const struct mirror_input mirror = {.rows = &fluid->input,
                                         .body = fluid_body(p),
                                         .spin = (const double(*)[4])spin_of(p),
                                         .spacing = fluid->options->spacing,
-                                        .wall = wall_foot,
-                                        .context = context->walls};
+                                        .wall = feet_on,
+                                        .context = &feet};
     weights_rows(&fluid->weights, &fluid->input, &fluid->weigh);
     volumes_share(context, fluid);
     weights_weigh(&fluid->weights, &fluid->input, &fluid->weigh);
@@ -121,6 +115,7 @@ void march_rebuilt(const struct physics_context *context) {
     }
     fluid->layout = layout;
     flow_fields_take(&fluid->flow, context, &fluid->weights, fluid->regions);
+    fluid->flow.pressed = open_pressed(fluid->options);
     flow_forward(&fluid->flow, FLOW_VELOCITY);
     flow_forward(&fluid->flow, FLOW_PRESSURE);
     if (changed)
@@ -225,10 +220,11 @@ static void walls_follow(const struct physics_context *context, struct fluid *fl
             struct weights_foot *foot = &weights->foot[k];
             struct wall_foot now;
             double across = 0;
-            if (foot->body >= 0)
+            if (foot->body >= 0 || body_side(foot->body) >= 0)
                 continue;
             walls_foot(context->walls, body_wall(foot->body),
-                       context->particles->state[weights->first + row].x, &now);
+                       context->particles->state[weights->first + row].x,
+                       feet_reach(fluid->options, context->box), &now);
             for (int d = 0; d < 3; d++)
                 across += now.normal[d] * now.velocity[d] * context->clock->dt;
             moved += fabs(across) > same;
@@ -243,7 +239,7 @@ double march_limit(const struct physics_context *context, double most) {
         return fmin(most, STEADY_STEP);
     if (fluid->options->equations == FLUID_STOKES)
         return most;
-    double speed = speed_largest(context);
+    double speed = fmax(speed_largest(context), open_speed(fluid->options));
     return speed > 0 ? fmin(most, COURANT * fluid->options->spacing / speed) : most;
 }
 
@@ -286,7 +282,7 @@ void march_look(const struct physics_context *context) {
     operators_divergence(&fluid->weights, flow_velocity(&fluid->flow), divergence + fluid->weights.first);
     memcpy(fluid_condition(context->particles) + fluid->weights.first, fluid->weights.condition,
            fluid->weights.rows * sizeof *fluid->weights.condition);
-    drag_on_grains(context, &fluid->flow, fluid->options->viscosity);
+    drag_look(&fluid->forces, context, &fluid->flow, fluid->options->viscosity);
     look_viscous(&fluid->flow,
                  fluid->options->viscosity * kernel_power(fluid->options->spacing, context->box->dimension),
                  fluid_drag(context->particles));
@@ -306,5 +302,6 @@ void march_end(void *self) {
     }
     weights_free(&fluid->weights);
     pair_rows_free(&fluid->pairs);
+    forces_free(&fluid->forces);
     memory_free(fluid);
 }

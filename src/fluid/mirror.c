@@ -45,7 +45,7 @@ static bool grain_foot(const struct build *build, size_t i, int64_t body, struct
     foot->distance = INFINITY;
     for (size_t e = rows->pairs->start[i]; e < rows->pairs->start[i + 1]; e++) {
         size_t j = pair_partner(rows->pairs->partner[e]);
-        struct weights_foot one;
+        struct weights_foot one = {0};
         double apart[3], away[3];
         if (rows->kind == NULL || rows->kind[j] != KIND_GRAIN || rows->particles->id[j] != body)
             continue;
@@ -78,14 +78,31 @@ static bool foot_make(const struct build *build, size_t row, size_t entry, struc
     *foot = (struct weights_foot){0};
     separation(build, i, build->weights->partner[entry], apart);
     if (body < 0)
-        build->input->wall(build->input->context, body_wall(body), build->input->rows->particles->state[i].x,
-                           foot);
+        build->input->wall(build->input->context, body, build->input->rows->particles->state[i].x, foot);
     else if (body == BODY_NONE || !(found = grain_foot(build, i, body, foot)))
         own_foot(apart, foot);
     foot->body = body;
     *behind += foot->distance < -MIRROR_BEHIND * build->input->spacing;
     foot->distance = fmax(foot->distance, WEIGHTS_NEAREST * build->input->spacing);
     return found;
+}
+
+/* beta of an entry: the depth of j behind the plane at i's foot, over i's distance. Where j is not behind that plane,
+ * as with a wall that is bent around the fluid, the plane at j's own foot takes its place. */
+static double beta_of(const struct build *build, size_t i, size_t entry, const struct weights_foot *foot) {
+    double apart[3], x[3], away = 0;
+    separation(build, i, build->weights->partner[entry], apart);
+    double behind = body_behind(foot, apart);
+    if (behind > 0 || foot->body >= 0)
+        return behind / foot->distance;
+    struct weights_foot own = {0};
+    for (int d = 0; d < 3; d++)
+        x[d] = build->input->rows->particles->state[i].x[d] + apart[d];
+    build->input->wall(build->input->context, foot->body, x, &own);
+    for (int d = 0; d < 3; d++)
+        away -= own.normal[d] * apart[d];
+    double before = away + own.distance;
+    return own.distance < 0 && before > WEIGHTS_NEAREST * build->input->spacing ? -own.distance / before : 0;
 }
 
 /* Returns the number of entries without a body; adds to `behind` 1 if the particle is behind a body. */
@@ -95,7 +112,6 @@ static size_t row_fill(const struct build *build, size_t row, size_t *behind) {
     size_t walls = weights_walls(weights, row), before = weights->wall_start[row];
     for (size_t e = walls; e < weights->start[row + 1]; e++) {
         size_t first = first_of_body(build, row, e), own = before + (e - walls);
-        double apart[3];
         bool found = true;
         if (first == e) {
             weights->wall_foot[own] = (uint32_t)at;
@@ -103,9 +119,7 @@ static size_t row_fill(const struct build *build, size_t row, size_t *behind) {
         } else {
             weights->wall_foot[own] = weights->wall_foot[before + (first - walls)];
         }
-        const struct weights_foot *foot = &weights->foot[weights->wall_foot[own]];
-        separation(build, i, weights->partner[e], apart);
-        weights->mirror[own] = body_behind(foot, apart) / foot->distance;
+        weights->mirror[own] = beta_of(build, i, e, weights_foot_of(weights, own));
         lost += !found;
     }
     *behind += deep > 0;
@@ -131,5 +145,8 @@ size_t mirror_make(struct weights *weights, const struct mirror_input *input) {
     for (size_t row = 0; row < weights->rows; row++)
         lost += row_fill(&build, row, &behind);
     weights->behind = behind;
+    weights->pressed = 0;
+    for (size_t k = 0; k < sum; k++)
+        weights->pressed += weights->foot[k].pressed;
     return lost;
 }

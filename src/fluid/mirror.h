@@ -12,8 +12,9 @@ struct mirror_input {
     const int64_t *body;              /* of boundary particles, by particle number */
     const double (*spin)[4];          /* angular velocities, by particle number; NULL: none */
     double spacing;
-    /* The foot of a place on a wall; NULL: no walls. Any thread. */
-    void (*wall)(const void *context, int wall, const double x[3], struct weights_foot *foot);
+    /* The foot of a place on a wall or an open side, by its number as a body (body.h); NULL: none of both. Any
+     * thread. */
+    void (*wall)(const void *context, int64_t body, const double x[3], struct weights_foot *foot);
     const void *context;
 };
 
@@ -21,7 +22,7 @@ struct mirror_input {
  * as one at WEIGHTS_NEAREST above. */
 #define MIRROR_BEHIND 0.5
 
-/* Fills mirror, wall_foot, foot, foot_start and behind of weights that weights_make has made. Returns the number of
+/* Fills mirror, wall_foot, foot, foot_start, pressed and behind of weights that weights_make has made. Returns the number of
  * wall neighbours whose grain was not found (a mistake of the program). Opens its own team. */
 size_t mirror_make(struct weights *weights, const struct mirror_input *input);
 

@@ -131,8 +131,7 @@ static void gather(struct nodes *nodes, const struct physics_context *context) {
     comm_broadcast(context->comm, nodes->grain, nodes->grains * sizeof *nodes->grain);
 }
 
-/* A node becomes solid, or goes on as the part of the body in which it lies deepest. */
-static void claim(struct nodes *nodes, int64_t node, int32_t owner, double depth) {
+void nodes_claim(struct nodes *nodes, int64_t node, int32_t owner, double depth) {
     if (nodes->state[node] == NODES_SOLID && !((float)depth > nodes->depth[node]))
         return;
     nodes->state[node] = NODES_SOLID;
@@ -157,7 +156,7 @@ static void claim_if_inside(struct nodes *nodes, int32_t number, const int64_t a
     for (int d = 0; d < nodes->dimension; d++)
         square += (x[d] - grain->x[d]) * (x[d] - grain->x[d]);
     if (square <= grain->radius * grain->radius)
-        claim(nodes, node, number, grain->radius - sqrt(square));
+        nodes_claim(nodes, node, number, grain->radius - sqrt(square));
 }
 
 /* Marks the nodes in a grain; places of nodes are not wrapped here, so that a grain reaches across the box. */
@@ -176,19 +175,24 @@ static void grain_mark(struct nodes *nodes, int32_t number) {
                 claim_if_inside(nodes, number, at);
 }
 
-/* Marks the nodes behind a wall. */
+/* The place of a node that has a number, displaced but not wrapped. */
+static void place_plain(const struct nodes *nodes, int64_t node, double x[3]) {
+    int64_t at[3];
+    split(nodes, node, at);
+    place_at(nodes, at, x);
+    displace(nodes, node, x);
+}
+
+/* Marks the nodes behind a wall that is no mesh. */
 static void wall_mark(struct nodes *nodes, const struct walls *walls, int wall) {
 #pragma omp parallel for schedule(static)
     for (int64_t node = 0; node < nodes->all; node++) {
         struct wall_foot foot;
-        int64_t at[3];
         double x[3];
-        split(nodes, node, at);
-        place_at(nodes, at, x);
-        displace(nodes, node, x);
-        walls_foot(walls, wall, x, &foot);
+        place_plain(nodes, node, x);
+        walls_foot(walls, wall, x, INFINITY, &foot);
         if (foot.distance <= 0)
-            claim(nodes, node, -1 - wall, -foot.distance);
+            nodes_claim(nodes, node, -1 - wall, -foot.distance);
     }
 }
 
@@ -214,16 +218,25 @@ static void region_mark(struct nodes *nodes, const struct fluid_options *options
     }
 }
 
+/* Meshes must be closed, in three dimensions. */
 static bool walls_suit(const struct physics_context *context, struct error *error) {
     for (int w = 0; w < context->scene->walls; w++) {
+        const struct wall_options *wall = &context->scene->wall[w];
+        size_t open = walls_open_edges(context->walls, w);
         char key[64];
-        snprintf(key, sizeof key, "walls[%d].shape", w);
-        if (!walls_one_sided(context->walls, w))
+        snprintf(key, sizeof key, "walls[%d].file", w);
+        if (open > 0)
             return scene_fail(
                 context->scene, error, key,
-                "wall '%s' has no solid side, which a fluid needs; allowed beside `fluid`: planes "
-                "and cylinders without length (meshes and tubes of finite length are not built yet)",
-                context->scene->wall[w].name);
+                "wall '%s' has %zu edges that are not shared by two triangles of one orientation; beside "
+                "`fluid` a mesh must be closed, with normals that point to the fluid",
+                wall->name, open);
+        if (wall->shape == WALL_MESH && context->box->dimension == 2)
+            return scene_fail(
+                context->scene, error, key,
+                "wall '%s' is a mesh, which cannot bound a fluid of two dimensions; take planes and "
+                "cylinders",
+                wall->name);
     }
     return true;
 }
@@ -318,7 +331,8 @@ bool nodes_make(struct nodes *nodes, const struct physics_context *context, stru
     for (size_t k = 0; k < nodes->grains; k++)
         grain_mark(nodes, (int32_t)k);
     for (int w = 0; w < context->scene->walls; w++)
-        wall_mark(nodes, context->walls, w);
+        if (context->scene->wall[w].shape != WALL_MESH)
+            wall_mark(nodes, context->walls, w);
     return true;
 }
 

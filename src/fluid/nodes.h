@@ -26,18 +26,23 @@ struct nodes {
     uint64_t seed;
     int64_t count[3], all;
     uint8_t *state;
-    int32_t *owner; /* SOLID: number of the grain, or -1 - number of the wall; FLUID: number of the region */
-    float *depth;   /* SOLID: depth below the surface of the owner, length */
-    int64_t narrow; /* gaps between two grains of less than NODES_GAP spacings; contacts count */
+    int32_t *
+        owner; /* SOLID: number of the grain, or, of a wall or an open side, its number as a body; FLUID: number of the region */
+    float *depth;     /* SOLID: depth below the surface of the owner, length */
+    int64_t narrow;   /* gaps between two grains of less than NODES_GAP spacings; contacts count */
     double narrowest; /* length; INFINITY without a gap */
     size_t grains;
     struct nodes_grain *grain;
 };
 
-/* Lays the nodes and finds what each is: fluid in the region, solid in grains and behind walls, else void.
+/* Lays the nodes and finds what each is: fluid in the region, solid in grains and behind walls, else void. Meshes and
+ * open sides are left to marks.h.
  * Fails (user) where the scene makes no sense. Collective; the same result on all ranks. */
 bool nodes_make(struct nodes *nodes, const struct physics_context *context, struct error *error);
 void nodes_free(struct nodes *nodes);
+
+/* A node becomes solid, at a depth in the body `owner`, or goes on as the part of the body in which it lies deepest. */
+void nodes_claim(struct nodes *nodes, int64_t node, int32_t owner, double depth);
 
 /* The place of a node, box-relative and wrapped. Any thread. */
 void nodes_place(const struct nodes *nodes, int64_t node, double x[3]);

@@ -10,6 +10,18 @@ static const double *partner_at(const struct weights *weights, struct operators_
     return at(values, pair_partner(weights->partner[entry]));
 }
 
+/* The first wall entry of a row at which a pressure may be given; the end of the row where none is. */
+static size_t pressed_from(const struct weights *weights, size_t row) {
+    return weights->wall_start[row + (weights->pressed == 0)];
+}
+
+/* p_j - p_i of a wall entry: 0, but for an open side of given pressure. */
+static double step_of_pressure(const struct weights *weights, size_t wall, struct operators_values p,
+                               double own) {
+    const struct weights_foot *foot = weights_foot_of(weights, wall);
+    return foot->pressed ? -(1 + weights->mirror[wall]) * (own - p.open * foot->pressure) : 0;
+}
+
 void operators_gradient(const struct weights *weights, struct operators_values p, double (*out)[3]) {
     size_t dimension = (size_t)weights->dimension;
 #pragma omp parallel for schedule(static)
@@ -17,6 +29,12 @@ void operators_gradient(const struct weights *weights, struct operators_values p
         double own = *at(p, weights->first + row), sum[3] = {0};
         for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++) {
             double difference = *partner_at(weights, p, e) - own;
+            for (size_t d = 0; d < dimension; d++)
+                sum[d] += weights->vector[e * dimension + d] * difference;
+        }
+        size_t e = weights_walls(weights, row);
+        for (size_t k = pressed_from(weights, row); k < weights->wall_start[row + 1]; k++, e++) {
+            double difference = step_of_pressure(weights, k, p, own);
             for (size_t d = 0; d < dimension; d++)
                 sum[d] += weights->vector[e * dimension + d] * difference;
         }
@@ -31,13 +49,16 @@ void operators_laplacian(const struct weights *weights, struct operators_values 
         double own = *at(p, weights->first + row), sum = 0;
         for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++)
             sum += weights->scalar[e] * (*partner_at(weights, p, e) - own);
+        size_t e = weights_walls(weights, row);
+        for (size_t k = pressed_from(weights, row); k < weights->wall_start[row + 1]; k++, e++)
+            sum += weights->scalar[e] * step_of_pressure(weights, k, p, own);
         out[row] = sum;
     }
 }
 
 /* u_i - u_w of a wall entry. */
 static void relative_to_wall(const struct weights *weights, size_t wall, const double *own, double out[3]) {
-    const double *velocity = weights->foot[weights->wall_foot[wall]].velocity;
+    const double *velocity = weights_foot_of(weights, wall)->velocity;
     for (int d = 0; d < 3; d++)
         out[d] = own[d] - velocity[d];
 }
@@ -56,6 +77,8 @@ void operators_divergence(const struct weights *weights, struct operators_values
         }
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
             double relative[3], factor = weights_divergence_factor(weights, k);
+            if (weights_foot_of(weights, k)->pressed)
+                continue;
             relative_to_wall(weights, k, own, relative);
             for (size_t d = 0; d < dimension; d++)
                 sum -= factor * weights->vector[e * dimension + d] * relative[d];
@@ -65,15 +88,17 @@ void operators_divergence(const struct weights *weights, struct operators_values
 }
 
 void operators_mirror(const struct weights *weights, size_t wall, const double *own, double difference[3]) {
-    const double *normal = weights->foot[weights->wall_foot[wall]].normal;
+    const struct weights_foot *foot = weights_foot_of(weights, wall);
+    const double *normal = foot->normal;
     double relative[3], across = 0, along = weights_tangential_factor(weights, wall),
                         straight = 1 + weights->mirror[wall];
     relative_to_wall(weights, wall, own, relative);
     for (int d = 0; d < 3; d++)
         across += relative[d] * normal[d];
     for (int d = 0; d < 3; d++)
-        difference[d] = weights->slip > 0 ? -along * relative[d] - (straight - along) * across * normal[d]
-                                          : -straight * relative[d];
+        difference[d] = foot->pressed       ? 0
+                        : weights->slip > 0 ? -along * relative[d] - (straight - along) * across * normal[d]
+                                            : -straight * relative[d];
 }
 
 void operators_laplacian_velocity(const struct weights *weights, struct operators_values u,

@@ -3,7 +3,8 @@
  * number, owned particles and copies, `stride` doubles from one to the next; copies must be up to date.
  * Outputs are arrays by row. Each function opens its own team; bits do not depend on threads.
  *
- * Pressure has no flux through walls: wall neighbours drop out. Velocity is mirrored at the walls. */
+ * Pressure has no flux through walls: wall neighbours drop out. Velocity is mirrored at the walls. Open sides of
+ * given pressure are the other way round: pressure is mirrored, velocity goes on as it is. */
 #ifndef SCREE_FLUID_OPERATORS_H
 #define SCREE_FLUID_OPERATORS_H
 
@@ -13,6 +14,7 @@
 struct operators_values {
     const double *value;
     size_t stride; /* doubles */
+    double open;   /* of a pressure: at open sides its value is this times the pressure that is given there */
 };
 
 /* out[row] = grad p; in two dimensions the third component is 0. */

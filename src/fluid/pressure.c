@@ -7,18 +7,21 @@
 bool pressure_make(struct pressure *pressure, struct solve *solve, struct assembly *assembly,
                    const struct flow *flow, const struct solve_options *options, struct error *error) {
     const struct weights *weights = flow->weights;
+    struct solve_options own = *options;
+    own.pin = flow->pressed ? 0 : own.pin;
     assembly_pressure(assembly, weights);
     struct solve_rows rows = assembly_rows(assembly);
     pressure->side = memory_allocate(weights->rows, sizeof(double), "pressure");
     pressure->solution = memory_allocate_zero(weights->rows, sizeof(double), "pressure");
-    pressure->system = solve_create(solve, &rows, options, error);
+    pressure->system = solve_create(solve, &rows, &own, error);
     if (pressure->system == NULL)
         return false;
     if (flow->regions > SOLVE_REGIONS_MAX)
         return error_set(error, ERROR_USER,
                          "the fluid is in %d regions that are not connected; at most %d are allowed",
                          flow->regions, SOLVE_REGIONS_MAX);
-    solve_null_space(pressure->system, flow->regions, flow->region);
+    if (!flow->pressed)
+        solve_null_space(pressure->system, flow->regions, flow->region);
     return true;
 }
 

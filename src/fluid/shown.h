@@ -17,6 +17,10 @@ void shown_permeability(const struct observable_context *context, struct observa
 void shown_permeability_finish(const struct output_view *view, const struct observable_item *item,
                                double *part);
 
+/* Force of the fluid on a wall or a group, its viscous part, its pressure part, and its torque (of a wall about its
+ * centre; of a group the sum of those on its grains about their centres), as of the last look: twelve parts. */
+void shown_drag(const struct observable_context *context, struct observable_item *item, double *part);
+
 /* Iterations of the last solve for the pressure, or for the steady flow. */
 void shown_iterations(const struct observable_context *context, struct observable_item *item, double *part);
 

@@ -5,6 +5,7 @@
 
 #include "fluid/drive.h"
 #include "fluid/fluid.h"
+#include "fluid/forces.h"
 #include "fluid/projection.h"
 #include "fluid/steady.h"
 
@@ -28,6 +29,7 @@ struct fluid {
     struct projection *projection; /* NULL: no matrices yet */
     struct projection_past past;
     struct drive drive;
+    struct forces forces;  /* of the last look */
     struct steady *steady; /* of a steady flow; NULL: no matrices yet */
     struct steady_report report;
     bool solved;        /* the steady flow is there */

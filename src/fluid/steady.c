@@ -50,7 +50,9 @@ static void apply(struct steady *steady, const double *x, double *y) {
     double dx = steady->options.spacing;
     spread(steady, x);
     operators_divergence(weights, flow_predicted(steady->flow), y + dimension * n);
-    operators_gradient(weights, flow_increment(steady->flow), steady->vector);
+    struct operators_values pressure = flow_increment(steady->flow);
+    pressure.open = dx / steady->options.viscosity;
+    operators_gradient(weights, pressure, steady->vector);
     for (size_t row = 0; row < n; row++) {
         for (size_t d = 0; d < dimension; d++)
             y[d * n + row] = dx * steady->vector[row][d];
@@ -71,9 +73,11 @@ static void multiply(void *context, const double *x, double *y) {
         y[k] -= steady->still[k];
 }
 
-/* Subtracts the mean over each region of the fluid. */
+/* Subtracts the mean over each region of the fluid, where the pressure has a free constant. */
 static void subtract_means(const struct flow *flow, double *value) {
     size_t n = flow->weights->rows, regions = (size_t)flow->regions;
+    if (flow->pressed)
+        return;
     double *sum = memory_allocate_zero(2 * regions, sizeof *sum, "means over regions");
     for (size_t row = 0; row < n; row++) {
         size_t region = flow->region != NULL ? (size_t)flow->region[row] : 0;
@@ -154,9 +158,12 @@ static bool enough(void *context, int iteration, const double *x, double residua
     return steady->change <= steady->options.tolerance && steady->residual <= RESIDUAL_ENOUGH;
 }
 
-/* True if walls or grains hold the fluid. */
+/* True if walls, grains or given velocities hold the fluid. */
 static bool is_held(const struct flow *flow) {
-    int64_t walls = (int64_t)flow->weights->wall_start[flow->weights->rows];
+    const struct weights *weights = flow->weights;
+    int64_t walls = 0;
+    for (size_t k = 0; k < weights->foot_start[weights->rows]; k++)
+        walls += !weights->foot[k].pressed;
     comm_sum_int(flow->comm, &walls, 1);
     return walls > 0;
 }

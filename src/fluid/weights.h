@@ -19,6 +19,11 @@
  *   slip length b, tangential:    f_j - f_i = -(d_i + d_j) / (d_i + b) (f_i - u_w) = -(1 + beta) d_i / (d_i + b) ...
  *   no flux (pressure):           f_j - f_i = 0
  *
+ * and at an open side of given pressure p_w (`pressed`), where the velocity does not change along the normal,
+ *
+ *   velocity:                     f_j - f_i = 0
+ *   pressure:                     f_j - f_i = -(1 + beta) (f_i - p_w)
+ *
  * so the wall part of a velocity row is a diagonal entry and a right-hand side. In a divergence beta is
  * capped at WEIGHTS_MIRROR_CAP. */
 #ifndef SCREE_FLUID_WEIGHTS_H
@@ -39,7 +44,9 @@ struct weights_foot {
     double distance;    /* d_i, length, >= WEIGHTS_NEAREST x spacing */
     double normal[3];   /* unit, out of the body into the fluid; the foot point is x_i - d_i n */
     double velocity[3]; /* of the body's surface there, u_w, length/time */
-    int64_t body;       /* see body.h: id of a grain, or -1 - number of a wall */
+    int64_t body;       /* see body.h: id of a grain, or -1 - number of a wall or of an open side */
+    bool pressed;       /* an open side of given pressure */
+    double pressure;    /* there */
 };
 #define WEIGHTS_NEAREST 1e-4
 
@@ -61,6 +68,7 @@ struct weights {
     double *volume;            /* by row: V_i, length^dimension */
     double *condition; /* by row: |M| |G| / dimension of tensors.h, 1 on a lattice; 0: standard operators */
     double slip;       /* slip length of the walls, >= 0; INFINITY: no friction */
+    size_t pressed;    /* feet at open sides of given pressure (mirror_make) */
     size_t poor;       /* rows without the operators asked for: singular tensors, or too few neighbours */
     size_t poor_first; /* the first of them (a row) */
     size_t behind;     /* rows whose particle lies behind the surface of a body (mirror.h) */
@@ -75,6 +83,11 @@ static inline size_t weights_walls(const struct weights *weights, size_t row) {
 /* 1 + beta of a wall entry, capped for a divergence. */
 static inline double weights_divergence_factor(const struct weights *weights, size_t wall) {
     return 1 + fmin(weights->mirror[wall], WEIGHTS_MIRROR_CAP);
+}
+
+/* The foot of a wall entry. */
+static inline const struct weights_foot *weights_foot_of(const struct weights *weights, size_t wall) {
+    return &weights->foot[weights->wall_foot[wall]];
 }
 
 /* The factor of (u_i - u_w) tangential to the wall, (d_i + d_j) / (d_i + b); 1 + beta without slip. */

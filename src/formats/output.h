@@ -21,6 +21,8 @@ struct output_run {
     bool dimensionless;            /* no unit strings */
     bool varying;                  /* particles are inserted or deleted: all elements are time-dependent */
     uint64_t seed;
+    int groups;                               /* of the scene; 0: none are known */
+    const char *group[INTEGRATOR_GROUPS_MAX]; /* their names */
     int materials;
     const struct law_material *material; /* `materials` rows: names */
 };

@@ -44,10 +44,12 @@ static void print_fields(const struct timers *stages, FILE *out) {
 static void print_columns(FILE *out, const struct observable_kind *kind) {
     static const char *const vector[] = {"x", "y", "z"};
     static const char *const tensor[] = {"xx", "yy", "zz", "xy", "xz", "yz"};
-    static const char *const stems[] = {
-        [OBSERVABLE_OF_WALL] = "WALL", [OBSERVABLE_OF_PARTICLE] = "particleID"};
+    static const char *const stems[] = {[OBSERVABLE_OF_WALL] = "WALL",
+                                        [OBSERVABLE_OF_PARTICLE] = "particleID",
+                                        [OBSERVABLE_OF_BODY] = "drag_BODY"};
     const struct observable_info *info = &kind->info;
-    bool of_one = info->target == OBSERVABLE_OF_WALL || info->target == OBSERVABLE_OF_PARTICLE;
+    bool of_one = info->target == OBSERVABLE_OF_WALL || info->target == OBSERVABLE_OF_PARTICLE ||
+                  info->target == OBSERVABLE_OF_BODY;
     const char *stem = of_one ? stems[info->target] : info->name;
     if (info->target == OBSERVABLE_OF_REGION)
         fprintf(out, "`%s_REGION`", info->name);
@@ -55,7 +57,9 @@ static void print_columns(FILE *out, const struct observable_kind *kind) {
         fprintf(out, "`%s`", stem);
     for (int c = 0; info->components > 1 && c < info->components; c++)
         fprintf(out, "%s`%s_%s%s`", c ? " " : "", stem, kind->symbol ? kind->symbol : "",
-                info->components == 3 ? vector[c] : tensor[c]);
+                kind->component         ? kind->component[c].name
+                : info->components == 3 ? vector[c]
+                                        : tensor[c]);
 }
 
 static void print_takes(FILE *out, const struct observable_info *info) {
@@ -63,7 +67,9 @@ static void print_takes(FILE *out, const struct observable_info *info) {
                                         [OBSERVABLE_OF_WALL] = "`target`: a wall",
                                         [OBSERVABLE_OF_PARTICLE] = "`id`",
                                         [OBSERVABLE_OF_REGION] = "`target`: a region",
-                                        [OBSERVABLE_OF_ALL_OR_REGION] = "`target`: a region, or none"};
+                                        [OBSERVABLE_OF_ALL_OR_REGION] = "`target`: a region, or none",
+                                        [OBSERVABLE_OF_BODY] =
+                                            "`target`: a wall or a group, or `/BODY` after the name"};
     const char *target = takes[info->target];
     fprintf(out, "%s%s%s", target, info->components == 3 && target[0] ? "; " : "",
             info->components == 3 ? "`components`" : "");

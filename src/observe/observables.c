@@ -76,9 +76,12 @@ static void add_columns(struct observables *o, const struct observable_item *ite
             o->column = memory_resize(o->column, (size_t)o->column_room, sizeof *o->column, "observables");
         }
         struct observable_column *column = &o->column[o->columns++];
-        const char *unit = o->flat && kind->info.unit_flat ? kind->info.unit_flat : kind->info.unit;
-        column->unit = o->dimensionless ? "1" : unit;
-        const char *end = kind->info.components == 1   ? ""
+        const struct observable_component *own = kind->component ? &kind->component[c] : NULL;
+        const char *unit = own && own->unit ? own->unit : kind->info.unit,
+                   *flat = own && own->unit ? own->unit_flat : kind->info.unit_flat;
+        column->unit = o->dimensionless ? "1" : o->flat && flat ? flat : unit;
+        const char *end = own                          ? own->name
+                          : kind->info.components == 1 ? ""
                           : kind->info.components == 3 ? vector[c]
                                                        : tensor[c];
         const char *symbol = kind->symbol ? kind->symbol : "";
@@ -134,6 +137,38 @@ static bool add_walls(struct resolving *r, const struct observable_request *requ
     if (found > 1 && request->label[0])
         return error_set(error, ERROR_USER,
                          "observables: %s: the label \"%s\" would name several walls; give a target",
+                         request->name, request->label);
+    return true;
+}
+
+/* Adds the item of a body, if the request is for it; lists its name. */
+static int add_body(struct resolving *r, const struct observable_request *request,
+                    struct observable_item item, const char *name, char known[512]) {
+    char stem[OBSERVABLE_COLUMN_MAX];
+    list_name(known, 512, name);
+    if (request->target[0] && strcmp(request->target, name) != 0)
+        return 0;
+    snprintf(stem, sizeof stem, "%s_%s", observables_get(item.kind)->name, name);
+    add_item(r->o, item, request->label[0] ? request->label : stem);
+    return 1;
+}
+
+/* Walls, and groups but the one of free grains, which is the first. */
+static bool add_bodies(struct resolving *r, const struct observable_request *request,
+                       struct observable_item item, struct error *error) {
+    char known[512] = "";
+    int walls = r->view->walls ? walls_count(r->view->walls) : 0, found = 0;
+    for (item.wall = 0, item.group = -1; item.wall < walls; item.wall++)
+        found += add_body(r, request, item, walls_options(r->view->walls, item.wall)->name, known);
+    for (item.wall = -1, item.group = 1; item.group < r->run->groups; item.group++)
+        found += add_body(r, request, item, r->run->group[item.group], known);
+    if (found == 0 && request->target[0])
+        return error_set(error, ERROR_USER,
+                         "observables: %s: there is no wall and no group \"%s\"; there are: %s",
+                         request->name, request->target, known[0] ? known : "none");
+    if (found > 1 && request->label[0])
+        return error_set(error, ERROR_USER,
+                         "observables: %s: the label \"%s\" would name several bodies; give a target",
                          request->name, request->label);
     return true;
 }
@@ -201,13 +236,15 @@ static bool add_kind(struct resolving *r, const struct observable_request *reque
                      struct error *error) {
     const struct observable_info *info = observables_get(kind);
     struct observable_item item = {
-        .kind = kind, .components = request->components, .material = -1, .id = request->id};
+        .kind = kind, .components = request->components, .material = -1, .group = -1, .id = request->id};
     bool whole_family = strcmp(request->name, info->name) != 0;
     switch (info->target) {
     case OBSERVABLE_OF_WALL:
         return add_walls(r, request, item, error);
     case OBSERVABLE_OF_REGION:
         return add_regions(r, request, item, error);
+    case OBSERVABLE_OF_BODY:
+        return add_bodies(r, request, item, error);
     case OBSERVABLE_OF_PARTICLE:
         return add_particle(r, request, item, error);
     case OBSERVABLE_OF_ALL_OR_REGION:
@@ -225,8 +262,24 @@ static bool add_kind(struct resolving *r, const struct observable_request *reque
     return true;
 }
 
-static bool add_request(struct resolving *r, const struct observable_request *request, struct error *error) {
+/* The request with its target: a name "drag/bed" is the name "drag" and the target "bed". */
+static struct observable_request divide_name(const struct observable_request *request) {
+    struct observable_request divided = *request;
+    char *slash = strchr(divided.name, '/');
+    if (slash) {
+        snprintf(divided.target, sizeof divided.target, "%s", slash + 1);
+        *slash = '\0';
+    }
+    return divided;
+}
+
+static bool add_request(struct resolving *r, const struct observable_request *given, struct error *error) {
+    const struct observable_request divided = divide_name(given), *request = &divided;
     bool found = false;
+    if (given->target[0] && strcmp(given->target, divided.target) != 0)
+        return error_set(error, ERROR_USER,
+                         "observables: %s: has the target \"%s\" already, and another, \"%s\"", given->name,
+                         divided.target, given->target);
     for (int k = 0; k < observables_kinds_count(); k++) {
         const struct observable_kind *kind = observables_kind(k);
         bool named = strcmp(kind->info.name, request->name) == 0;

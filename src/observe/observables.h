@@ -15,7 +15,8 @@ enum observable_target {
     OBSERVABLE_OF_PARTICLE, /* the particle `id`, called `label` in the columns ("ball" gives ball_z[m]) */
     OBSERVABLE_OF_REGION,   /* a region, or "": every region; a material after a slash counts that alone
                                ("zone/glass") */
-    OBSERVABLE_OF_ALL_OR_REGION /* a region in the same way, or "": the whole run */
+    OBSERVABLE_OF_ALL_OR_REGION, /* a region in the same way, or "": the whole run */
+    OBSERVABLE_OF_BODY           /* a wall, or a group of grains; "": every wall and every group */
 };
 
 /* A row of the registry, for help texts and docs. */
@@ -25,7 +26,7 @@ struct observable_info {
     const char *unit;   /* as in a column's head: "J", "kg m/s", "1" */
     const char *help;
     enum observable_target target;
-    int components;        /* columns without a selection: 1, 3 or 6 */
+    int components;        /* columns without a selection: 1, 3 or 6, or as the row says */
     const char *unit_flat; /* where the box has two dimensions; NULL: the same */
 };
 

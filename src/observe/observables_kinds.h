@@ -17,13 +17,14 @@
 #include "observe/observables.h"
 #include <stdio.h>
 
-enum { OBSERVABLE_PARTS_MAX = 8 };
+enum { OBSERVABLE_PARTS_MAX = 12 };
 
 /* A resolved request: what one kind observes of one target. */
 struct observable_item {
     int kind;
     unsigned components;                /* bits of the components that have a column */
     int wall, material;                 /* material -1: all */
+    int group;                          /* OBSERVABLE_OF_BODY: group of grains, where `wall` is -1 */
     const struct output_region *region; /* NULL: the whole run */
     int64_t id;
     int first_part, first_column;
@@ -41,11 +42,18 @@ struct observable_context {
 /* How the parts of ranks combine. */
 enum observable_combine { OBSERVABLE_SUM, OBSERVABLE_MAX };
 
+/* A component whose name and unit are not those of all vectors. */
+struct observable_component {
+    const char *name;             /* end of the column: "viscous_x" */
+    const char *unit, *unit_flat; /* NULL: those of the row */
+};
+
 /* A row of the registry: this rank's part in `parts` numbers, summed (or the largest taken) over ranks, then
  * turned into components. */
 struct observable_kind {
     struct observable_info info;
     const char *symbol; /* before the component in a column of a wall or particle: "v" gives ball_vz */
+    const struct observable_component *component; /* info.components of them; NULL: as usual */
     int parts;
     enum observable_combine combine;
     bool needs_sums;     /* force_sums beyond contacts and overlap */

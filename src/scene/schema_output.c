@@ -101,11 +101,11 @@ static const struct schema_name component_names[] = {
 
 static const struct schema_row request_rows[] = {
     {.key = "name", .type = SCHEMA_CHOICE, .choice = observable_choice, .required = true,
-     AT(struct observable_request, name), .help = "the observable", .example = "position"},
+     .with_target = true, AT(struct observable_request, name), .help = "the observable; NAME/TARGET gives its target, too", .example = "position"},
     {.key = "label", .type = SCHEMA_TEXT, .fallback = "", .in_column = true, AT(struct observable_request, label),
      .help = "first part of the column's name; left out: the target's name", .example = "ball"},
     {.key = "target", .type = SCHEMA_TEXT, .fallback = "", AT(struct observable_request, target),
-     .help = "wall or region, `region/material` for one material; left out: all walls or regions, for stress the whole box",
+     .help = "wall, region or group, `region/material` for one material; left out: all of them, for stress the whole box",
      .example = "floor"},
     {.key = "id", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0",
      AT(struct observable_request, id), .help = "id of the observed particle", .example = "25001"},

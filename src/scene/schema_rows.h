@@ -67,6 +67,7 @@ struct schema_row {
     const char *range;                               /* interval, "(0, inf)" or "[0, 1]"; NULL: any */
     const struct schema_name *names;                 /* NAME: ended by a NULL name */
     const char *(*choice)(int k, const char **help); /* CHOICE: the k-th name, NULL after the last */
+    bool with_target;                                /* CHOICE: NAME/TARGET is a name, too */
     const char *(*traits)(int value); /* NAME: words "a b" that conditions may ask for; NULL: none */
     const char *target;               /* REF, REFS: a list at the top level */
     bool in_column;   /* TEXT: part of a column's name in observables.csv; must not break the name */

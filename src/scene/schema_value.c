@@ -173,8 +173,9 @@ static bool read_name(struct schema_reader *reader, const struct schema_row *row
             memcpy(value, &row->names[k].value, sizeof(int));
             return true;
         }
+    size_t length = row->with_target ? strcspn(node->text, "/") : strlen(node->text);
     for (int k = 0; row->type == SCHEMA_CHOICE && (name = row->choice(k, &help)); k++)
-        if (strcmp(node->text, name) == 0)
+        if (strlen(name) == length && strncmp(node->text, name, length) == 0)
             return read_text(reader, row, node, key, value);
     char why[256];
     snprintf(why, sizeof(why), "'%.80s' is unknown", node->text);

@@ -140,18 +140,26 @@ double walls_displacement(const struct walls *walls);
  * The room inside of a closed mesh is not solid: only its surface is. Any thread. */
 bool walls_overlap(const struct walls *walls, const double x[3], double radius);
 
-/* The point of a one-sided wall (walls_one_sided: a plane, or an infinite cylinder) nearest to a place, as the
- * wall stands now: the distance, negative beyond the wall; the unit normal of the wall there, towards the
- * free side; the velocity of the wall there, in the last half step. */
+/* The point of a wall nearest to a place, as the wall stands now, for physics to which walls are solids: the
+ * distance, negative in the solid; the unit normal of the wall there, out of the solid; the velocity of the
+ * wall there, in the last half step. Solid is
+ *
+ *   plane      all that lies beyond it
+ *   cylinder   particles outside: the cylinder, its ends included. Particles inside: all around the bore, of
+ *              a finite cylinder as far as its length: a bore through a plate
+ *   mesh       the side away from which the normals of its triangles point (right-hand rule). The surface must
+ *              be closed (walls_open_edges) */
 struct wall_foot {
     double distance, normal[3], velocity[3];
 };
 
-/* True if the wall has a solid side, so that walls_foot may be asked. Any thread. */
-bool walls_one_sided(const struct walls *walls, int wall);
+/* The foot of x (box-relative) on a wall. On a mesh the distance is INFINITY if the surface is farther than
+ * `reach`; with an infinite reach each triangle is looked at. Any thread. */
+void walls_foot(const struct walls *walls, int wall, const double x[3], double reach, struct wall_foot *foot);
 
-/* The foot of x (box-relative) on a one-sided wall. Any thread. */
-void walls_foot(const struct walls *walls, int wall, const double x[3], struct wall_foot *foot);
+/* The edges of a mesh that are not shared by two triangles of one orientation: 0 of a closed surface, and of
+ * other shapes. Any thread. */
+size_t walls_open_edges(const struct walls *walls, int wall);
 
 /* At a rebuild: for every owned particle the wall pieces nearer than r + margin(class, walls). Opens its own
  * team. */

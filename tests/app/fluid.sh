@@ -262,7 +262,7 @@ walls: [{name: tube, shape: cylinder, point: [0.5, 0.5, 0.5], axis: [0, 0, 1], r
 fluid: {spacing: 0.1, density: 1, viscosity: 1}
 step: {dt: 1, count: 1}
 YAML
-check "a wall without a solid side" refused 'walls[0].shape|no solid side' tube.yaml
+check "a tube of finite length is a bore through a plate, open at its ends" refused 'tube.yaml:4|open side near' tube.yaml
 stops() {
     "$scree" run channel.yaml -o stops --quiet --set 'walls[1].motion[0].velocity=[0, 0.1, 0]' >/dev/null 2>said
     [ $? = 2 ] && grep -q 'a wall moves towards the fluid' said

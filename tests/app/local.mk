@@ -11,6 +11,7 @@ dist_check_SCRIPTS += \
 	tests/app/density.sh \
 	tests/app/endless.sh \
 	tests/app/fluid.sh \
+	tests/app/fluid_bodies.sh \
 	tests/app/folder.sh \
 	tests/app/guards.sh \
 	tests/app/hard.sh \

@@ -68,7 +68,8 @@ static void place(struct square *s) {
 }
 
 /* The walls y = 0 and y = 1; `context` is the depth of the layers. */
-static void wall_foot(const void *context, int wall, const double x[3], struct weights_foot *foot) {
+static void wall_foot(const void *context, int64_t body, const double x[3], struct weights_foot *foot) {
+    int wall = body_wall(body);
     double y = x[1] - *(const double *)context;
     *foot = (struct weights_foot){.distance = wall == 0 ? y : 1 - y, .normal = {0, wall == 0 ? 1 : -1, 0}};
 }

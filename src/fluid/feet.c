@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Feet on walls and open sides. Read feet.h first. */
+#include "fluid/feet.h"
+#include <string.h>
+
+double feet_reach(const struct fluid_options *options, const struct box *box) {
+    return fluid_support(options, box->dimension) + 2 * options->spacing;
+}
+
+void feet_on(const void *context, int64_t body, const double x[3], struct weights_foot *foot) {
+    const struct feet *feet = context;
+    struct wall_foot found;
+    int side = body_side(body);
+    if (side >= 0) {
+        open_foot(feet->options, feet->box, side, x, foot);
+        return;
+    }
+    walls_foot(feet->walls, body_wall(body), x, feet_reach(feet->options, feet->box), &found);
+    foot->distance = found.distance;
+    memcpy(foot->normal, found.normal, sizeof foot->normal);
+    memcpy(foot->velocity, found.velocity, sizeof foot->velocity);
+}

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Feet on walls and open sides, for mirror.h. */
+#ifndef SCREE_FLUID_FEET_H
+#define SCREE_FLUID_FEET_H
+
+#include "fluid/open.h"
+
+/* All borrowed. */
+struct feet {
+    const struct walls *walls;
+    const struct fluid_options *options;
+    const struct box *box;
+};
+
+/* How far from a wall a place may be of which the foot is asked, length. */
+double feet_reach(const struct fluid_options *options, const struct box *box);
+
+/* As `wall` of struct mirror_input; `context` is a struct feet. Any thread. */
+void feet_on(const void *context, int64_t body, const double x[3], struct weights_foot *foot);
+
+#endif

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The force of the fluid on a wall or a group of grains. Read shown.h and drag.h first. */
+#include "fluid/body.h"
+#include "fluid/shown.h"
+#include "fluid/state.h"
+#include "integrate/groups.h"
+
+/* Adds a foot's share: force, viscous part, pressure part, and the torque with a lever. */
+static void add_foot(const struct forces_part *foot, const double lever[3], double *part) {
+    double force[3];
+    for (int d = 0; d < 3; d++) {
+        force[d] = foot->viscous[d] + foot->pressure[d];
+        part[d] += force[d];
+        part[3 + d] += foot->viscous[d];
+        part[6 + d] += foot->pressure[d];
+    }
+    for (int d = 0; d < 3; d++)
+        part[9 + d] += lever[(d + 1) % 3] * force[(d + 2) % 3] - lever[(d + 2) % 3] * force[(d + 1) % 3];
+}
+
+/* The feet of one row on the body of the item. */
+static void add_row(const struct observable_context *context, const struct observable_item *item, size_t row,
+                    const double centre[3], double *part) {
+    const struct fluid *fluid = context->view->own[PHYSICS_fluid];
+    const struct particles *p = context->view->particles;
+    const uint8_t *group = groups_of(p);
+    const struct weights *weights = &fluid->weights;
+    for (size_t k = weights->foot_start[row]; k < weights->foot_start[row + 1]; k++) {
+        const struct weights_foot *foot = &weights->foot[k];
+        size_t grain = fluid->forces.grain[k];
+        double lever[3];
+        if (item->wall >= 0 ? foot->body != body_of_wall(item->wall)
+                            : grain == SIZE_MAX || group == NULL || group[grain] != item->group)
+            continue;
+        for (int d = 0; d < 3; d++)
+            lever[d] = item->wall >= 0 ? p->state[weights->first + row].x[d] -
+                                             foot->distance * foot->normal[d] - centre[d]
+                                       : p->state[grain].radius * foot->normal[d];
+        add_foot(&fluid->forces.part[k], lever, part);
+    }
+}
+
+void shown_drag(const struct observable_context *context, struct observable_item *item, double *part) {
+    const struct fluid *fluid = context->view->own[PHYSICS_fluid];
+    struct wall_pose pose = {0};
+    if (fluid == NULL || fluid->forces.part == NULL)
+        return;
+    if (item->wall >= 0)
+        walls_pose(context->view->walls, item->wall, &pose);
+    for (size_t row = 0; row < fluid->weights.rows; row++)
+        add_row(context, item, row, pose.centre, part);
+}

@@ -1,0 +1,142 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# What bounds a fluid: meshes, finite cylinders, packings from a file, open sides; the forces on bodies; and what makes no sense.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+cd "$out" || exit 1
+
+# box NAME LOWER UPPER...: closed boxes in one STL file, corners as "x y z"; normals point out of each
+boxes() {
+    printf '%s\n' "${@:2}" | awk -v name="$1" '
+        function facet(a, b, c) { print "facet normal 0 0 0\nouter loop"; print "vertex", p[a]; print "vertex", p[b]; print "vertex", p[c]; print "endloop\nendfacet" }
+        BEGIN { print "solid", name }
+        NR % 2 { split($0, l); next }
+        { split($0, u)
+          for (k = 0; k < 8; k++) p[k] = (k % 2 ? u[1] : l[1]) " " (int(k / 2) % 2 ? u[2] : l[2]) " " (k > 3 ? u[3] : l[3])
+          split("0 2 1 1 2 3 4 5 6 5 7 6 0 1 4 1 5 4 2 6 3 3 6 7 0 4 2 2 4 6 1 3 5 3 7 5", f)
+          for (k = 1; k <= 36; k += 3) facet(f[k], f[k + 1], f[k + 2]) }
+        END { print "endsolid" }' >"$1.stl"
+}
+boxes plates '0 -0.5 0' '0.5 0 0.5' '0 1 0' '0.5 1.5 0.5'
+boxes cube '0.3 0.3 0.3' '0.7 0.7 0.7'
+awk '/^facet/ && !gone { skip = 1 } !skip { print } /^endfacet/ && skip { skip = 0; gone = 1 }' cube.stl >broken.stl
+
+cat >plates.yaml <<'YAML'
+units: none
+box: {lower: [0, -0.5, 0], upper: [0.5, 1.5, 0.5], periodic: [true, false, true]}
+walls:
+  - {name: plates, shape: mesh, file: plates.stl}
+fluid: {spacing: 0.0625, density: 1, viscosity: 1, equations: stokes, time: steady, drive: {body_force: [1, 0, 0]}, solver: {tolerance: 1e-9}}
+step: {count: 1}
+observables: {every: 1, list: [{name: fluid_velocity, components: x}, {name: drag}]}
+YAML
+sed '/name: plates/c\  - {name: lower, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}\n  - {name: upper, shape: plane, point: [0, 1, 0], normal: [0, -1, 0]}' plates.yaml >planes.yaml
+
+if ! "$scree" check planes.yaml >said 2>&1; then
+    grep -q 'built without PETSc' said || { cat said; check "a build without PETSc says so" false; }
+    skip "bodies in a fluid: $(cat said)"
+    check "a build without PETSc names PETSc and status 2" grep -q PETSc said
+    finish
+fi
+
+# value DIR COLUMN: the last value of a column, named without its unit
+value() {
+    awk -F , -v name="$2" 'NR == 1 { for (k = 1; k <= NF; k++) { sub(/\[.*/, "", $k); if ($k == name) c = k }; if (!c) print "no column " name; next } { last = $c } END { print last }' "$1/observables.csv"
+}
+run() { # RANKS SCENE SETTING...
+    local ranks=$1 scene=$2
+    shift 2
+    rm -rf "$scene.$ranks"
+    run_scene "$ranks" "$scene.yaml" "$scene.$ranks" --set threads=1 "$@"
+}
+
+plates() {
+    run 1 planes && run 1 plates && run 2 plates &&
+        within "$(value plates.1 fluid_velocity_x)" "$(value planes.1 fluid_velocity_x)" 1e-9 &&
+        within "$(value plates.2 fluid_velocity_x)" "$(value planes.1 fluid_velocity_x)" 1e-7 &&
+        within "$(value plates.1 drag_plates_x)" 0.25 1e-5 && within "$(value planes.1 drag_lower_x)" 0.125 1e-5 &&
+        within "$(value planes.1 drag_lower_viscous_x)" 0.125 1e-5
+}
+check "plates of a mesh are planes, and carry the body force" plates
+
+cat >cube.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [1, 1, 1], periodic: true}
+walls: [{name: cube, shape: mesh, file: cube.stl}]
+fluid: {spacing: 0.0625, density: 1, viscosity: 1, equations: stokes, time: steady, drive: {body_force: [1, 0, 0]}, solver: {tolerance: 1e-6}}
+step: {count: 1}
+observables: {every: 1, list: [{name: drag/cube, label: body}, {name: fluid_porosity}]}
+YAML
+sed 's/shape: mesh, file: cube.stl/shape: cylinder, point: [0.5, 0.5, 0.5], axis: [0, 0, 1], radius: 0.2, length: 0.4, inside: false/' cube.yaml >stub.yaml
+balance() { # SCENE POROSITY WITHIN: the force on the body is that on the fluid; no torque
+    run 1 "$1" && within "$(value "$1.1" fluid_porosity)" "$2" "$3" &&
+        within "$(value "$1.1" body_x)" "$(value "$1.1" fluid_porosity)" 1e-4 && within "$(value "$1.1" body_torque_z)" 0 1e-6 &&
+        within "$(value "$1.1" body_viscous_x)" "$(awk -v f="$(value "$1.1" body_x)" -v p="$(value "$1.1" body_pressure_x)" 'BEGIN { printf "%.12g", f - p }')" 1e-9
+}
+check "a cube from a mesh" balance cube 0.936 0.02
+check "a cylinder with ends" balance stub 0.9497 0.01
+
+# Flow between an inlet and an outlet, and between two pressures, is Poiseuille's; drop = 12 mu U L / H^2
+cat >channel.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [1, 0.5, 0], dimension: 2}
+walls:
+  - {name: lower, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}
+  - {name: upper, shape: plane, point: [0, 0.5, 0], normal: [0, -1, 0]}
+fluid:
+  spacing: 0.03125
+  density: 1
+  viscosity: 0.1
+  equations: stokes
+  time: steady
+  open:
+    - {side: x_lower, velocity: [1.5, 0, 0], profile: parabolic}
+    - {side: x_upper, pressure: 2}
+  solver: {tolerance: 1e-7}
+step: {count: 1}
+observables: {every: 1, list: [{name: drag/lower}, {name: flow_rate}]}
+output: {dump: {every: 1, fields: [position, velocity, pressure]}}
+YAML
+# profile DIR DROP OUT: in the middle half, largest error of u, of v and of p against U = 1
+profile() {
+    awk -v drop="$2" -v end="$3" '/^ITEM: TIMESTEP/ { u = v = p = n = 0; next }
+        /^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; reading = 1; next } /^ITEM/ { reading = 0 }
+        reading { x = $at["x"]; s = $at["y"] / 0.5; if (x < 0.25 || x > 0.75 || s < 0 || s > 1) next
+            e = $at["vx"] - 6 * s * (1 - s); u = e * e > u ? e * e : u; e = $at["vy"]; v = e * e > v ? e * e : v
+            e = $at["pressure"] - end - drop * (1 - x); p = e * e > p ? e * e : p; n++ }
+        END { printf "  %d particles, errors of u %.3g, v %.3g, p %.3g\n", n, sqrt(u), sqrt(v), sqrt(p); exit !(n == 256 && u < 0.02 ^ 2 && v < 0.001 ^ 2 && p < 0.2 ^ 2) }' "$1/dump.lammpstrj"
+}
+check "an inlet and an outlet" run 1 channel
+check "their flow is that of Poiseuille" profile channel.1 4.8 2
+check "the wall carries half of the drop" within "$(value channel.1 drag_lower_x)" 1.2 0.05
+check "on 3 ranks" run 3 channel
+check "it is the same" within "$(value channel.1 drag_lower_x)" "$(value channel.3 drag_lower_x)" 2e-4
+check "two pressures" run 1 channel --set 'fluid.open=[{side: x_lower, pressure: 6.8}, {side: x_upper, pressure: 2}]'
+check "their flow is that of Poiseuille, too" profile channel.1 4.8 2
+check "in time, with inertia" run 1 channel --set fluid.time=transient --set fluid.equations=navier_stokes --set 'fluid.initial={velocity: [1, 0, 0]}' \
+    --set fluid.solver.tolerance=1e-4 --set 'step={dt: 0.01, count: 120}' --set output.dump.every=120
+check "ends as that of Poiseuille" profile channel.1 4.8 2
+
+# refused WORDS SCENE SETTING...: one line, status 2
+refused() {
+    local words=$1 scene=$2 word
+    local -a list
+    shift 2
+    on 1 "$scree" check "$scene.yaml" "$@" >/dev/null 2>said
+    [ $? = 2 ] && [ "$(wc -l <said)" = 1 ] || { cat said; return 1; }
+    IFS='|' read -ra list <<<"$words"
+    for word in "${list[@]}"; do
+        grep -qF -e "$word" said || { echo "  no '$word' in: $(cat said)"; return 1; }
+    done
+}
+check "an open side without a condition" refused 'channel.yaml:|fluid.fill|needed there|x_upper' channel --set 'fluid.open=[{side: x_lower, velocity: [1, 0, 0]}]'
+check "a side with two conditions" refused 'fluid.open[0]|not both' channel --set 'fluid.open=[{side: x_lower, velocity: [1, 0, 0], pressure: 1}, {side: x_upper, pressure: 0}]'
+check "a side with none" refused 'fluid.open[1]|not none' channel --set 'fluid.open=[{side: x_lower, velocity: [1, 0, 0]}, {side: x_upper}]'
+check "a side twice" refused 'fluid.open[1].side|twice' channel --set 'fluid.open=[{side: x_lower, velocity: [1, 0, 0]}, {side: x_lower, pressure: 0}]'
+check "a side behind a wall" refused 'fluid.open[2].side|no fluid lies at y_lower' channel --set 'fluid.open=[{side: x_lower, velocity: [1, 0, 0]}, {side: x_upper, pressure: 0}, {side: y_lower, pressure: 0}]'
+check "a periodic side" refused 'fluid.open[0].side|periodic' cube --set 'fluid.open=[{side: x_lower, pressure: 0}]'
+check "more flows in than out" refused 'fluid.open|balance' channel --set 'fluid.open=[{side: x_lower, velocity: [1, 0, 0]}, {side: x_upper, velocity: [0.5, 0, 0]}]'
+check "a mesh with a hole" refused 'walls[0].file|3 edges' cube --set 'walls[0].file=broken.stl'
+check "a mesh in two dimensions" refused 'walls[0].file|two dimensions' channel --set 'walls=[{name: a, shape: mesh, file: cube.stl}]'
+check "a body that is not there" refused 'drag|no wall and no group "sphere"|cube' cube --set 'observables.list=[{name: drag/sphere}]'
+finish
