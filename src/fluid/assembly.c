@@ -38,6 +38,19 @@ static size_t longest_row(const struct weights *weights) {
     return longest;
 }
 
+/* The places of the images of a row's wall entries, which are neighbours of the row or its own particle. */
+static void place_images(struct assembly *assembly, const struct flow *flow, size_t row) {
+    const struct weights *weights = flow->weights;
+    size_t e = weights_walls(weights, row);
+    for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
+        const struct weights_image *image = weights_image_of(weights, k);
+        int32_t at = assembly->start[row];
+        while (image != NULL && assembly->column[at] != flow->row[image->particle])
+            at++;
+        assembly->place[e] = at;
+    }
+}
+
 /* Goes through the rows: counts their columns into start[row + 1], or fills. */
 static void scan_rows(struct assembly *assembly, const struct flow *flow, size_t longest, bool fill) {
     const struct weights *weights = flow->weights;
@@ -60,6 +73,8 @@ static void scan_rows(struct assembly *assembly, const struct flow *flow, size_t
             }
             if (!fill)
                 assembly->start[row + 1] = at + 1;
+            else if (weights->opens > 0)
+                place_images(assembly, flow, row);
         }
         memory_free(link);
     }
@@ -107,7 +122,9 @@ struct solve_rows assembly_rows(const struct assembly *assembly) {
 
 double assembly_wall_factor(const struct weights *weights, size_t wall, int component) {
     double straight = 1 + weights->mirror[wall];
-    if (weights->pressed > 0 && weights_foot_of(weights, wall)->pressed)
+    if (weights_image_of(weights, wall) != NULL)
+        return 1;
+    if (weights->opens > 0 && weights_foot_of(weights, wall)->pressed)
         return 0;
     if (!(weights->slip > 0))
         return straight;
@@ -130,6 +147,13 @@ static void add_neighbours(struct assembly *assembly, const struct weights *weig
     value[assembly->diagonal[row]] += factor * sum;
 }
 
+/* Adds the share of the image of a wall entry: -factor w_ij f_m where the value goes on (`even`), else the opposite. */
+static void add_image(struct assembly *assembly, const struct weights *weights, size_t wall, size_t entry,
+                      double factor, bool even) {
+    if (weights_image_of(weights, wall) != NULL)
+        assembly->value[assembly->place[entry]] += (even ? -factor : factor) * weights->scalar[entry];
+}
+
 void assembly_momentum(struct assembly *assembly, const struct weights *weights, double inertia,
                        double viscous, int component) {
 #pragma omp parallel for schedule(static)
@@ -137,8 +161,10 @@ void assembly_momentum(struct assembly *assembly, const struct weights *weights,
         double sum = 0;
         size_t e = weights_walls(weights, row);
         add_neighbours(assembly, weights, row, viscous);
-        for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++)
+        for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
             sum += weights->scalar[e] * assembly_wall_factor(weights, k, component);
+            add_image(assembly, weights, k, e, viscous, weights_foot_of(weights, k)->pressed);
+        }
         assembly->value[assembly->diagonal[row]] += inertia + viscous * sum;
     }
 }
@@ -148,9 +174,14 @@ void assembly_pressure(struct assembly *assembly, const struct weights *weights)
     for (size_t row = 0; row < weights->rows; row++) {
         size_t e = weights_walls(weights, row);
         add_neighbours(assembly, weights, row, 1);
-        for (size_t k = weights->wall_start[row]; weights->pressed > 0 && k < weights->wall_start[row + 1];
-             k++, e++)
-            if (weights_foot_of(weights, k)->pressed)
-                assembly->value[assembly->diagonal[row]] += weights->scalar[e] * (1 + weights->mirror[k]);
+        for (size_t k = weights->wall_start[row]; weights->opens > 0 && k < weights->wall_start[row + 1];
+             k++, e++) {
+            bool pressed = weights_foot_of(weights, k)->pressed, image = weights_image_of(weights, k) != NULL;
+            add_image(assembly, weights, k, e, 1, !pressed);
+            assembly->value[assembly->diagonal[row]] +=
+                weights->scalar[e] * (image     ? 1
+                                      : pressed ? 1 + weights->mirror[k]
+                                                : 0);
+        }
     }
 }

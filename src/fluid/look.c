@@ -22,7 +22,7 @@ void look_vorticity(const struct flow *flow) {
         for (size_t e = weights->start[row]; e < weights->start[row + 1]; e++) {
             const double *other = flow->velocity + pair_partner(weights->partner[e]) * flow->velocity_stride;
             if (e >= walls)
-                operators_mirror(weights, wall++, own, difference);
+                operators_mirror(weights, wall++, flow_velocity(flow), own, difference);
             else
                 for (int d = 0; d < 3; d++)
                     difference[d] = other[d] - own[d];

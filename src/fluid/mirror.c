@@ -126,6 +126,53 @@ static size_t row_fill(const struct build *build, size_t row, size_t *behind) {
     return lost;
 }
 
+/* The image of an entry at an open side: j lies behind the side as deep as m lies before it. */
+static struct weights_image image_of(const struct build *build, size_t row, size_t entry,
+                                     const struct weights_foot *foot) {
+    const struct weights *weights = build->weights;
+    const double near = 1e-3 * build->input->spacing;
+    size_t i = weights->first + row;
+    double apart[3], x[3], off = 0;
+    struct weights_foot own = {0};
+    struct weights_image image = {.particle = WEIGHTS_NO_IMAGE};
+    separation(build, i, weights->partner[entry], apart);
+    for (int d = 0; d < 3; d++)
+        x[d] = build->input->rows->particles->state[i].x[d] + apart[d];
+    build->input->wall(build->input->context, foot->body, x, &own);
+    memcpy(image.velocity, own.velocity, sizeof image.velocity);
+    for (int d = 0; d < 3; d++) {
+        apart[d] -= 2 * own.distance * own.normal[d];
+        off += apart[d] * apart[d];
+    }
+    if (off < near * near)
+        image.particle = (uint32_t)i;
+    for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++) {
+        double to[3], gap = 0;
+        separation(build, i, weights->partner[e], to);
+        for (int d = 0; d < 3; d++)
+            gap += (to[d] - apart[d]) * (to[d] - apart[d]);
+        if (gap < near * near)
+            image.particle = (uint32_t)pair_partner(weights->partner[e]);
+    }
+    return image;
+}
+
+static void images_make(const struct build *build) {
+    struct weights *weights = build->weights;
+    weights->image =
+        memory_resize(weights->image, weights->wall_start[weights->rows], sizeof *weights->image, "weights");
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++) {
+        size_t e = weights_walls(weights, row);
+        for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
+            const struct weights_foot *foot = weights_foot_of(weights, k);
+            weights->image[k] = (struct weights_image){.particle = WEIGHTS_NO_IMAGE};
+            if (foot->open)
+                weights->image[k] = image_of(build, row, e, foot);
+        }
+    }
+}
+
 size_t mirror_make(struct weights *weights, const struct mirror_input *input) {
     const struct build build = {weights, input};
     size_t sum = 0, lost = 0, behind = 0;
@@ -145,8 +192,10 @@ size_t mirror_make(struct weights *weights, const struct mirror_input *input) {
     for (size_t row = 0; row < weights->rows; row++)
         lost += row_fill(&build, row, &behind);
     weights->behind = behind;
-    weights->pressed = 0;
+    weights->opens = 0;
     for (size_t k = 0; k < sum; k++)
-        weights->pressed += weights->foot[k].pressed;
+        weights->opens += weights->foot[k].open;
+    if (weights->opens > 0)
+        images_make(&build);
     return lost;
 }

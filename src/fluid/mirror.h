@@ -22,7 +22,7 @@ struct mirror_input {
  * as one at WEIGHTS_NEAREST above. */
 #define MIRROR_BEHIND 0.5
 
-/* Fills mirror, wall_foot, foot, foot_start, pressed and behind of weights that weights_make has made. Returns the number of
+/* Fills mirror, wall_foot, foot, foot_start, opens, image and behind of weights that weights_make has made. Returns the number of
  * wall neighbours whose grain was not found (a mistake of the program). Opens its own team. */
 size_t mirror_make(struct weights *weights, const struct mirror_input *input);
 

@@ -48,7 +48,12 @@ static void fill_side(const struct momentum *momentum, const struct flow *flow, 
         double sum = 0, difference[3];
         size_t e = weights_walls(weights, row);
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
-            operators_mirror(weights, k, own, difference);
+            const struct weights_image *image = weights_image_of(weights, k);
+            if (image != NULL) { /* the matrix has its own and the image's part */
+                sum += weights_foot_of(weights, k)->pressed ? 0 : 2 * weights->scalar[e] * image->velocity[c];
+                continue;
+            }
+            operators_mirror(weights, k, u, own, difference);
             sum += weights->scalar[e] * (difference[c] + assembly_wall_factor(weights, k, c) * own[c]);
         }
         momentum->side[row] = side[row][c] + momentum->implicit * sum;

@@ -53,6 +53,7 @@ void open_foot(const struct fluid_options *options, const struct box *box, int s
     bool upper = side % 2 == 1;
     *foot = (struct weights_foot){.distance = upper ? box->edge[d] - x[d] : x[d]};
     foot->normal[d] = upper ? -1 : 1;
+    foot->open = true;
     foot->pressed = !gives_velocity(open);
     if (foot->pressed)
         foot->pressure = open->pressure;

@@ -10,16 +10,20 @@ static const double *partner_at(const struct weights *weights, struct operators_
     return at(values, pair_partner(weights->partner[entry]));
 }
 
-/* The first wall entry of a row at which a pressure may be given; the end of the row where none is. */
-static size_t pressed_from(const struct weights *weights, size_t row) {
-    return weights->wall_start[row + (weights->pressed == 0)];
+/* The first wall entry of a row at which a pressure may change; the end of the row without open sides. */
+static size_t open_from(const struct weights *weights, size_t row) {
+    return weights->wall_start[row + (weights->opens == 0)];
 }
 
-/* p_j - p_i of a wall entry: 0, but for an open side of given pressure. */
+/* p_j - p_i of a wall entry: 0, but for an open side. */
 static double step_of_pressure(const struct weights *weights, size_t wall, struct operators_values p,
                                double own) {
     const struct weights_foot *foot = weights_foot_of(weights, wall);
-    return foot->pressed ? -(1 + weights->mirror[wall]) * (own - p.open * foot->pressure) : 0;
+    const struct weights_image *image = weights_image_of(weights, wall);
+    double given = p.open * foot->pressure;
+    if (image != NULL && foot->open)
+        return (foot->pressed ? 2 * given - *at(p, image->particle) : *at(p, image->particle)) - own;
+    return foot->pressed ? -(1 + weights->mirror[wall]) * (own - given) : 0;
 }
 
 void operators_gradient(const struct weights *weights, struct operators_values p, double (*out)[3]) {
@@ -33,7 +37,7 @@ void operators_gradient(const struct weights *weights, struct operators_values p
                 sum[d] += weights->vector[e * dimension + d] * difference;
         }
         size_t e = weights_walls(weights, row);
-        for (size_t k = pressed_from(weights, row); k < weights->wall_start[row + 1]; k++, e++) {
+        for (size_t k = open_from(weights, row); k < weights->wall_start[row + 1]; k++, e++) {
             double difference = step_of_pressure(weights, k, p, own);
             for (size_t d = 0; d < dimension; d++)
                 sum[d] += weights->vector[e * dimension + d] * difference;
@@ -50,7 +54,7 @@ void operators_laplacian(const struct weights *weights, struct operators_values 
         for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++)
             sum += weights->scalar[e] * (*partner_at(weights, p, e) - own);
         size_t e = weights_walls(weights, row);
-        for (size_t k = pressed_from(weights, row); k < weights->wall_start[row + 1]; k++, e++)
+        for (size_t k = open_from(weights, row); k < weights->wall_start[row + 1]; k++, e++)
             sum += weights->scalar[e] * step_of_pressure(weights, k, p, own);
         out[row] = sum;
     }
@@ -61,6 +65,33 @@ static void relative_to_wall(const struct weights *weights, size_t wall, const d
     const double *velocity = weights_foot_of(weights, wall)->velocity;
     for (int d = 0; d < 3; d++)
         out[d] = own[d] - velocity[d];
+}
+
+/* u_j - u_i at an open side, from the image m of j. */
+static void open_mirror(const struct weights_foot *foot, const struct weights_image *image, const double *m,
+                        const double *own, double difference[3]) {
+    for (int d = 0; d < 3; d++)
+        difference[d] = (foot->pressed ? m[d] : 2 * image->velocity[d] - m[d]) - own[d];
+}
+
+void operators_mirror(const struct weights *weights, size_t wall, struct operators_values u,
+                      const double *own, double difference[3]) {
+    const struct weights_foot *foot = weights_foot_of(weights, wall);
+    const double *normal = foot->normal;
+    const struct weights_image *image = weights_image_of(weights, wall);
+    if (image != NULL) {
+        open_mirror(foot, image, at(u, image->particle), own, difference);
+        return;
+    }
+    double relative[3], across = 0, along = weights_tangential_factor(weights, wall),
+                        straight = 1 + weights->mirror[wall];
+    relative_to_wall(weights, wall, own, relative);
+    for (int d = 0; d < 3; d++)
+        across += relative[d] * normal[d];
+    for (int d = 0; d < 3; d++)
+        difference[d] = foot->pressed       ? 0
+                        : weights->slip > 0 ? -along * relative[d] - (straight - along) * across * normal[d]
+                                            : -straight * relative[d];
 }
 
 void operators_divergence(const struct weights *weights, struct operators_values u, double *out) {
@@ -76,29 +107,18 @@ void operators_divergence(const struct weights *weights, struct operators_values
                 sum += weights->vector[e * dimension + d] * (other[d] - own[d]);
         }
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
-            double relative[3], factor = weights_divergence_factor(weights, k);
-            if (weights_foot_of(weights, k)->pressed)
-                continue;
-            relative_to_wall(weights, k, own, relative);
+            double relative[3], factor = -weights_divergence_factor(weights, k);
+            if (weights->opens > 0 && weights_foot_of(weights, k)->open) {
+                operators_mirror(weights, k, u, own, relative);
+                factor = 1;
+            } else {
+                relative_to_wall(weights, k, own, relative);
+            }
             for (size_t d = 0; d < dimension; d++)
-                sum -= factor * weights->vector[e * dimension + d] * relative[d];
+                sum += factor * weights->vector[e * dimension + d] * relative[d];
         }
         out[row] = sum;
     }
-}
-
-void operators_mirror(const struct weights *weights, size_t wall, const double *own, double difference[3]) {
-    const struct weights_foot *foot = weights_foot_of(weights, wall);
-    const double *normal = foot->normal;
-    double relative[3], across = 0, along = weights_tangential_factor(weights, wall),
-                        straight = 1 + weights->mirror[wall];
-    relative_to_wall(weights, wall, own, relative);
-    for (int d = 0; d < 3; d++)
-        across += relative[d] * normal[d];
-    for (int d = 0; d < 3; d++)
-        difference[d] = foot->pressed       ? 0
-                        : weights->slip > 0 ? -along * relative[d] - (straight - along) * across * normal[d]
-                                            : -straight * relative[d];
 }
 
 void operators_laplacian_velocity(const struct weights *weights, struct operators_values u,
@@ -114,7 +134,7 @@ void operators_laplacian_velocity(const struct weights *weights, struct operator
                 sum[d] += weights->scalar[e] * (other[d] - own[d]);
         }
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
-            operators_mirror(weights, k, own, difference);
+            operators_mirror(weights, k, u, own, difference);
             for (int d = 0; d < 3; d++)
                 sum[d] += weights->scalar[e] * difference[d];
         }
@@ -151,7 +171,7 @@ void operators_advection(const struct weights *weights, struct operators_values 
             for (size_t d = 0; d < dimension; d++)
                 along += way[d] * weights->vector[e * dimension + d];
             if (e >= walls)
-                operators_mirror(weights, wall++, own, difference);
+                operators_mirror(weights, wall++, u, own, difference);
             for (int d = 0; d < 3; d++)
                 sum[d] += along * (e >= walls ? difference[d] : partner_at(weights, u, e)[d] - own[d]);
         }

@@ -37,7 +37,8 @@ void operators_advection(const struct weights *weights, struct operators_values 
 void operators_divergence_inner(const struct weights *weights, struct operators_values g, double *out);
 
 /* The difference u_j - u_i of the velocity at a wall entry: no penetration along the normal, the slip of the
- * walls across. Any thread. */
-void operators_mirror(const struct weights *weights, size_t wall, const double *own, double difference[3]);
+ * walls across; at an open side what is given there. Any thread. */
+void operators_mirror(const struct weights *weights, size_t wall, struct operators_values u,
+                      const double *own, double difference[3]);
 
 #endif

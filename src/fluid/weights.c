@@ -237,6 +237,7 @@ void weights_free(struct weights *weights) {
     memory_free(weights->vector);
     memory_free(weights->mirror);
     memory_free(weights->wall_foot);
+    memory_free(weights->image);
     memory_free(weights->foot);
     memory_free(weights->foot_start);
     memory_free(weights->volume);

@@ -24,6 +24,12 @@
  *   velocity:                     f_j - f_i = 0
  *   pressure:                     f_j - f_i = -(1 + beta) (f_i - p_w)
  *
+ * At an open side, where the mirror image of j in the side is a fluid particle m, as on a lattice that the side cuts
+ * midway between nodes, values beyond the side are those of m, so that what varies along the side is seen, too:
+ *
+ *   given:                        f_j - f_i = 2 f_w - f_m - f_i
+ *   not given:                    f_j - f_i = f_m - f_i
+ *
  * so the wall part of a velocity row is a diagonal entry and a right-hand side. In a divergence beta is
  * capped at WEIGHTS_MIRROR_CAP. */
 #ifndef SCREE_FLUID_WEIGHTS_H
@@ -45,10 +51,18 @@ struct weights_foot {
     double normal[3];   /* unit, out of the body into the fluid; the foot point is x_i - d_i n */
     double velocity[3]; /* of the body's surface there, u_w, length/time */
     int64_t body;       /* see body.h: id of a grain, or -1 - number of a wall or of an open side */
-    bool pressed;       /* an open side of given pressure */
+    bool open;          /* an open side of the box */
+    bool pressed;       /* of given pressure */
     double pressure;    /* there */
 };
 #define WEIGHTS_NEAREST 1e-4
+
+/* The image of a wall entry at an open side. */
+struct weights_image {
+    uint32_t particle;  /* number of the particle m, the row's own too; WEIGHTS_NO_IMAGE */
+    double velocity[3]; /* u_w at the foot of j */
+};
+#define WEIGHTS_NO_IMAGE UINT32_MAX
 
 /* All arrays are owned. Row k is that of the owned particle first + k. Entries of row k are start[k] ...
  * start[k + 1] - 1, the last walls(k) of which are wall neighbours; these have numbers of their own,
@@ -68,7 +82,8 @@ struct weights {
     double *volume;            /* by row: V_i, length^dimension */
     double *condition; /* by row: |M| |G| / dimension of tensors.h, 1 on a lattice; 0: standard operators */
     double slip;       /* slip length of the walls, >= 0; INFINITY: no friction */
-    size_t pressed;    /* feet at open sides of given pressure (mirror_make) */
+    size_t opens;      /* feet at open sides (mirror_make) */
+    struct weights_image *image; /* by wall entry; NULL without open sides */
     size_t poor;       /* rows without the operators asked for: singular tensors, or too few neighbours */
     size_t poor_first; /* the first of them (a row) */
     size_t behind;     /* rows whose particle lies behind the surface of a body (mirror.h) */
@@ -88,6 +103,12 @@ static inline double weights_divergence_factor(const struct weights *weights, si
 /* The foot of a wall entry. */
 static inline const struct weights_foot *weights_foot_of(const struct weights *weights, size_t wall) {
     return &weights->foot[weights->wall_foot[wall]];
+}
+
+/* The image of a wall entry; NULL where there is none. */
+static inline const struct weights_image *weights_image_of(const struct weights *weights, size_t wall) {
+    return weights->opens > 0 && weights->image[wall].particle != WEIGHTS_NO_IMAGE ? &weights->image[wall]
+                                                                                   : NULL;
 }
 
 /* The factor of (u_i - u_w) tangential to the wall, (d_i + d_j) / (d_i + b); 1 + beta without slip. */
