@@ -38,6 +38,8 @@ static const struct field
     /* of particles that move, and of volumes that differ: there where a scene has them */
     volume = {.name = "fluid_volume", .type = FIELD_DOUBLE, .components = 1, .needed_for = "fluid",
               .kinds = 1u << KIND_FLUID | 1u << KIND_BOUNDARY, .help = "volume of a particle"},
+    arm = {.name = "fluid_arm", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS, .unit = "m", .fill = NAN,
+           .kinds = 1u << KIND_BOUNDARY, .needed_for = "fluid", .help = "of a boundary particle: its place in its grain"},
     velocity_before = {.name = "fluid_velocity_before", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS,
                        .unit = "m s-1", OF_FLUID, .help = "velocity of the step before"},
     drift = {.name = "fluid_drift", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS, .unit = "m s-1",
@@ -63,6 +65,10 @@ void fluid_fields(struct particles *particles) {
 
 void fluid_fields_volumes(struct particles *particles) {
     fields_register(particles, &volume);
+}
+
+void fluid_fields_riding(struct particles *particles) {
+    fields_register(particles, &arm);
 }
 
 void fluid_fields_moving(struct particles *particles) {
@@ -105,6 +111,10 @@ double *fluid_condition(const struct particles *particles) {
 
 double *fluid_volume(const struct particles *particles) {
     return fields_values(particles, &volume);
+}
+
+double (*fluid_arm(const struct particles *particles))[3] {
+    return fields_values(particles, &arm);
 }
 
 double *fluid_velocity_before(const struct particles *particles) {

@@ -12,6 +12,14 @@ void flow_fields_forward(const struct physics_context *context, enum flow_array 
     ghosts_forward_end(context->ghosts, context->particles);
 }
 
+void flow_fields_forward_places(const struct physics_context *context) {
+    struct field_list list = {.count = 2, .field = {FIELD_POSITION, FIELD_VELOCITY}};
+    if (context->ghosts == NULL)
+        return;
+    ghosts_forward_begin(context->ghosts, context->particles, &list);
+    ghosts_forward_end(context->ghosts, context->particles);
+}
+
 static void forward(const struct flow *flow, enum flow_array array) {
     flow_fields_forward(flow->context, array);
 }

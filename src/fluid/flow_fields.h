@@ -14,4 +14,7 @@ void flow_fields_take(struct flow *flow, const struct physics_context *context, 
 /* Brings the copies of an array of the particles up to date. Collective. */
 void flow_fields_forward(const struct physics_context *context, enum flow_array array);
 
+/* The same for places and velocities of all particles. Collective. */
+void flow_fields_forward_places(const struct physics_context *context);
+
 #endif

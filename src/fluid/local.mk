@@ -60,6 +60,8 @@ libfluid_la_SOURCES = \
 	src/fluid/regions.h \
 	src/fluid/residual.c \
 	src/fluid/residual.h \
+	src/fluid/ride.c \
+	src/fluid/ride.h \
 	src/fluid/shift.c \
 	src/fluid/shift.h \
 	src/fluid/shown.c \

@@ -12,6 +12,7 @@
 #include "fluid/mirror.h"
 #include "fluid/motion.h"
 #include "fluid/path.h"
+#include "fluid/ride.h"
 #include "fluid/state.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
@@ -71,10 +72,11 @@ static void weights_of(const struct physics_context *context, struct fluid *flui
                                         .spacing = fluid->options->spacing,
                                         .wall = feet_on,
                                         .context = &feet};
+    size_t without = fluid->riding ? ride_settle(context, fluid) : 0;
     weights_rows(&fluid->weights, &fluid->input, &fluid->weigh);
     volumes_share(context, fluid);
     weights_weigh(&fluid->weights, &fluid->input, &fluid->weigh);
-    fluid->lost = mirror_make(&fluid->weights, &mirror);
+    fluid->lost = without + mirror_make(&fluid->weights, &mirror);
     fluid->rows[0] = (double)fluid->weights.rows;
     fluid->rows[1] = (double)fluid->weights.poor;
     fluid->rows[2] = (double)fluid->weights.behind;

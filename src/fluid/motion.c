@@ -2,6 +2,7 @@
 /* Moves the particles of a fluid. Read motion.h first. */
 #include "fluid/motion.h"
 #include "fluid/path.h"
+#include "fluid/ride.h"
 #include "fluid/shift.h"
 #include "fluid/state.h"
 #include "particles/kinds.h"
@@ -10,6 +11,10 @@
 
 bool motion_moves(const struct fluid_options *options) {
     return options->motion.name != FLUID_FIXED;
+}
+
+bool motion_carries(const struct fluid_options *options) {
+    return options->motion.name == FLUID_LAGRANGIAN;
 }
 
 unsigned motion_kinds(const void *options) {
@@ -68,6 +73,8 @@ void motion_move(const struct physics_context *context, int thread, size_t first
     const struct fluid *fluid = context->self;
     double dt = context->clock->dt, ahead = fluid->past.steps > 0 ? 0.5 * dt / fluid->past.dt : 0;
     double *largest = &context->speed[thread][size_class];
+    if (context->classes->kind[size_class] == KIND_BOUNDARY && fluid->riding)
+        ride_move(context, thread, first, last, size_class);
     if (context->classes->kind[size_class] != KIND_FLUID)
         return;
     for (size_t i = first; i < last; i++) {

@@ -13,6 +13,9 @@
 /* True if the particles move. */
 bool motion_moves(const struct fluid_options *options);
 
+/* True if grains may move among them: boundary particles then ride (ride.h). */
+bool motion_carries(const struct fluid_options *options);
+
 /* As `moving` and `needed` of struct physics and struct physics_pass. */
 unsigned motion_kinds(const void *options);
 bool motion_needed(const struct physics_context *context);
@@ -24,7 +27,7 @@ bool motion_suits(const struct physics_context *context, struct error *error);
 void motion_given(const struct fluid_motion *motion, const struct box *box, const double x[3], double time,
                   double w[3]);
 
-/* The pass that moves fluid particles: as `rows` of struct physics_pass. */
+/* The pass that moves fluid particles, and boundary particles that ride: as `rows` of struct physics_pass. */
 void motion_move(const struct physics_context *context, int thread, size_t first, size_t last,
                  int size_class);
 

@@ -3,6 +3,7 @@
 #include "fluid/nodes.h"
 #include "core/memory.h"
 #include "core/random.h"
+#include "fluid/motion.h"
 #include "particles/kinds.h"
 #include <math.h>
 #include <stdlib.h>
@@ -255,7 +256,7 @@ static bool grains_suit(const struct nodes *nodes, const struct physics_context 
     return true;
 }
 
-/* Grains must stand still. */
+/* Grains must stand still, or move as prescribed among particles that move. */
 static bool grains_rest(const struct physics_context *context, struct error *error) {
     const struct scene *scene = context->scene;
     for (int k = 0; k < scene->sources; k++) {
@@ -263,11 +264,12 @@ static bool grains_rest(const struct physics_context *context, struct error *err
             &scene->group[scene->source[k].group < 0 ? 0 : scene->source[k].group];
         char key[64];
         snprintf(key, sizeof key, "particles.sources[%d].group", k);
-        if (scene->source[k].group >= 0 && group->motion != SCENE_FROZEN)
+        bool carried = group->motion == SCENE_MOVING && motion_carries(context->options);
+        if (scene->source[k].group >= 0 && group->motion != SCENE_FROZEN && !carried)
             return scene_fail(
                 scene, error, key,
-                "group '%s' moves; allowed beside `fluid`: frozen groups (grains that move in a "
-                "fluid are not built yet)",
+                "group '%s' moves; allowed beside `fluid`: frozen groups, and with fluid.motion: "
+                "lagrangian groups whose motion is given",
                 group->name);
     }
     const struct particles *p = context->particles;
@@ -276,7 +278,7 @@ static bool grains_rest(const struct physics_context *context, struct error *err
             return scene_fail(
                 scene, error, "particles",
                 "grain %lld moves freely; allowed beside `fluid`: grains of groups with motion: frozen "
-                "(grains that move in a fluid are not built yet)",
+                "(grains that the fluid moves are not built yet)",
                 (long long)p->id[k]);
     return scene->insertions == 0 ||
            scene_fail(scene, error, "insertions", "grains cannot be inserted into a fluid; not built yet");

@@ -7,6 +7,7 @@
 #include "fluid/march.h"
 #include "fluid/motion.h"
 #include "fluid/nodes.h"
+#include "fluid/ride.h"
 #include "fluid/state.h"
 #include "particles/kinds.h"
 #include <math.h>
@@ -17,9 +18,13 @@ static double range(const void *context, int kind_a, double radius_a, int kind_b
     const struct fluid_options *options = context;
     double support = fmax(fluid_support(options, 2), fluid_support(options, 3));
     bool fluid = kind_a == KIND_FLUID || kind_b == KIND_FLUID;
-    if (!fluid || isinf(radius_a) || isinf(radius_b))
+    bool grain = kind_a == KIND_GRAIN || kind_b == KIND_GRAIN;
+    bool rides = kind_a != kind_b && grain && motion_carries(options);
+    if (!(fluid || rides) || isinf(radius_a) || isinf(radius_b))
         return -INFINITY;
-    if (kind_a == KIND_GRAIN || kind_b == KIND_GRAIN)
+    if (!fluid) /* a boundary particle finds its grain */
+        return 0;
+    if (grain)
         return support - (kind_a == KIND_GRAIN ? radius_b : radius_a);
     return support - radius_a - radius_b;
 }
@@ -35,6 +40,9 @@ static void *create(const struct physics_context *context) {
         fluid->volume = kernel_power(fluid->options->spacing, context->box->dimension);
     if (motion_moves(fluid->options))
         fluid_fields_moving(context->particles);
+    fluid->riding = ride_wanted(context);
+    if (fluid->riding)
+        fluid_fields_riding(context->particles);
     return fluid;
 }
 

@@ -17,6 +17,7 @@ struct fluid {
     struct weights_input input;   /* of the weights; what it borrows lives until the next rebuild */
     struct weights_options weigh; /* their options */
     struct pair_rows pairs;       /* of the last rebuild; kept where particles move */
+    bool riding;                  /* boundary particles follow grains that move (ride.h) */
     uint64_t placed;              /* the step for whose places the weights are */
     double rows
         [3]; /* of all ranks: fluid particles, those without the operators asked for, those behind a body */
