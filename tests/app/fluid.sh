@@ -228,6 +228,54 @@ bed() {
 }
 check "a bed of frozen grains between walls, on other ranks" bed
 
+# A grain that moves through a fluid that moves: the same as the flow past it in its own frame, on other ranks, after a resume; its boundary
+# particles keep their places in it, and turn with it
+cat >disc.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [1, 1, 0], periodic: [true, true, false], dimension: 2}
+contact: {law: hertz}
+materials: [{name: glass, density: 1, young: 1e5, poisson: 0.2}]
+material_pairs: [{restitution: 0.5, friction: 0.3}]
+particles: {from: single, position: [0.5, 0.5, 0], radius: 0.2, density: 1, group: disc}
+groups: [{name: disc, motion: moving, velocity: [-1, 0, 0]}]
+fluid: {spacing: 0.05, density: 1, viscosity: 0.1, motion: lagrangian, solver: {tolerance: 1e-9}}
+step: {dt: 0.004, count: 40, force: true}
+observables: {every: 1, list: [{name: fluid_velocity, components: x}, {name: fluid_porosity}, {name: fluid_drag}]}
+output: {checkpoint: {every: 20}, dump: {every: 40, fields: [id, position, velocity, angular_velocity]}}
+YAML
+frames() {
+    run_scene 1 disc.yaml one --set threads=1 && run_scene 1 disc.yaml other --set threads=1 --set 'groups=[{name: disc, motion: frozen}]' \
+        --set fluid.initial.velocity='[1, 0, 0]' && paste -d , <(tail -n 1 one/observables.csv) <(tail -n 1 other/observables.csv) |
+        awk -F , '{ drag = $4 / $10 - 1; u = $8 / $9 - 1 - $2 / $3; printf "  drag %g, other frame by %.2g; velocity by %.2g\n", $4, drag, u
+            exit !($4 > 0.5 && drag * drag < 1e-4 && u * u < 1e-6) }'
+}
+rm -rf one other
+check "a grain that moves: as the flow past it in its frame" frames
+carried() { # RANKS FLAG...
+    local ranks=$1
+    shift
+    rm -rf other
+    run_scene "$ranks" disc.yaml other --set threads=1 "$@" && paste -d , <(tail -n 1 one/observables.csv) <(tail -n 1 other/observables.csv) |
+        awk -F , '{ for (k = 2; k <= 4; k++) { d = $k / $(k + 6) - 1; bad += !(d * d < 1e-16) } exit bad }'
+}
+check "a grain that moves, on 3 ranks" carried 3
+check "a grain that moves, after a resume" carried 1 --resume one/checkpoint-20.h5
+rigid() {
+    rm -rf one
+    run_scene 2 disc.yaml one --set threads=1 --set 'groups=[{name: disc, motion: moving, velocity: [-1, 0, 0], omega: [0, 0, 2]}]' && awk -v w=2 -v V=-1 -v T=0.16 '
+        /^ITEM: TIMESTEP/ { frame++ }
+        /^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; reading = 1; next }
+        /^ITEM/ { reading = 0 }
+        reading && NF > 5 { id = $at["id"]; x[frame, id] = $at["x"]; y[frame, id] = $at["y"]; u[frame, id] = $at["vx"]; v[frame, id] = $at["vy"]; spin[id] = $at["omegaz"] }
+        function near(a) { return a - int(a + (a < 0 ? -0.5 : 0.5)) }
+        END { c = cos(w * T); s = sin(w * T)
+            for (id in spin) if (spin[id] == w && id != 1) {
+                a = near(x[1, id] - x[1, 1]); b = near(y[1, id] - y[1, 1]); p = near(x[2, id] - x[2, 1]); q = near(y[2, id] - y[2, 1]); n++
+                place += (p - c * a + s * b) ^ 2 + (q - s * a - c * b) ^ 2; speed += (u[2, id] - V + w * q) ^ 2 + (v[2, id] - w * p) ^ 2 }
+            printf "  %d boundary particles, places off by %.1e, velocities by %.1e\n", n, sqrt(place), sqrt(speed); exit !(n > 40 && place < 1e-22 && speed < 1e-18) }' one/dump.lammpstrj
+}
+check "boundary particles ride on a grain that turns" rigid
+
 # refused WHAT WORDS SCENE SETTING...: one line, status 2
 refused() {
     local words=$1 scene=$2 word
@@ -253,6 +301,7 @@ check "a motion that is not known" refused 'fluid.motion|lagrangian' channel.yam
 check "particles that move without inertia" refused 'fluid.motion|navier_stokes' channel.yaml --set fluid.motion=lagrangian --set fluid.equations=stokes
 check "points that leave the box" refused 'fluid.motion.velocity|along y' channel.yaml --set 'fluid.motion={name: ale, velocity: [0, 1, 0]}'
 check "a steady flow with inertia" refused 'fluid.time|stokes' channel.yaml --set fluid.time=steady
+check "a grain that moves through particles at rest" refused 'lagrangian|group' disc.yaml --set fluid.motion=fixed
 check "an unknown key" refused 'fluid.viscosty|fluid.viscosity' channel.yaml --set fluid.viscosty=1
 check "vortices in a box that does not repeat" refused 'taylor_green|periodic' channel.yaml --set 'fluid.initial={flow: taylor_green, speed: 1}'
 cat >tube.yaml <<'YAML'
