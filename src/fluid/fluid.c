@@ -17,3 +17,7 @@ double fluid_support(const struct fluid_options *options, int dimension) {
 double fluid_slip(const struct fluid_options *options) {
     return options->walls.condition ? options->walls.slip_length : 0;
 }
+
+bool fluid_carries(const struct fluid_options *options) {
+    return options->motion.name == FLUID_LAGRANGIAN;
+}

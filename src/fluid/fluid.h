@@ -102,6 +102,9 @@ struct fluid_options {
 /* The support radius, length. */
 double fluid_support(const struct fluid_options *options, int dimension);
 
+/* True if grains may move among the particles: boundary particles then ride on them (ride.h). */
+bool fluid_carries(const struct fluid_options *options);
+
 /* The slip length of walls and grains; 0: no slip. */
 double fluid_slip(const struct fluid_options *options);
 

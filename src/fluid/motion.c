@@ -13,10 +13,6 @@ bool motion_moves(const struct fluid_options *options) {
     return options->motion.name != FLUID_FIXED;
 }
 
-bool motion_carries(const struct fluid_options *options) {
-    return options->motion.name == FLUID_LAGRANGIAN;
-}
-
 unsigned motion_kinds(const void *options) {
     return motion_moves(options) ? 1u << KIND_FLUID : 0;
 }

@@ -13,9 +13,6 @@
 /* True if the particles move. */
 bool motion_moves(const struct fluid_options *options);
 
-/* True if grains may move among them: boundary particles then ride (ride.h). */
-bool motion_carries(const struct fluid_options *options);
-
 /* As `moving` and `needed` of struct physics and struct physics_pass. */
 unsigned motion_kinds(const void *options);
 bool motion_needed(const struct physics_context *context);

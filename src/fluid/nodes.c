@@ -3,7 +3,7 @@
 #include "fluid/nodes.h"
 #include "core/memory.h"
 #include "core/random.h"
-#include "fluid/motion.h"
+#include "fluid/fluid.h"
 #include "particles/kinds.h"
 #include <math.h>
 #include <stdlib.h>
@@ -264,7 +264,7 @@ static bool grains_rest(const struct physics_context *context, struct error *err
             &scene->group[scene->source[k].group < 0 ? 0 : scene->source[k].group];
         char key[64];
         snprintf(key, sizeof key, "particles.sources[%d].group", k);
-        bool carried = group->motion == SCENE_MOVING && motion_carries(context->options);
+        bool carried = group->motion == SCENE_MOVING && fluid_carries(context->options);
         if (scene->source[k].group >= 0 && group->motion != SCENE_FROZEN && !carried)
             return scene_fail(
                 scene, error, key,

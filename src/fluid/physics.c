@@ -19,7 +19,7 @@ static double range(const void *context, int kind_a, double radius_a, int kind_b
     double support = fmax(fluid_support(options, 2), fluid_support(options, 3));
     bool fluid = kind_a == KIND_FLUID || kind_b == KIND_FLUID;
     bool grain = kind_a == KIND_GRAIN || kind_b == KIND_GRAIN;
-    bool rides = kind_a != kind_b && grain && motion_carries(options);
+    bool rides = kind_a != kind_b && grain && fluid_carries(options);
     if (!(fluid || rides) || isinf(radius_a) || isinf(radius_b))
         return -INFINITY;
     if (!fluid) /* a boundary particle finds its grain */

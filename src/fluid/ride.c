@@ -4,7 +4,6 @@
 #include "contact/spin.h"
 #include "fluid/fields.h"
 #include "fluid/flow_fields.h"
-#include "fluid/motion.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
 #include <math.h>
@@ -15,7 +14,7 @@ bool ride_wanted(const struct physics_context *context) {
     bool moving = false;
     for (int k = 0; k < scene->groups; k++)
         moving = moving || scene->group[k].motion == SCENE_MOVING;
-    return moving && motion_carries(context->options);
+    return moving && fluid_carries(context->options);
 }
 
 /* a x b. */
