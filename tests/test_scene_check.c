@@ -103,7 +103,7 @@ static const struct bad_text texts[] = {
      {"one of the two"}},
     {"output: {trajectory: {every: 1 ms}}\n",
      "case/scene.yaml:8: output.trajectory.every.steps: ",
-     {"not a whole number"}},
+     {"'1 ms' is a time", "write {time: 1 ms}"}},
     {"observables: {list: [{name: colour}]}\n",
      "case/scene.yaml:8: observables.list[0].name: ",
      {"'colour' is unknown", "momentum"}},
@@ -111,7 +111,7 @@ static const struct bad_text texts[] = {
      "case/scene.yaml:8: observables.regions[0].radius: ",
      {"is missing"}},
     {"seed: 18446744073709551616\n", "case/scene.yaml:8: seed: ", {"2^64 - 1"}},
-    {"title: &t x\n", "case/scene.yaml:8: ", {"anchors"}},
+    {"title: *t\n", "case/scene.yaml:8: ", {"no '&t' comes before it"}},
     {"title: \"open\n", "case/scene.yaml:", {"not valid YAML"}},
 };
 

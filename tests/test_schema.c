@@ -4,6 +4,7 @@
 #include "scene/schema.h"
 #include "scene/schema_help.h"
 #include "scene/schema_root.h"
+#include "scene/schema_unknown.h"
 #include "scene/schema_value.h"
 #include "tests/scene_by_hand.h"
 

@@ -7,6 +7,7 @@
 #include <stdint.h>
 #include <setjmp.h>
 #include <cmocka.h>
+#include <stdio.h>
 #include <string.h>
 
 static void keeps_lines(void **state) {
@@ -49,11 +50,18 @@ static void refuses(void **state) {
     (void)state;
     static const char *const cases[][2] = {
         {"a: 1\nb: 2\na: 3\n", "s.yaml:3: key 'a' is given twice, first at s.yaml:1"},
-        {"a: &x 1\nb: *x\n", "s.yaml:1: anchors"},
-        {"a: !!str 1\n", "s.yaml:1: anchors, aliases and tags"},
+        {"a: *x\nb: &x 1\n", "s.yaml:1: '*x' stands for nothing"},
+        {"a: &x [*x]\n", "s.yaml:1: '*x' stands for nothing"},
+        {"a: 1\n<<: 2\n", "s.yaml:1: '<<' takes in the keys"},
+        {"a: {b: 1, <<: {}, <<: {}}\n", "s.yaml:1: key '<<' is given twice"},
+        {"a: !!str 1\n", "s.yaml:1: tags"},
+        {"a:\n  b: 1\n   c: 2\n", "s.yaml:3: not valid YAML: mapping values"},
+        {"a:\n  b: 1\n c: 2\n", "which begins in line 1"},
+        {"x: 0\na\nb: 1\n", "s.yaml:2: not valid YAML: could not find expected ':'"},
+        {"a: 1\nb: 'open\nc: 2\n", "s.yaml:2: not valid YAML"},
         {"a: 1\n---\nb: 2\n", "s.yaml:2: a second document"},
         {"a: [1, 2\nb: 3\n", "s.yaml:2: not valid YAML"},
-        {"a: 1\n\tb: 2\n", "s.yaml:2: not valid YAML"},
+        {"a:\n\tb: 2\n", "a tab indents this line"},
         {"a: \"open\n", "not valid YAML"},
         {"? [1, 2]\n: 3\n", "s.yaml:1: a key must be a name"},
         {"a: \xff\n", "not valid YAML"},
@@ -66,6 +74,41 @@ static void refuses(void **state) {
         if (!strstr(error.text, cases[k][1]))
             fail_msg("case %zu: %s", k, error.text);
     }
+}
+
+/* An alias is a copy of its anchor, with the lines of the anchor; what a mapping gives itself stays. */
+static void aliases_are_copies(void **state) {
+    (void)state;
+    struct error error = {0};
+    struct tree_node *root = tree_parse("s.yaml",
+                                        "a: &a {x: 1, y: [2, 3]}\nb: *a\nc:\n  <<: *a\n  x: 4\n"
+                                        "d: {<<: [{z: 6}, *a, {x: 7}]}\n'<<': 8\ne: &a 5\nf: *a\n",
+                                        1, &error);
+    assert_non_null(root);
+    static const char *const expected[][2] = {{"b.x", "1"}, {"b.y[1]", "3"}, {"c.x", "4"}, {"c.y[0]", "2"},
+                                              {"d.x", "1"}, {"d.z", "6"},    {"<<", "8"},  {"f", "5"}};
+    for (size_t k = 0; k < sizeof(expected) / sizeof(expected[0]); k++) {
+        const struct tree_node *node = tree_nearest(root, expected[k][0]);
+        assert_int_equal(node->kind, TREE_SCALAR);
+        assert_string_equal(node->text, expected[k][1]);
+    }
+    assert_int_equal(tree_nearest(root, "b.y[1]")->line, 1);
+    assert_null(tree_get(tree_get(root, "c"), "<<"));
+    tree_free(&root);
+}
+
+/* Aliases of aliases cannot fill the memory. */
+static void refuses_many_copies(void **state) {
+    (void)state;
+    char text[400] = "a0: &a0 [1, 1, 1, 1, 1, 1, 1, 1, 1, 1]\n";
+    for (int k = 1; k < 7; k++) {
+        size_t used = strlen(text);
+        snprintf(text + used, sizeof(text) - used, "a%d: &a%d [*a%d, *a%d, *a%d, *a%d, *a%d, *a%d, *a%d]\n",
+                 k, k, k - 1, k - 1, k - 1, k - 1, k - 1, k - 1, k - 1);
+    }
+    struct error error = {0};
+    assert_null(tree_parse("s.yaml", text, 1, &error));
+    assert_non_null(strstr(error.text, "too large"));
 }
 
 static void refuses_depth(void **state) {
@@ -111,8 +154,13 @@ static void empty_is_a_mapping(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(keeps_lines),   cmocka_unit_test(changes),
-                                       cmocka_unit_test(refuses),       cmocka_unit_test(refuses_depth),
-                                       cmocka_unit_test(moves_entries), cmocka_unit_test(empty_is_a_mapping)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(keeps_lines),
+                                       cmocka_unit_test(changes),
+                                       cmocka_unit_test(refuses),
+                                       cmocka_unit_test(refuses_depth),
+                                       cmocka_unit_test(aliases_are_copies),
+                                       cmocka_unit_test(refuses_many_copies),
+                                       cmocka_unit_test(moves_entries),
+                                       cmocka_unit_test(empty_is_a_mapping)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
 /* Reads the command line by the table of flags. */
 #include "app/command_line.h"
 #include "core/memory.h"
+#include "scene/scene_files.h"
 #include "scene/scene_text.h"
 #include <string.h>
 
@@ -13,7 +14,9 @@ struct flag {
 
 static const struct flag flags[] = {
     {"output", "DIR",
-     "directory for the files of the run (also -o); exists: refused without --overwrite or --resume", "run"},
+     "directory for the files of the run (also -o), made with its parents; with files in it: refused without "
+     "--overwrite or --resume",
+     "run"},
     {"output", "DIR", "directory for the tables (also -o); exists: refused without --overwrite", "ablate"},
     {"set", "KEY=VALUE",
      "overrides a key of the scene, e.g. --set index.name=hgrid or --set walls[0].radius=0.2; KEY=~ takes it "
@@ -117,6 +120,10 @@ static bool flag_store(struct command_line *line, const char *name, const char *
         const char **to;
     } texts[] = {
         {"output", &line->directory}, {"resume", &line->resume}, {"to", &line->to}, {"frame", &line->frame}};
+    for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++)
+        if (strcmp(texts[k].name, name) == 0 && *texts[k].to)
+            return error_set(error, ERROR_USER, "command line: --%s is given twice: %s and %s", name,
+                             *texts[k].to, value);
     if (strcmp(name, "set") == 0)
         return setting_add(line, value, error);
     if (strcmp(name, "petsc") == 0)
@@ -197,6 +204,8 @@ struct scene *command_scene(const struct comm *comm, const struct command_line *
         setting[line->settings + k] = extra[k];
     if (scene_read_text(line->file[0], &text, NULL, error))
         scene = scene_parse(line->file[0], text, setting, line->settings + extras, error);
+    if (scene)
+        scene_files_open(scene, error);
     memory_free(text);
     if (!comm_agree(comm, error))
         scene_free(&scene);

@@ -82,6 +82,15 @@ static int answer_end(int status) {
     return status != 0 ? status : ERROR_SYSTEM;
 }
 
+/* Prints an error, each of its lines after the name of the program. */
+static void print_error(const struct error *error) {
+    for (const char *line = error->text; line;) {
+        size_t length = strcspn(line, "\n");
+        fprintf(stderr, "scree: %.*s\n", (int)length, line);
+        line = line[length] ? line + length + 1 : NULL;
+    }
+}
+
 int scree_main(int argc, char **argv) {
     struct comm comm;
     struct error error = {0};
@@ -92,7 +101,7 @@ int scree_main(int argc, char **argv) {
     signal(SIGXFSZ, SIG_IGN); /* then a write beyond the limit on file sizes returns an error */
     status = run_command(&comm, argc, argv, &error);
     if (error.kind != ERROR_NONE && comm.rank == 0)
-        fprintf(stderr, "scree: %s\n", error.text);
+        print_error(&error);
     status = answer_end(status);
     if (output_left_open())
         comm_abort(status);

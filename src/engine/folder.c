@@ -3,6 +3,7 @@
 #include "engine/folder.h"
 #include "formats/checkpoint.h"
 #include "files/file.h"
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdio.h>
@@ -14,7 +15,7 @@
 /* The longest text that a run adds to the path of its directory. */
 static const char longest[] = "/checkpoint-18446744073709551615" CHECKPOINT_STOPPED ".h5.part";
 
-/* The parent of a directory that does not exist yet. */
+/* The parent of a directory. */
 static void parent_of(const char *directory, char parent[FILE_PATH_MAX]) {
     snprintf(parent, FILE_PATH_MAX, "%s", directory);
     size_t length = strlen(parent);
@@ -38,6 +39,10 @@ static void check(const char *directory, struct error *error) {
             directory, strlen(directory), FILE_PATH_MAX - 1, FILE_PATH_MAX - 1 - strlen(longest));
     } else if (stat(directory, &found) != 0) {
         parent_of(directory, parent);
+        for (char above[FILE_PATH_MAX]; stat(parent, &found) != 0 && errno == ENOENT;) {
+            parent_of(parent, above); /* is made, too */
+            snprintf(parent, sizeof parent, "%s", above);
+        }
         if (access(parent, W_OK | X_OK) != 0)
             error_set(error, ERROR_USER, "%s: cannot make this directory: %s: %s", directory, parent,
                       strerror(errno));
@@ -47,6 +52,27 @@ static void check(const char *directory, struct error *error) {
         error_set(error, ERROR_USER, "%s: nothing can be written to this directory: %s", directory,
                   strerror(errno));
     }
+}
+
+bool folder_empty(const char *directory) {
+    DIR *open = opendir(directory);
+    bool full = false;
+    for (struct dirent *entry; open && !full && (entry = readdir(open));)
+        full = strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0;
+    if (!open)
+        return false;
+    closedir(open);
+    return !full;
+}
+
+bool folder_make(const char *directory) {
+    char part[FILE_PATH_MAX];
+    for (const char *slash = strchr(directory + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
+        snprintf(part, sizeof part, "%.*s", (int)(slash - directory), directory);
+        if (mkdir(part, 0777) != 0 && errno != EEXIST)
+            return false;
+    }
+    return mkdir(directory, 0777) == 0 || errno == EEXIST;
 }
 
 bool folder_check(const struct comm *comm, const char *directory, struct error *error) {

@@ -5,6 +5,13 @@
 
 #include "comm/comm.h"
 
+/* True if a directory exists and has no entries. */
+bool folder_empty(const char *directory);
+
+/* Makes a directory and the directories above it. False, with errno, if this fails; a directory that exists
+ * already is no failure. */
+bool folder_make(const char *directory);
+
 /* Checks that files can be written to a directory or, if the directory does not exist yet, that it can be
  * made. Fails (user) if the path is too long for the names of a run's files, is no directory, or the system
  * allows no writing. Makes nothing. Collective. */

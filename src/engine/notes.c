@@ -82,6 +82,20 @@ static void add(struct notes *notes, bool warning, const char *format, ...) {
     va_end(list);
 }
 
+/* Notes meshes that are far larger than the box: often an STL in millimetres. */
+static void look_at_scale(const struct simulation *s, int w, const struct extent *extent,
+                          struct notes *notes) {
+    static const double large = 50;
+    double ratio = 0;
+    for (int d = 0; d < s->scene->box.dimension; d++)
+        ratio = fmax(ratio, (extent->upper[d] - extent->lower[d]) / s->scene->box.edge[d]);
+    if (ratio > large)
+        add(notes, false,
+            "mesh '%s' is %.3g times as large as the box: is its file in millimetres (walls[%d].scale: "
+            "0.001)?",
+            s->scene->wall[w].name, ratio, w);
+}
+
 /* Notes parts that lie far apart: often a unit or a scale was forgotten. */
 static void look_at_places(const struct simulation *s, struct notes *notes) {
     const struct scene *scene = s->scene;
@@ -97,9 +111,39 @@ static void look_at_places(const struct simulation *s, struct notes *notes) {
         for (int d = 0; d < scene->box.dimension; d++)
             notes->apart[w] = notes->apart[w] || extent.upper[d] < scene->box_lower[d] ||
                               extent.lower[d] > scene->box_upper[d];
+        look_at_scale(s, w, &extent, notes);
         if (notes->apart[w])
             add(notes, false, "mesh '%s' lies wholly outside of the box (its scale, or its offset?)",
                 scene->wall[w].name);
+    }
+}
+
+/* Notes servos that push away from all particles: nothing will stop them. */
+static void look_at_servos(const struct simulation *s, struct notes *notes) {
+    for (int w = 0; w < s->scene->walls && s->total > 0; w++) {
+        const struct wall_options *wall = &s->scene->wall[w];
+        struct extent extent = notes_wall_extent(s, w);
+        for (int m = 0; m < wall->motions; m++) {
+            const struct wall_motion *motion = &wall->motion[m];
+            bool ahead = motion->kind != WALL_SERVO || motion->force == 0;
+            for (int corner = 0; !ahead && corner < 8; corner++) {
+                double along = 0;
+                for (int d = 0; d < 3; d++) {
+                    double at = wall->point[d];
+                    if (wall->shape == WALL_MESH)
+                        at = (extent.lower[d] + extent.upper[d]) / 2;
+                    double x = corner >> d & 1 ? notes->particles.upper[d] : notes->particles.lower[d];
+                    along += motion->direction[d] * (x - at) * (motion->force < 0 ? 1 : -1);
+                }
+                ahead = along > 0;
+            }
+            if (!ahead)
+                add(notes, true,
+                    "walls[%d].motion[%d]: the servo of wall '%s' pushes away from all particles, and will "
+                    "move "
+                    "on at speed_max; turn its direction round",
+                    w, m, wall->name);
+        }
     }
 }
 
@@ -168,6 +212,7 @@ void notes_take(const struct simulation *s, struct notes *notes) {
     if (s->scene->note[0])
         add(notes, false, "%s", s->scene->note);
     look_at_places(s, notes);
+    look_at_servos(s, notes);
     look_at_edges(s, notes);
     look_at_output(s, notes);
     look_at_guards(s, notes);

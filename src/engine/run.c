@@ -77,12 +77,13 @@ bool run_directory(const struct comm *comm, const struct run_options *options, s
     if (comm->rank == 0 && options->directory) {
         struct stat found;
         bool there = stat(options->directory, &found) == 0;
-        if (there && !options->overwrite && !options->resume)
+        if (there && !options->overwrite && !options->resume && !folder_empty(options->directory))
             error_set(error, ERROR_USER,
-                      "%s: exists already; nothing was written. Choose another -o, or give --overwrite or "
+                      "%s: exists already, and is not empty; nothing was written. Choose another -o, or give "
+                      "--overwrite or "
                       "--resume FILE",
                       options->directory);
-        else if (!there && mkdir(options->directory, 0777) != 0)
+        else if (!there && !folder_make(options->directory))
             error_set(error, ERROR_USER, "%s: cannot make this directory: %s", options->directory,
                       strerror(errno));
     }

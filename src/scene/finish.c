@@ -2,6 +2,7 @@
 /* Derives the data of the modules from the values read: the box, sides, pairs of materials, unit vectors,
  * defaults that depend on other keys. */
 #include "scene/finish.h"
+#include "scene/scene_files.h"
 
 #include "core/memory.h"
 #include "integrate/timestep.h"
@@ -41,6 +42,8 @@ static bool box_from_file(struct scene *scene, struct error *error) {
     bool file = scene->sources > 0 && source->kind == SOURCE_FILE && source->format != SOURCE_TABLE;
     if (!file)
         return scene_fail(scene, error, "box.lower", "is missing; needed: three numbers [x, y, z], in m");
+    if (!scene_files_open(scene, error))
+        return false;
     struct rows rows = {0};
     struct h5md_read_options options = {.frame = source->frame};
     if (source->format == SOURCE_LAMMPS_DATA ? !lammps_data_read(source->file, &rows, error)

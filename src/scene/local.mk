@@ -11,6 +11,8 @@ libscene_la_SOURCES = \
 	src/scene/insertion.h \
 	src/scene/lattice.c \
 	src/scene/lattice.h \
+	src/scene/mistakes.c \
+	src/scene/mistakes.h \
 	src/scene/packing.c \
 	src/scene/packing.h \
 	src/scene/placegrid.c \
@@ -25,6 +27,8 @@ libscene_la_SOURCES = \
 	src/scene/scene_check_box.h \
 	src/scene/scene_check_walls.c \
 	src/scene/scene_check_walls.h \
+	src/scene/scene_files.c \
+	src/scene/scene_files.h \
 	src/scene/scene_particles.c \
 	src/scene/scene_particles.h \
 	src/scene/scene_read.c \
@@ -50,6 +54,10 @@ libscene_la_SOURCES = \
 	src/scene/schema_root.c \
 	src/scene/schema_root.h \
 	src/scene/schema_rows.h \
+	src/scene/schema_search.c \
+	src/scene/schema_search.h \
+	src/scene/schema_unknown.c \
+	src/scene/schema_unknown.h \
 	src/scene/schema_value.c \
 	src/scene/schema_value.h \
 	src/scene/schema_walls.c \
@@ -63,12 +71,17 @@ libscene_la_SOURCES = \
 	src/scene/source_batch.h \
 	src/scene/source_sphere.c \
 	src/scene/source_sphere.h \
+	src/scene/synonyms.c \
+	src/scene/synonyms.h \
 	src/scene/table.c \
 	src/scene/table.h \
 	src/scene/table_lines.c \
 	src/scene/table_lines.h \
 	src/scene/tree.c \
 	src/scene/tree.h \
+	src/scene/tree_advice.c \
+	src/scene/tree_advice.h \
+	src/scene/tree_parse.c \
 	src/scene/unique.c \
 	src/scene/unique.h \
 	src/scene/units.c \

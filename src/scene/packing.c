@@ -119,6 +119,47 @@ static bool find_place(const struct placing *p, const struct draw *draw, double 
     return false;
 }
 
+/* The plane wall behind which nearly all of many random places lie, although spheres should stand before it;
+ * -1: none. */
+static int wall_away(const struct placing *p, double radius) {
+    enum { TRIES = 200 };
+    const struct scene *scene = p->scene;
+    for (int w = 0; w < scene->walls; w++) {
+        struct random_sequence random =
+            random_sequence(scene->seed, RANDOM_POSITION, (uint64_t)(p->source + 1) << 40);
+        const struct wall_options *wall = &scene->wall[w];
+        int behind = 0;
+        for (int k = 0; wall->shape == WALL_PLANE && k < TRIES; k++) {
+            double x[3], along = 0;
+            if (!region_draw(&p->region, &p->space, radius, &random, x))
+                return -1;
+            for (int d = 0; d < 3; d++)
+                along += wall->normal[d] * (x[d] - wall->point[d]);
+            behind += along < radius;
+        }
+        if (behind > TRIES - TRIES / 20)
+            return w;
+    }
+    return -1;
+}
+
+/* The message if not even the first sphere found a place, as walls stand in the way; true without walls. */
+static bool walls_leave_room(const struct placing *p, const struct order *order, struct error *error) {
+    const struct scene *scene = p->scene;
+    char key[96];
+    int w = wall_away(p, order->draw[0].radius);
+    if (w < 0)
+        return true;
+    const struct wall_options *wall = &scene->wall[w];
+    snprintf(key, sizeof(key), "walls[%d].normal", w);
+    return scene_fail(
+        scene, error, key,
+        "wall '%s' faces away from the particles: the places for them lie behind it, and none of "
+        "%zu spheres found a place. A normal points to the side of the particles; turned round: "
+        "[%g, %g, %g]",
+        wall->name, order->count, 0 - wall->normal[0], 0 - wall->normal[1], 0 - wall->normal[2]);
+}
+
 static bool not_placed(const struct scene *scene, int source, const struct order *order, size_t placed,
                        double reached, struct error *error) {
     char key[96];
@@ -131,11 +172,11 @@ static bool not_placed(const struct scene *scene, int source, const struct order
         "only %zu of %zu spheres found a place (volume fraction %.4g of %.4g) in %lld attempts for the next "
         "one, of radius %g, clear of others and of walls. Random placement ends at about %s, and nears it "
         "slowly (more attempts); wide "
-        "size "
-        "laws reach more, a lattice or a packing made beforehand as well",
+        "size laws reach more, a lattice or a packing made beforehand as well%s",
         placed, order->count, reached / order->volume, wanted / order->volume,
         (long long)scene->source[source].attempts, order->draw[placed].radius,
-        scene->box.dimension == 2 ? "0.547 of the area for equal discs" : "0.382 for equal spheres");
+        scene->box.dimension == 2 ? "0.547 of the area for equal discs" : "0.382 for equal spheres",
+        source > 0 ? ". Earlier sources were placed first: put the source of the largest spheres first" : "");
 }
 
 static bool place_all(const struct placing *p, const struct order *order, struct source_batch *batch,
@@ -145,7 +186,8 @@ static bool place_all(const struct placing *p, const struct order *order, struct
         double *x = batch->rows.position[k], y[3];
         tell(p->share, "spheres placed", k, (double)order->count);
         if (!find_place(p, &order->draw[k], x))
-            return not_placed(p->scene, p->source, order, k, reached, error);
+            return (k > 0 || walls_leave_room(p, order, error)) &&
+                   not_placed(p->scene, p->source, order, k, reached, error);
         relative(&p->scene->box, x, y);
         placegrid_add(p->grid, y, order->draw[k].radius);
         batch->rows.radius[k] = order->draw[k].radius;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Combinations of keys that cannot be: each is refused with its place before anything runs. */
 #include "scene/scene_check.h"
+#include "scene/mistakes.h"
 #include "scene/scene_check_box.h"
 #include "scene/scene_check_walls.h"
 
@@ -368,8 +369,13 @@ static bool check_output(const struct scene *scene, struct error *error) {
 }
 
 bool scene_check(const struct scene *scene, struct error *error) {
-    return check_law(scene, error) && scene_check_box(scene, error) && check_step(scene, error) &&
-           check_plane(scene, error) && scene_check_walls(scene, error) && check_search(scene, error) &&
-           check_groups(scene, error) && check_sources(scene, error) && check_insertions(scene, error) &&
-           check_output(scene, error);
+    static bool (*const checks[])(const struct scene *scene, struct error *error) = {
+        check_law,    scene_check_box, check_step,    check_plane,      scene_check_walls,
+        check_search, check_groups,    check_sources, check_insertions, check_output};
+    for (size_t k = 0; k < sizeof(checks) / sizeof(checks[0]); k++) {
+        struct error found = {0};
+        if (!checks[k](scene, &found))
+            mistakes_add(error, found.text);
+    }
+    return error->kind == ERROR_NONE;
 }

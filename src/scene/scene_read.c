@@ -37,7 +37,8 @@ static bool read_scene(struct scene *scene, const char *text, const struct scene
             return false;
     const struct tree_node *units = tree_nearest(scene->tree, "units");
     reader.units = !(units->kind == TREE_SCALAR && strcmp(units->text, "none") == 0);
-    return finish_names(scene, scene->tree, error) && schema_read(&reader, scene->tree);
+    reader.doubtful = !finish_names(scene, scene->tree, error);
+    return schema_read(&reader, scene->tree) && error->kind == ERROR_NONE;
 }
 
 struct scene *scene_parse(const char *file, const char *text, const struct scene_setting *set, int sets,

@@ -2,6 +2,7 @@
 /* Looks into the rows of the schema: finds, walks, suggests, names the allowed values. Read schema_rows.h
  * first. */
 #include "scene/schema.h"
+#include "scene/mistakes.h"
 #include "scene/schema_root.h"
 
 #include <math.h>
@@ -79,60 +80,6 @@ void schema_walk(void (*visit)(void *context, const struct schema_row *row, cons
     walk_table(&schema_root, "", 0, visit, context);
 }
 
-/* Levenshtein's distance of two words, the longer one cut at 63 letters. */
-static int word_distance(const char *a, const char *b) {
-    int row[64];
-    int n = (int)strnlen(a, 63), m = (int)strnlen(b, 63);
-    for (int j = 0; j <= m; j++)
-        row[j] = j;
-    for (int i = 1; i <= n; i++) {
-        int diagonal = row[0];
-        row[0] = i;
-        for (int j = 1; j <= m; j++) {
-            int best = diagonal + (a[i - 1] != b[j - 1]);
-            diagonal = row[j];
-            best = row[j] + 1 < best ? row[j] + 1 : best;
-            row[j] = row[j - 1] + 1 < best ? row[j - 1] + 1 : best;
-        }
-    }
-    return row[m];
-}
-
-struct suggestion {
-    const char *section, *key;
-    double score;
-    char *nearest;
-};
-
-/* Letters that may be wrong in a word. */
-static int tolerance(const char *a, const char *b) {
-    size_t shorter = strlen(a) < strlen(b) ? strlen(a) : strlen(b);
-    return shorter > 6 ? (int)shorter / 3 : shorter > 3 ? 2 : 1;
-}
-
-/* A sibling with a typing error is nearest, then one farther down in the section, then one elsewhere. */
-static void suggest_row(void *context, const struct schema_row *row, const char *key, int depth) {
-    struct suggestion *s = context;
-    (void)depth;
-    int distance = word_distance(s->key, row->key);
-    if (distance > tolerance(s->key, row->key))
-        return;
-    size_t length = strlen(s->section);
-    bool inside = strncmp(key, s->section, length) == 0;
-    bool sibling = inside && !strpbrk(key + length, ".");
-    double score = distance + (sibling ? 0 : inside ? 0.9 : 2);
-    if (score < s->score) {
-        s->score = score;
-        snprintf(s->nearest, SCHEMA_KEY_MAX, "%s", key);
-    }
-}
-
-bool schema_suggest(const char *section, const char *key, char nearest[SCHEMA_KEY_MAX]) {
-    struct suggestion suggestion = {.section = section, .key = key, .score = 1e9, .nearest = nearest};
-    schema_walk(suggest_row, &suggestion);
-    return suggestion.score < 1e9;
-}
-
 bool schema_fail(struct schema_reader *reader, const struct tree_node *node, const char *key,
                  const char *format, ...) {
     char place[1200], text[1024];
@@ -141,9 +88,9 @@ bool schema_fail(struct schema_reader *reader, const struct tree_node *node, con
     vsnprintf(text, sizeof(text), format, list);
     va_end(list);
     tree_place(node, reader->file, place, sizeof(place));
-    if (!key[0])
-        return error_set(reader->error, ERROR_USER, "%.700s: %s", place, text);
-    return error_set(reader->error, ERROR_USER, "%.700s: %.200s: %s", place, key, text);
+    char line[ERROR_TEXT_MAX];
+    snprintf(line, sizeof(line), "%.700s: %.200s%s%s", place, key, key[0] ? ": " : "", text);
+    return mistakes_add(reader->error, line);
 }
 
 /* Ranges. */
@@ -205,7 +152,7 @@ static bool name_is(const struct schema_row *row, const char *value, const char 
 
 /* True if the value of a row has a trait. */
 static bool trait_is(const struct schema_row *row, int value, const char *trait, size_t length) {
-    for (const char *t = row->traits ? row->traits(value) : ""; *t; t += strspn(t, " ")) {
+    for (const char *t = row->traits && value >= 0 ? row->traits(value) : ""; *t; t += strspn(t, " ")) {
         size_t word = strcspn(t, " ");
         if (word == length && memcmp(t, trait, length) == 0)
             return true;
@@ -297,6 +244,13 @@ const char *schema_target_name(const char *root, const char *target, int k) {
 }
 
 /* The allowed values, in words. */
+
+const char *schema_value_name(const struct schema_row *row, int k) {
+    const char *help;
+    if (row->type == SCHEMA_CHOICE)
+        return row->choice(k, &help);
+    return row->type == SCHEMA_NAME ? row->names[k].name : NULL;
+}
 
 static void append_word(char *text, size_t room, const char *separator, const char *word) {
     size_t length = strlen(text);

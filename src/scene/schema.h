@@ -17,13 +17,15 @@ struct schema_reader {
     bool units;           /* units may be given */
     const int *dimension; /* 2: vectors may have two components */
     char *note;           /* SCHEMA_NOTE_MAX bytes: note to the user of an older name; "" if none */
+    bool doubtful;        /* a value that conditions or references ask for was refused: what is missing or
+                             misplaced then may follow from it, and is not told */
     struct error *error;
 };
 
 /* Bytes that a full key ("walls[12].motion[3].direction") may have. */
 enum { SCHEMA_KEY_MAX = 256, SCHEMA_NOTE_MAX = 256 };
 
-/* Fills the reader's error: "PLACE: KEY: TEXT". Returns false. */
+/* Adds a mistake to the reader's error: "PLACE: KEY: TEXT". Returns false. */
 bool schema_fail(struct schema_reader *reader, const struct tree_node *node, const char *key,
                  const char *format, ...) __attribute__((format(printf, 4, 5)));
 
@@ -51,13 +53,12 @@ const struct schema_row *schema_short_list(const struct schema_table *table);
  * short forms understood), and its key in the form "walls[].radius"; or NULL. */
 const struct schema_row *schema_find(const char *key, char full[SCHEMA_KEY_MAX]);
 
-/* Writes the nearest known full key to `nearest`; false if none is near. `section` is the prefix in which the
- * key stood ("walls[]."), or "". */
-bool schema_suggest(const char *section, const char *key, char nearest[SCHEMA_KEY_MAX]);
-
 /* Calls `visit` for every row, depth first, with the full key ("walls[].radius") and its depth. */
 void schema_walk(void (*visit)(void *context, const struct schema_row *row, const char *key, int depth),
                  void *context);
+
+/* The k-th name that a row of type NAME or CHOICE allows; NULL behind the last, and for other rows. */
+const char *schema_value_name(const struct schema_row *row, int k);
 
 /* The allowed values, in words: "a number > 0 with a unit of length (m)", "one of a, b, c". */
 void schema_allowed(const struct schema_row *row, char *text, size_t room);

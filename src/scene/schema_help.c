@@ -3,6 +3,8 @@
 #include "scene/schema_help.h"
 #include "scene/schema.h"
 #include "scene/schema_root.h"
+#include "scene/schema_search.h"
+#include "scene/schema_unknown.h"
 
 #include <string.h>
 
@@ -87,15 +89,19 @@ bool scene_help(FILE *out, const char *key) {
         return true;
     }
     char full[SCHEMA_KEY_MAX];
-    const struct schema_row *row = schema_find(key, full);
-    if (row) {
+    bool known = schema_find(key, full) != NULL;
+    int found = known ? 1 : schema_search(out, key, full);
+    if (full[0] && (known || found == 1)) {
         struct listing listing = {.out = out, .prefix = full};
         schema_walk(print_found, &listing);
         return true;
     }
+    if (found)
+        return true;
     const char *last = strrchr(key, '.');
-    char nearest[SCHEMA_KEY_MAX];
-    if (schema_suggest("", last ? last + 1 : key, nearest))
+    char nearest[SCHEMA_KEY_MAX], section[SCHEMA_KEY_MAX];
+    snprintf(section, sizeof(section), "%.*s", last ? (int)(last + 1 - key) : 0, key);
+    if (schema_suggest(section, last ? last + 1 : key, nearest))
         fprintf(out, "no key '%s'; the nearest is '%s'\n", key, nearest);
     else
         fprintf(out, "no key '%s'; `scree help` lists all\n", key);
@@ -179,12 +185,15 @@ void scene_document(FILE *out) {
                  "explains one key.\n\n"
                  "- A scene is a YAML file. Unknown, duplicate and ill-typed keys, values out of range and "
                  "impossible combinations stop the\n"
-                 "  program before the run, with file, line, key and the allowed values.\n"
+                 "  program before the run, with file, line, key and the allowed values,\n"
+                 "  up to ten mistakes at once.\n"
                  "- Numbers are in SI base units (m, kg, s, rad) unless a unit follows: `5 mm`, `2 GPa`, "
                  "`0.1 ms`, `20 rpm`, `2.5 g/cm3`. Prefixes n, u,\n"
                  "  m, c, d, h, k, M, G, T stand before m, g, s, N, Pa, J, W, Hz, rad, bar, L; the units t, "
                  "min, h, deg, rpm, %% have no prefix. With `units: none`\n"
                  "  a unit is an error.\n"
+                 "- `&name` names a value or section, `*name` repeats it, and `<<: *name` takes in the keys of a "
+                 "section that are not given beside it.\n"
                  "- `--set KEY=VALUE` on the command line overrides any key: `--set step.dt=1e-6`, `--set "
                  "walls[0].radius=\"5 cm\"`, `--set index=multi`.\n"
                  "  Lists count from 0; the number after the last appends an entry. `~` (or `null`) removes "

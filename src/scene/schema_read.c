@@ -5,6 +5,7 @@
 #include "core/memory.h"
 #include "scene/schema_normalise.h"
 #include "scene/schema_root.h"
+#include "scene/schema_unknown.h"
 #include "scene/schema_value.h"
 
 #include <stdlib.h>
@@ -13,21 +14,6 @@
 static bool is_empty(const struct tree_node *node) {
     return node->kind == TREE_SCALAR && !node->quoted &&
            (!node->text[0] || strcmp(node->text, "~") == 0 || strcmp(node->text, "null") == 0);
-}
-
-static bool unknown_key(struct schema_reader *reader, const struct tree_node *node, const char *prefix,
-                        const char *key) {
-    char section[SCHEMA_KEY_MAX], nearest[SCHEMA_KEY_MAX];
-    snprintf(section, sizeof(section), "%s", prefix);
-    for (char *open = strchr(section, '['); open && strchr(open, ']'); open = strchr(open + 1, '[')) {
-        const char *close = strchr(open, ']');
-        memmove(open + 1, close, strlen(close) + 1);
-    }
-    if (schema_suggest(section, key, nearest))
-        return schema_fail(reader, node, "",
-                           "unknown key '%s%.80s'; did you mean '%s'? (`scree help` lists all keys)", prefix,
-                           key, nearest);
-    return schema_fail(reader, node, "", "unknown key '%s%.80s' (`scree help` lists all keys)", prefix, key);
 }
 
 /* The place of a setting on its way down the tree. */
@@ -144,7 +130,8 @@ static bool put_setting(struct descent *descent, const char *key, struct tree_no
         if (!row || descent->node->kind != TREE_MAP) {
             char section[SCHEMA_KEY_MAX];
             snprintf(section, sizeof(section), "%.*s", (int)(key - descent->whole), descent->whole);
-            return unknown_key(descent->reader, value, section, name);
+            return schema_unknown(descent->reader, descent->node->kind == TREE_MAP ? descent->table : NULL,
+                                  value, section, name, true);
         }
         if (descent->out && !tree_get(descent->node, name))
             return absent(descent);
@@ -169,7 +156,9 @@ static bool put_setting(struct descent *descent, const char *key, struct tree_no
                 return replace_item(descent, row, child, number, value);
             child = element_of(descent, child, number);
         }
-        if (!child || *key != '.' || !row->sub)
+        if (!child)
+            return false;
+        if (*key != '.' || !row->sub)
             return schema_fail(descent->reader, value, descent->whole, "not a key; `scree help` lists all");
         key++;
         descent->node = child;
@@ -201,15 +190,6 @@ bool schema_set(struct schema_reader *reader, struct tree_node *root, const char
 static bool read_table(struct schema_reader *reader, const struct schema_table *table,
                        const struct tree_node *node, const char *prefix, char *base);
 
-/* Every key of the section must be in its table. */
-static bool check_keys(struct schema_reader *reader, const struct schema_table *table,
-                       const struct tree_node *node, const char *prefix) {
-    for (size_t k = 0; k < node->children; k++)
-        if (!schema_row_find(table, node->key[k], strlen(node->key[k])))
-            return unknown_key(reader, node->child[k], prefix, node->key[k]);
-    return true;
-}
-
 static bool read_list(struct schema_reader *reader, const struct schema_row *row,
                       const struct tree_node *node, const char *key, char *base) {
     int count = row->first;
@@ -221,24 +201,27 @@ static bool read_list(struct schema_reader *reader, const struct schema_row *row
     if (node->children > (size_t)(row->max - row->first))
         return schema_fail(reader, node, key, "%zu entries; at most %d are possible", node->children,
                            row->max - row->first);
+    bool good = true;
     for (size_t k = 0; k < node->children; k++) {
         char prefix[SCHEMA_KEY_MAX];
         if (node->implied) /* named as the user wrote it: particles.file */
             snprintf(prefix, sizeof(prefix), "%.*s", (int)(strlen(key) - strlen(row->key)), key);
         else
             snprintf(prefix, sizeof(prefix), "%.200s[%zu].", key, k);
-        if (!read_table(reader, row->sub, node->child[k], prefix,
-                        base + row->offset + (size_t)count * row->size))
-            return false;
+        good = read_table(reader, row->sub, node->child[k], prefix,
+                          base + row->offset + (size_t)count * row->size) &&
+               good;
         count++;
         memcpy(base + row->count_offset, &count, sizeof(count));
     }
-    return true;
+    return good;
 }
 
 /* A row that the scene does not name: its default. */
 static bool read_default(struct schema_reader *reader, const struct schema_row *row,
                          const struct tree_node *section, const char *key, char *base) {
+    if (row->required && reader->doubtful)
+        return false;
     if (row->required) {
         char allowed[2048];
         schema_allowed(row, allowed, sizeof(allowed));
@@ -292,6 +275,8 @@ static bool key_applies(const struct schema_row *row, const struct schema_table 
 /* Refuses a key no row of which exists. */
 static bool misplaced(struct schema_reader *reader, const struct schema_row *row,
                       const struct schema_table *table, const struct tree_node *node, const char *key) {
+    if (reader->doubtful)
+        return false;
     char conditions[512] = "";
     for (int k = 0; k < table->count; k++) {
         if (strcmp(table->rows[k].key, row->key) != 0)
@@ -304,28 +289,54 @@ static bool misplaced(struct schema_reader *reader, const struct schema_row *row
     return schema_fail(reader, node, key, "exists only with %s (--set %s=~ takes it out)", conditions, key);
 }
 
+/* True if conditions or references of other rows may ask for the value of a row. */
+static bool decides(const struct schema_row *row) {
+    return row->type == SCHEMA_NAME || row->type == SCHEMA_CHOICE || row->type == SCHEMA_LIST ||
+           row->type == SCHEMA_SECTION;
+}
+
+/* Gives a row whose value was refused a value that the rest of the reading can bear: its default. */
+static void refused(const struct schema_row *row, char *base) {
+    struct error unused = {0};
+    struct schema_reader reader = {.file = "", .folder = "", .root = base, .units = true, .error = &unused};
+    struct schema_row optional = *row;
+    optional.required = false;
+    if (row->type != SCHEMA_SECTION && row->type != SCHEMA_LIST)
+        read_default(&reader, &optional, NULL, "", base);
+}
+
 static bool read_table(struct schema_reader *reader, const struct schema_table *table,
                        const struct tree_node *node, const char *prefix, char *base) {
     if (node->kind != TREE_MAP) {
         char key[SCHEMA_KEY_MAX];
         snprintf(key, sizeof(key), "%.*s", (int)(prefix[0] ? strlen(prefix) - 1 : 0), prefix);
-        return schema_fail(reader, node, key, "must be a section with keys (`key: value`)");
+        bool named = node->kind == TREE_SCALAR && schema_row_find(table, "name", 4) && !is_empty(node);
+        return named ? schema_fail(reader, node, key,
+                                   "must be a section with keys (`key: value`); write {name: %.80s}",
+                                   node->text)
+                     : schema_fail(reader, node, key, "must be a section with keys (`key: value`)");
     }
-    if (!check_keys(reader, table, node, prefix))
-        return false;
+    bool doubtful = reader->doubtful, good = schema_known_keys(reader, table, node, prefix);
+    reader->doubtful = doubtful || !good; /* a key that seems to be missing may be among the unknown ones */
     for (int k = 0; k < table->count; k++) {
         const struct schema_row *row = &table->rows[k];
         char key[SCHEMA_KEY_MAX];
         snprintf(key, sizeof(key), "%.160s%s", prefix, row->key);
         const struct tree_node *child = tree_get(node, row->key);
         if (schema_applies(row, table, base, reader->root)) {
-            if (!read_row(reader, row, node, child, key, base))
-                return false;
-        } else if (child && !key_applies(row, table, base, reader->root)) {
-            return misplaced(reader, row, table, child, key);
+            if (!read_row(reader, row, node, child, key, base)) {
+                refused(row, base);
+                doubtful = doubtful || decides(row);
+                reader->doubtful = reader->doubtful || doubtful;
+                good = false;
+            }
+        } else if (child && schema_row_find(table, row->key, strlen(row->key)) == row &&
+                   !key_applies(row, table, base, reader->root)) {
+            good = misplaced(reader, row, table, child, key) && good;
         }
     }
-    return true;
+    reader->doubtful = doubtful;
+    return good;
 }
 
 bool schema_read(struct schema_reader *reader, const struct tree_node *root) {

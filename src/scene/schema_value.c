@@ -2,6 +2,7 @@
 /* Reads one value from a node into the place that the row gives. */
 #include "scene/schema_value.h"
 #include "scene/decimal.h"
+#include "scene/schema_unknown.h"
 #include "scene/units.h"
 
 #include <errno.h>
@@ -10,9 +11,21 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* True for "0,2", "1,5e-6" and "2,5 mm". */
+static bool decimal_comma(const char *text) {
+    static const char digits[] = "0123456789";
+    size_t whole = strspn(text, "+-0123456789");
+    return whole > 0 && text[whole] == ',' && strspn(text + whole + 1, digits) > 0 &&
+           !strchr(text + whole + 1, ',');
+}
+
 bool schema_number(const char *text, const char *unit, bool units_allowed, double *value, char *why,
                    size_t room) {
     const char *end, *behind;
+    if (decimal_comma(text)) {
+        snprintf(why, room, "'%.80s' has a decimal comma; write a decimal point", text);
+        return false;
+    }
     if (!decimal_read(text, &end, value)) {
         snprintf(why, room, "'%.80s' is not a number", text);
         return false;
@@ -90,6 +103,12 @@ static bool read_long(struct schema_reader *reader, const struct schema_row *row
     char why[256];
     bool fits;
     snprintf(why, sizeof(why), "'%.80s' is not a whole number", node->text);
+    double time;
+    char unused[256];
+    if (strcmp(row->key, "steps") == 0 && !decimal_whole(node->text, value, &fits) && reader->units &&
+        schema_number(node->text, "s", true, &time, unused, sizeof(unused)))
+        return schema_fail(reader, node, key, "'%.80s' is a time, not a number of steps; write {time: %.80s}",
+                           node->text, node->text);
     if (!decimal_whole(node->text, value, &fits))
         return refuse(reader, row, node, key, why);
     snprintf(why, sizeof(why), "'%.80s' is out of range", node->text);
@@ -167,18 +186,25 @@ static bool read_name(struct schema_reader *reader, const struct schema_row *row
                       const struct tree_node *node, const char *key, char *value) {
     if (!want_scalar(reader, row, node, key))
         return false;
-    const char *name, *help;
-    for (int k = 0; row->type == SCHEMA_NAME && row->names[k].name; k++)
-        if (strcmp(node->text, row->names[k].name) == 0) {
+    const char *name, *near = NULL;
+    int nearest = 1000;
+    for (int k = 0; (name = schema_value_name(row, k)); k++) {
+        size_t length = row->with_target ? strcspn(node->text, "/") : strlen(node->text);
+        if (row->type == SCHEMA_CHOICE && strlen(name) == length && strncmp(node->text, name, length) == 0)
+            return read_text(reader, row, node, key, value);
+        if (strcmp(node->text, name) == 0) {
             memcpy(value, &row->names[k].value, sizeof(int));
             return true;
         }
-    size_t length = row->with_target ? strcspn(node->text, "/") : strlen(node->text);
-    for (int k = 0; row->type == SCHEMA_CHOICE && (name = row->choice(k, &help)); k++)
-        if (strlen(name) == length && strncmp(node->text, name, length) == 0)
-            return read_text(reader, row, node, key, value);
+        int distance = schema_distance(node->text, name);
+        if (distance >= 0 && distance < nearest) {
+            nearest = distance;
+            near = name;
+        }
+    }
     char why[256];
-    snprintf(why, sizeof(why), "'%.80s' is unknown", node->text);
+    snprintf(why, sizeof(why), "'%.80s' is unknown%s%s%s", node->text, near ? " (did you mean '" : "",
+             near ? near : "", near ? "'?)" : "");
     return refuse(reader, row, node, key, why);
 }
 
@@ -196,6 +222,8 @@ static bool read_reference(struct schema_reader *reader, const struct schema_row
         size_t length = strlen(known);
         snprintf(known + length, sizeof(known) - length, "%s%s", k ? ", " : "", name);
     }
+    if (reader->doubtful) /* the list itself was refused, or is incomplete */
+        return false;
     return schema_fail(reader, node, key, "'%.80s' is not one of the %s; known: %s", node->text, row->target,
                        known[0] ? known : "none");
 }

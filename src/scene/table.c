@@ -64,12 +64,20 @@ struct table {
     enum column column[SOURCE_COLUMNS_MAX];
     struct units_scale scale[SOURCE_COLUMNS_MAX]; /* to SI */
     struct table_lines lines;
+    bool from_scene; /* the columns at hand are those of the scene */
     struct error *error;
 };
 
 static bool fail(const struct table *table, const char *format, const char *what) {
     char text[512];
     snprintf(text, sizeof(text), format, what);
+    if (table->from_scene) {
+        char key[96];
+        return scene_fail(table->scene, table->error, source_key(table->number, "columns", key, sizeof(key)),
+                          "%s", text);
+    }
+    if (table->lines.number == 0)
+        return error_set(table->error, ERROR_USER, "%.700s: %s", table->source->file, text);
     return error_set(table->error, ERROR_USER, "%.700s:%ld: %s", table->source->file, table->lines.number,
                      text);
 }
@@ -212,9 +220,11 @@ static bool find_columns(struct table *table) {
     char key[96], place[SCENE_PATH_MAX];
     source_key(table->number, "columns", key, sizeof(key));
     scene_place(table->scene, key, place, sizeof(place));
+    table->from_scene = true;
     for (int k = 0; k < source->column_count; k++)
         if (!add_column(table, source->column[k]))
             return false;
+    table->from_scene = false;
     if (source->column_count == 0 && !header && !comment[0])
         return error_set(table->error, ERROR_USER,
                          "%.700s: %s: is missing, and %.700s has no header line; needed: what each column "

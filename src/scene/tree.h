@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A YAML text as a tree of nodes that know their lines. Anchors, aliases, tags and several documents are
- * refused: a scene gives every value in its place. Duplicate keys are refused here. */
+/* A YAML text as a tree of nodes that know their lines. An alias (*name) becomes a copy of what has its anchor
+ * (&name), with the lines of the anchor, and '<<' takes in the keys of other mappings, where the mapping does
+ * not give them itself. Tags and several documents are refused. Duplicate keys are refused here. */
 #ifndef SCREE_SCENE_TREE_H
 #define SCREE_SCENE_TREE_H
 
@@ -31,6 +32,12 @@ struct tree_node *tree_get(const struct tree_node *map, const char *key);
 
 /* A new empty node. */
 struct tree_node *tree_new(enum tree_kind kind, long line);
+
+/* A copy of `length` bytes of a text, for a node or a key (memory_free). */
+char *tree_text(const char *text, size_t length);
+
+/* Adds an entry (`key`, made by tree_text, and `child` taken over) to a mapping that has no such key. */
+void tree_add(struct tree_node *map, char *key, struct tree_node *child);
 
 /* Puts `child` (taken over) under `key` of a mapping, replacing the old entry. */
 void tree_put(struct tree_node *map, const char *key, struct tree_node *child);

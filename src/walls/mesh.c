@@ -4,6 +4,7 @@
 #include "files/numbers.h"
 #include "core/memory.h"
 #include <string.h>
+#include <strings.h>
 
 static bool mesh_table(struct mesh *mesh, char *text, const char *path, struct error *error) {
     struct numbers numbers;
@@ -19,6 +20,25 @@ static bool mesh_table(struct mesh *mesh, char *text, const char *path, struct e
     return true;
 }
 
+/* Other kinds of files that people give for a mesh: what to do with each. */
+static const char *mesh_foreign(const char *text, size_t size, const char *path) {
+    size_t length = strlen(path);
+    const char *end = length > 4 ? path + length - 4 : "";
+    if (size > 2 && memcmp(text, "\x1f\x8b", 2) == 0)
+        return "is packed by gzip; a mesh must be unpacked: gunzip it";
+    if (size > 2 && memcmp(text, "PK", 2) == 0)
+        return "is packed by zip; a mesh must be unpacked: unzip it";
+    if (strncmp(text, "ply", 3) == 0 && (text[3] == '\n' || text[3] == '\r'))
+        return "is a PLY file; allowed: STL, ASCII or binary, or a table of nine numbers a triangle: export "
+               "the "
+               "mesh as STL";
+    if (strcasecmp(end, ".obj") == 0 || strncmp(text, "v ", 2) == 0 || strncmp(text, "mtllib ", 7) == 0)
+        return "is an OBJ file; allowed: STL, ASCII or binary, or a table of nine numbers a triangle: export "
+               "the "
+               "mesh as STL";
+    return NULL;
+}
+
 /* Parses the content in the given format, or in the format that the content shows. */
 static bool mesh_parse(struct mesh *mesh, char *text, size_t size, const char *path, const char *format,
                        struct error *error) {
@@ -27,6 +47,9 @@ static bool mesh_parse(struct mesh *mesh, char *text, size_t size, const char *p
     if (!any && !stl && strcmp(format, "table") != 0)
         return error_set(error, ERROR_USER, "%s: unknown mesh format '%s'; known: auto, stl, table", path,
                          format);
+    const char *foreign = mesh_foreign(text, size, path);
+    if (foreign)
+        return error_set(error, ERROR_USER, "%s: %s", path, foreign);
     if ((any || stl) && mesh_stl_is_binary(text, size))
         return mesh_stl_binary(mesh, text, size, path, error);
     if (stl || (any && mesh_stl_is_ascii(text)))

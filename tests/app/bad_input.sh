@@ -117,7 +117,6 @@ scene 'a list for a section' "case.yaml:4|contact|section" 'contact: [hertz]'
 scene 'two numbers for three' "case.yaml:2|gravity|three numbers" 'gravity: [0, 1]'
 scene 'wrong unit' "case.yaml:3|step.dt|kg|s" 'step: {count: 4, dt: 1 kg}'
 scene 'unknown unit' "case.yaml:3|step.dt|parsec" 'step: {count: 4, dt: 1 parsec}'
-scene 'a unit in a scene without units' "units" 'units: none'
 scene 'out of range' "case.yaml:6|restitution|1.5|from 0 to 1" 'material_pairs: [{restitution: 1.5, friction: 0.3}]'
 scene 'a negative density' "case.yaml:5|density|> 0" 'materials: [{name: glass, density: -1, young: 10 MPa, poisson: 0.2}]'
 scene 'not a number' "case.yaml:2|gravity|nan" 'gravity: [0, .nan, 0]'
@@ -204,6 +203,98 @@ head -c 1000 /dev/zero >case.yaml
 bad scene 'zeros' "case.yaml|not a text file" "$scree" run case.yaml -o new --quiet
 : >case.yaml
 bad scene 'empty' "case.yaml:1|materials" "$scree" run case.yaml -o new --quiet
+
+echo '== what people write who know another program: the message says what to write here'
+glass() { echo "materials: [{name: glass, density: 2500, young: 10 MPa, poisson: 0.2}]" | sed "s/$1/$2/"; }
+# mistake WHAT WORDS LINE...: as scene, but run alone: `check` reads scenes by the same functions
+mistake() {
+    local what=$1 words=$2
+    shift 2
+    write_scene case.yaml "$@"
+    bad mistake "$what" "$words" "$scree" run case.yaml -o new --quiet
+}
+mistake 'rho' "case.yaml:5: unknown key 'materials[0].rho'|'materials[].density'|here: name, density, young, poisson" "$(glass density rho)"
+mistake "Young's modulus" "case.yaml:5|'materials[].young'" "$(glass young youngs_modulus)"
+mistake 'nu' "case.yaml:5|'materials[].poisson'" "$(glass poisson nu)"
+mistake 'mu' "case.yaml:6|'material_pairs[].friction'" 'material_pairs: [{restitution: 0.5, mu: 0.3}]'
+mistake 'a long word for restitution' "case.yaml:6|'material_pairs[].restitution'" 'material_pairs: [{restitution_coefficient: 0.5}]'
+mistake 'timestep' "case.yaml:8|'step.dt'|allowed here: title" 'timestep: 1 us'
+mistake 'a diameter' "case.yaml:7|'particles.radius' (half of the diameter)" \
+    'particles: {from: single, position: [5 mm, 5 mm, 5 mm], diameter: 2 mm}'
+mistake 'vtk' "case.yaml:8|'output.trajectory' (ParaView" 'output: {vtk: {every: 2}}'
+mistake 'a decimal comma in braces' "case.yaml:5|materials[0].poisson|write a decimal point: 0.2" "$(glass '0\.2' 0,2)"
+mistake 'a decimal comma in a line' "case.yaml:9|skin.relative|decimal comma" 'skin:
+  relative: 0,2'
+mistake 'a time for steps' "case.yaml:8|output.trajectory.every|write {time: 10 ms}" 'output: {trajectory: {every: 10 ms}}'
+mistake 'names in a list of observables' "case.yaml:8|observables.list[0]|write {name: energy}" 'observables: {every: 2, list: [energy]}'
+mistake 'an observable with a typing error' "case.yaml:8|'enrgy' is unknown (did you mean 'energy'?)" \
+    'observables: {every: 2, list: [{name: enrgy}]}'
+mistake 'two materials of one name, one pair of a third' "case.yaml:5|materials[1].name|taken already" \
+    "$(glass '\]' ', {name: glass, density: 1, young: 1, poisson: 0}]')" 'material_pairs: [{between: [glass, steel], restitution: 0.5}]'
+mistake 'a tab' "case.yaml:9|a tab indents this line" 'skin:
+	relative: 0.1'
+mistake 'a key without a colon' "case.yaml:8|a colon and a space must follow" 'threads
+index: hgrid'
+mistake 'an open quotation mark' "case.yaml:8|not closed" 'title: "a bed'
+mistake 'an open brace' "case.yaml:9|the '{' is in line 8" 'index: {name: hgrid
+threads: 1'
+mistake 'an alias of nothing' "case.yaml:8|'*bed' stands for nothing" 'title: *bed'
+mistake 'a wall that faces away' "case.yaml:8: walls[0].normal|'floor' faces away|turned round: [0, 0, 1]" \
+    'particles: {from: random, count: 30, sizes: 0.5 mm}' 'walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, -1]}]'
+echo 'v 0 0 0' >case.obj
+mistake 'an OBJ file for a mesh' "case.obj|OBJ|export the mesh as STL" 'walls: [{shape: mesh, file: case.obj}]'
+echo 'solid' | gzip >case.stl
+mistake 'a packed mesh' "case.stl|gzip|gunzip" 'walls: [{shape: mesh, file: case.stl}]'
+rm case.obj case.stl
+mistake 'a mesh that is not there' "case.yaml:8: walls[0].file|nowhere.stl|No such file" 'walls: [{shape: mesh, file: nowhere.stl}]'
+: >case.data
+mistake 'an empty table' "case.data: the file holds no particles" 'particles: {file: case.data, format: table}'
+echo 1 >case.data
+mistake 'no such column' "case.yaml:7: particles.sources[0].columns|'zz' is not a column" \
+    'particles: {file: case.data, format: table, columns: [zz]}'
+
+# several mistakes: a line each, up to ten
+write_scene case.yaml 'step: {count: many}' 'gravty: 3' 'contact: {law: jkr}' "$(glass density rho)" \
+    'material_pairs: [{restitution: 1.5, friction: -0.3}]' 'newton: off' 'ghosts: reduced'
+said="8: unknown key 'gravty'|3: step.count|4: contact.law|5: unknown key 'materials\[0\].rho'|6: .*restitution|6: .*friction"
+several() { # LINES: the run says so many lines, each of them of the list
+    "$scree" run case.yaml -o new --quiet 2>"$out/stderr"
+    [ $? = 2 ] && [ "$(wc -l <"$out/stderr")" = "$1" ] && [ "$(grep -cE "^scree: case.yaml:($said)" "$out/stderr")" = "$1" ]
+}
+check 'six mistakes: six lines, and nothing that follows from them' several 6
+write_scene case.yaml 'units: none'
+said='.*no units in a dimensionless scene'
+check 'units in a scene without units' several 4
+write_scene case.yaml 'box: {lower: [0, 0, 0], upper: [10 mm, 10 mm, 10 mm], a: 1, b: 1, c: 1, d: 1, e: 1, f: 1, g: 1, h: 1, i: 1, j: 1, k: 1}'
+eleven() {
+    "$scree" run case.yaml -o new --quiet 2>"$out/stderr"
+    [ $? = 2 ] && [ "$(grep -c "^scree: case.yaml:1: unknown key" "$out/stderr")" = 10 ] &&
+        [ "$(tail -n 1 "$out/stderr")" = 'scree: and there are more mistakes' ]
+}
+check 'eleven mistakes: ten lines, and one more' eleven
+write_scene case.yaml 'step: {count: 4, fraction: 0.1, dt: 1 us}' 'newton: off' 'ghosts: reduced'
+said='3: step.fraction|9: ghosts'
+check 'two impossible combinations: two lines' several 2
+
+# notes: the run is possible, but hardly meant
+noted() { # WORDS LINE...: a run of no steps prints this note
+    local words=$1
+    shift
+    write_scene case.yaml 'step: {count: 0}' "$@"
+    "$scree" run case.yaml -o noted 2>"$out/stderr" >/dev/null || return 1
+    rm -r noted
+    grep -qF -e "$words" "$out/stderr" || { cat "$out/stderr"; return 1; }
+}
+lid='walls: [{name: lid, shape: plane, point: [0, 0, 9 mm], normal: [0, 0, -1], motion: [{kind: servo, force: 1 N, speed_max: 1, direction: [0, 0, 1]}]}]'
+check 'a servo that pushes away from the particles' noted "servo of wall 'lid' pushes away" "${lid/0, 0, 1]\}/0, 0, -1]\}}"
+check 'a servo that pushes on the particles' eval "! noted 'pushes away' \"\$lid\" >/dev/null"; rm -rf noted
+printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 100 0 0\nvertex 0 100 0\nendloop\nendfacet\nendsolid\n' >case.stl
+check 'a mesh in millimetres' noted 'in millimetres (walls[0].scale: 0.001)?' 'walls: [{shape: mesh, file: case.stl}]'
+rm case.stl
+mkdir empty
+fits() { "$scree" run good.yaml --quiet -o "$1" >/dev/null 2>&1 && [ -e "$1/report.json" ] && rm -r "${1%%/*}"; }
+check 'an empty folder is taken' fits empty
+check 'a folder in folders that are missing is made' fits deep/er/new
 
 echo '== data files'
 head='LAMMPS\n\n2 atoms\n1 atom types\n0 0.01 xlo xhi\n0 0.01 ylo yhi\n0 0.01 zlo zhi\n\nAtoms # sphere\n\n'
@@ -369,7 +460,8 @@ bad 'command line' 'no such scene' "nowhere.yaml|No such file" "$scree" run nowh
 bad 'command line' 'a folder for a scene' "there" "$scree" run there -o new
 bad 'command line' 'a folder that exists' "there|exists already|--overwrite" "$scree" run good.yaml -o there
 bad 'command line' 'a file in place of the folder' "good.yaml|not a directory" "$scree" run good.yaml -o good.yaml --overwrite
-bad 'command line' 'a folder in a folder that is missing' "no/where|No such file" "$scree" run good.yaml -o no/where
+bad 'command line' 'a folder below a file' "good.yaml/where|Not a directory" "$scree" run good.yaml -o good.yaml/where
+line 'two folders' "--output is given twice: new and there" run good.yaml -o new -o there
 bad 'command line' 'info of a foreign file' "good.yaml" "$scree" info good.yaml
 bad 'command line' 'convert over a file' "good.yaml|there already|--overwrite replaces it" "$scree" convert there/trajectory.h5 good.yaml --to lammps-data
 

@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Looks for the files of a scene, by the rows of the schema that hold paths. Read scene_files.h first. */
+#include "scene/scene_files.h"
+#include "scene/mistakes.h"
+#include "scene/schema_root.h"
+#include "scene/schema_rows.h"
+#include "scene/tree.h"
+
+#include <errno.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static bool file_opens(const struct scene *scene, const char *given, const char *key, struct error *error) {
+    char path[2 * SCENE_PATH_MAX];
+    struct stat found;
+    struct error one = {0};
+    snprintf(path, sizeof(path), "%s%s", given[0] == '/' ? "" : scene->folder, given);
+    errno = access(path, R_OK) == 0 && stat(path, &found) == 0 ? 0 : errno;
+    if (errno == 0 && S_ISDIR(found.st_mode))
+        errno = EISDIR;
+    if (errno == 0)
+        return true;
+    scene_fail(scene, &one, key, "%.700s cannot be opened: %s%s", path, strerror(errno),
+               errno == ENOENT && given[0] != '/' ? " (paths begin at the folder of the scene file)" : "");
+    return mistakes_add(error, one.text);
+}
+
+/* Looks at all paths in a section, whose full key is `prefix`. */
+static bool section_opens(const struct scene *scene, const struct schema_table *table,
+                          const struct tree_node *node, const char *prefix, struct error *error) {
+    bool good = true;
+    for (int k = 0; k < table->count; k++) {
+        const struct schema_row *row = &table->rows[k];
+        const struct tree_node *child = tree_get(node, row->key);
+        char key[256], entry[288];
+        if (!child || (k > 0 && strcmp(table->rows[k - 1].key, row->key) == 0))
+            continue;
+        snprintf(key, sizeof(key), "%.120s%s%.120s", prefix, prefix[0] ? "." : "", row->key);
+        if (row->type == SCHEMA_PATH && child->kind == TREE_SCALAR)
+            good = file_opens(scene, child->text, key, error) && good;
+        if (row->type == SCHEMA_SECTION)
+            good = section_opens(scene, row->sub, child, key, error) && good;
+        for (size_t i = 0; row->type == SCHEMA_LIST && i < child->children; i++) {
+            snprintf(entry, sizeof(entry), "%s[%zu]", key, i);
+            good = section_opens(scene, row->sub, child->child[i], entry, error) && good;
+        }
+    }
+    return good;
+}
+
+bool scene_files_open(const struct scene *scene, struct error *error) {
+    return section_opens(scene, &schema_root, scene->tree, "", error);
+}
