@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* `scree check`: prints the parts that a scene needs, and the reasons. */
 #include "app/check.h"
+#include "app/cost.h"
 #include "engine/tune.h"
 #include "engine/step.h"
 #include "engine/notes.h"
@@ -359,7 +360,6 @@ static void print_all(const struct simulation *s, const struct notes *notes) {
     print_step(s);
     print_guards(s);
     print_memory(s);
-    print_notes(notes);
 }
 
 /* Refuses scenes that a run would refuse before its first step although all parts can be made. */
@@ -381,6 +381,9 @@ int command_check(const struct comm *comm, const struct command_line *line, stru
         if (comm->rank == 0)
             print_all(s, notes);
         physics_print(&s->physics, stdout);
+        cost_print(s);
+        if (comm->rank == 0)
+            print_notes(notes);
         status = notes->stops[0] ? ERROR_PHYSICS : 0;
         memory_free(notes);
     }

@@ -14,8 +14,7 @@ enum { LOOK_EVERY = 16, BRUTE_PAIRS = 1000000 };
 
 static const double seconds_least = 0.5;
 
-/* One step as a run makes it, without files and observers. */
-static void step_once(struct simulation *s) {
+void trial_step(struct simulation *s) {
     int64_t every = s->scene->step.rebuild_every;
     s->agree.signals =
         (struct step_signals){.stop = run_signalled() != 0, .error = s->error.kind != ERROR_NONE};
@@ -53,7 +52,7 @@ static int steps_run(struct simulation *s, struct progress *progress, struct tri
     notice(s, rebuilds, trial);
     agree(s, trial, began);
     while (s->clock.step < trial->last) {
-        step_once(s);
+        trial_step(s);
         trial->steps++;
         notice(s, rebuilds, trial);
         progress_update(progress, s->clock.step, s->total, s->clock.time);

@@ -17,6 +17,9 @@ struct trial {
     struct timers timers; /* of the trial; all runs of the scene have its stages */
 };
 
+/* Makes one step as a run does, without files and observers. Collective. */
+void trial_step(struct simulation *simulation);
+
 /* Creates the simulation of a scene and steps until the list of pairs has been made again, something has
  * touched (a particle or a wall) and half a second has passed, or until its last step. Shows progress on the
  * terminal; writes no files. A signal ends the trial with an error of kind ERROR_SIGNAL + number.

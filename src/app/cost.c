@@ -1,0 +1,179 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Estimates the cost of a run. Read cost.h first. */
+#include "app/cost.h"
+#include "app/trial.h"
+#include "engine/outputs.h"
+#include "engine/run.h"
+#include "engine/view.h"
+#include "formats/frame.h"
+#include "observe/observables.h"
+#include "observe/progress.h"
+#include "particles/fields.h"
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { TIMED_MOST = 1000, NUMBER_CHARACTERS = 14, CHECKPOINT_HEAD = 30000, XDMF_FRAME = 2800 };
+
+static const double timed_seconds = 0.3;
+
+/* Steps of a run without an end. */
+static const uint64_t endless = (uint64_t)1 << 60;
+
+/* Bytes in words. */
+static void size_words(double bytes, char *text, size_t room) {
+    static const char *const units[] = {"bytes", "kB", "MB", "GB", "TB"};
+    int k = 0;
+    for (; bytes >= 1000 && k < 4; k++)
+        bytes /= 1000;
+    snprintf(text, room, k ? "%.3g %s" : "%.0f %s", bytes, units[k]);
+}
+
+static void time_words(double seconds, char *text, size_t room) {
+    char clock[32];
+    progress_duration(seconds, clock, sizeof clock);
+    if (seconds < 100)
+        snprintf(text, room, "%.2g s", seconds);
+    else
+        snprintf(text, room, "%s (%s)", clock, seconds < 3600 ? "min:s" : "h:min:s");
+}
+
+/* How often an output is written; the start counts. */
+static double times(const struct simulation *s, const struct output_interval *every, uint64_t steps) {
+    if (every->steps > 0)
+        return 1 + floor((double)steps / (double)every->steps);
+    return 1 + floor((double)steps * s->clock.dt / every->time * (1 + 1e-12));
+}
+
+static void file_line(const char *name, double count, const char *unit, double bytes) {
+    char size[32];
+    size_words(bytes, size, sizeof size);
+    printf("    %-28s %.0f %s%s, about %s\n", name, count, unit, count == 1 ? "" : "s", size);
+}
+
+/* Bytes of a frame, or of its text if `characters` is not 0; with the columns that never change, or without. */
+static double frame_bytes(const struct simulation *s, const struct output_fields *fields, int characters,
+                          bool fixed) {
+    const struct output_view view = simulation_view(s);
+    struct frame frame;
+    double bytes = 0;
+    frame_create(&frame, &view, fields);
+    for (int c = 0; c < frame.columns; c++)
+        if (fixed || !frame.column[c].fixed)
+            bytes += characters ? (double)characters * frame.column[c].components
+                                : (double)frame_column_bytes(&frame.column[c]);
+    frame_free(&frame);
+    return bytes * (double)s->total;
+}
+
+static double checkpoint_bytes(const struct simulation *s) {
+    const struct field_list fields = fields_with(s->particles, FIELD_MIGRATE);
+    double each = (double)fields_packed_bytes(s->particles, &fields);
+    return CHECKPOINT_HEAD + each * (double)s->total;
+}
+
+/* Prints the files that `steps` steps will write. Collective: frames are made to find their columns. */
+static void files_print(const struct simulation *s, uint64_t steps) {
+    const struct output_options *output = &s->scene->output;
+    const struct trajectory_options *trajectory = &output->trajectory;
+    bool told = s->comm->rank == 0, varying = outputs_run(s, NULL).varying;
+    double frame = frame_bytes(s, &trajectory->fields, 0, varying),
+           first = frame_bytes(s, &trajectory->fields, 0, true),
+           line = frame_bytes(s, &output->dump.fields, NUMBER_CHARACTERS, true);
+    double frames = output_interval_set(&trajectory->every) ? times(s, &trajectory->every, steps) : 0;
+    if (!told)
+        return;
+    printf("  files in the folder of -o\n");
+    if (frames > 0)
+        file_line("trajectory.h5", frames, "frame", first - frame + frames * frame);
+    if (frames > 0 && trajectory->xdmf)
+        file_line("trajectory.xdmf", frames, "frame", frames * XDMF_FRAME);
+    if (output_interval_set(&trajectory->contacts))
+        printf("    %-28s %.0f lists of contacts\n", "", times(s, &trajectory->contacts, steps));
+    if (output_interval_set(&output->dump.every)) {
+        double count = times(s, &output->dump.every, steps);
+        file_line("dump.lammpstrj", count, "frame", count * line);
+    }
+    if (output_interval_set(&output->observables.every))
+        printf("    %-28s %.0f rows\n", "observables.csv", times(s, &output->observables.every, steps));
+    double checkpoints = output->checkpoint.at_end ? 1 : 0;
+    if (output->checkpoint.every_steps > 0)
+        checkpoints += floor((double)steps / (double)output->checkpoint.every_steps);
+    checkpoints = output->checkpoint.every_minutes > 0 ? output->checkpoint.keep : checkpoints;
+    checkpoints = checkpoints > output->checkpoint.keep ? output->checkpoint.keep : checkpoints;
+    if (checkpoints > 0)
+        file_line("checkpoint-STEP.h5", checkpoints, "file", checkpoints * checkpoint_bytes(s));
+    printf("    report.json\n");
+    if (frames == 0 && !output_interval_set(&trajectory->contacts) &&
+        !output_interval_set(&output->dump.every) && !output_interval_set(&output->observables.every))
+        printf("    nothing else will be written: no trajectory, no dump, no observables\n");
+    if (s->scene->insertions > 0)
+        printf("    (particles that are inserted later come on top)\n");
+}
+
+/* Runs some of the first steps. Returns the seconds of a step, the slowest rank's; 0 without steps. Collective. */
+static double steps_time(struct simulation *s, uint64_t last, uint64_t *steps) {
+    double began = timer_now(), seconds[1] = {0};
+    *steps = 0;
+    while (s->clock.step < last && *steps < TIMED_MOST && seconds[0] < timed_seconds) {
+        trial_step(s);
+        ++*steps;
+        seconds[0] = timer_now() - began;
+        comm_max(s->comm, seconds, 1);
+        if (s->agree.signals.error || (s->ranks.alone && s->error.kind != ERROR_NONE))
+            break;
+    }
+    return *steps ? seconds[0] / (double)*steps : 0;
+}
+
+static bool has_fluid(const struct simulation *s) {
+    bool found = false;
+    for (int k = 0; k < s->physics.count; k++)
+        found = found || strcmp(s->physics.active[k].row->name, "fluid") == 0;
+    return found;
+}
+
+static void time_print(struct simulation *s, uint64_t last, uint64_t steps) {
+    uint64_t timed, rebuilds = s->search.skin->rebuilds;
+    char each[64];
+    if (has_fluid(s)) {
+        if (s->comm->rank == 0)
+            printf("  time         not estimated: a single step of a fluid may take long\n");
+        return;
+    }
+    double seconds = steps_time(s, last, &timed);
+    struct error stopped = s->error;
+    comm_agree(s->comm, &stopped);
+    rebuilds = s->search.skin->rebuilds - rebuilds;
+    if (s->comm->rank != 0)
+        return;
+    if (stopped.kind != ERROR_NONE) {
+        printf("  time         the run will stop in step %" PRIu64 ": %s\n", s->clock.step, stopped.text);
+        return;
+    }
+    if (steps < endless) {
+        time_words(seconds * (double)steps, each, sizeof each);
+        printf("  time         about %s, by the %" PRIu64 " first steps, which were run here as a trial:\n",
+               each, timed);
+    }
+    printf("               %.3g ms a step, with %" PRIu64 " rebuild%s, without output; more contacts, more "
+           "particles, or\n               other programs on the cores make it longer\n",
+           1e3 * seconds, rebuilds, rebuilds == 1 ? "" : "s");
+}
+
+void cost_print(struct simulation *s) {
+    uint64_t last = run_last_step(s), steps = last > s->clock.step ? last - s->clock.step : 0;
+    if (s->comm->rank == 0) {
+        printf("\nwhat a run will cost\n");
+        if (steps < endless)
+            printf("  steps        %" PRIu64 " of %.4g%s\n", steps, s->clock.dt,
+                   s->scene->units == SCENE_UNITS_NONE ? "" : " s");
+        else
+            printf("  steps        without end: the run goes on until a signal ends it\n");
+    }
+    files_print(s, steps);
+    time_print(s, last, steps);
+    if (s->comm->rank == 0)
+        fflush(stdout);
+}
