@@ -37,6 +37,10 @@ nobase_dist_pkgdata_DATA += \
 	$(drum)/lammps/in.drum $(drum)/particles.txt $(drum)/scene.yaml $(drum)/walls.txt $(drum)/zones.gp
 nobase_dist_pkgdata_SCRIPTS += $(drum)/check $(drum)/lammps/run.sh $(drum)/run.sh
 
+heated_drum = examples/heated_drum
+nobase_dist_pkgdata_DATA += $(heated_drum)/README.md $(heated_drum)/picture.gp $(heated_drum)/scene.yaml
+nobase_dist_pkgdata_SCRIPTS += $(heated_drum)/check $(heated_drum)/run.sh
+
 hard = examples/hard
 nobase_dist_pkgdata_DATA += \
 	$(hard)/boulder.yaml $(hard)/coincide.yaml $(hard)/denormal.yaml $(hard)/edge.yaml $(hard)/faces.yaml \

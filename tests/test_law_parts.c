@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <cmocka.h>
+#include "contact/force_general.h"
 #include "contact/law_general.h"
 #include "contact/law_jkr.h"
 #include "law_parts_by_hand.h"
@@ -102,10 +103,10 @@ static void test_pulls(void **state) {
     law = law_of(o, sticky);
     s = surfaces_of(&law, 0.5, 1.0);
     double distance = 1.48, from = (distance * distance + 0.25 - 1.0) / (2.0 * distance);
-    assert_near(law_cohesion_pull(o.cohesion, &s, 0.02).force / (1e4 * M_PI * (0.25 - from * from)), 1.0,
+    assert_near(law_cohesion_pull(o.cohesion, &s, 0.02, true).force / (1e4 * M_PI * (0.25 - from * from)), 1.0,
                 1e-11);
     s = surfaces_of(&law, 0.5, INFINITY);
-    assert_near(law_cohesion_pull(o.cohesion, &s, 0.02).force / (1e4 * M_PI * (0.25 - 0.48 * 0.48)), 1.0,
+    assert_near(law_cohesion_pull(o.cohesion, &s, 0.02, true).force / (1e4 * M_PI * (0.25 - 0.48 * 0.48)), 1.0,
                 1e-11);
 }
 
@@ -195,6 +196,74 @@ static void test_mirror(void **state) {
     }
 }
 
+static void batch_put(double row[3][FORCE_BATCH], int k, struct law_vector v) {
+    row[0][k] = v.x;
+    row[1][k] = v.y;
+    row[2][k] = v.z;
+}
+
+/* A batch of random contacts. */
+static void batch_fill(struct force_batch *b, const struct law *law, struct random_sequence *r) {
+    memset(b, 0, sizeof *b);
+    b->walk.count = b->walk.padded = FORCE_BATCH;
+    for (int k = 0; k < FORCE_BATCH; k++) {
+        struct law_general in = random_contact(law, r);
+        force_set_coefficients(b, k, &in.contact.coefficients);
+        b->overlap[k] = in.contact.overlap;
+        b->mass[k] = in.contact.mass;
+        b->extra[k] = in.extra;
+        batch_put(b->normal, k, in.contact.normal);
+        batch_put(b->half_normal, k, in.contact.half_normal);
+        batch_put(b->velocity, k, in.contact.velocity);
+        batch_put(b->surface, k, in.contact.surface);
+        batch_put(b->spin, k, in.contact.spin);
+        for (int side = 0; side < 2; side++)
+            b->walk.radius[side][k] = in.radius[side];
+        for (int c = 0; c < law->history_components; c++)
+            b->walk.history[c][k] = in.value[c];
+    }
+}
+
+/* The vectorised loop of laws that rub as others do: forces, torques and memory to the last bit those of single contacts, by each
+ * instruction set. */
+static void test_rub(void **state) {
+    (void)state;
+    struct random_sequence r = random_sequence(3, RANDOM_TEST, 0);
+    struct law_options o = law_options_default();
+    static struct force_batch plain, fast;
+    int tried = 0;
+    for (o.normal = (enum law_normal)0, o.cohesion = LAW_COHESION_NONE; next_cohesion(&o);)
+        for (int kind = 0; kind < 6; kind++) {
+            o.tangential = kind < 2 ? LAW_TANGENTIAL_NONE : LAW_TANGENTIAL_HISTORY;
+            o.rolling = kind < 4 ? LAW_ROLLING_NONE : LAW_ROLLING_SPRING;
+            o.synchronised = kind % 2;
+            o.end = kind % 3 ? LAW_END_FORCE : LAW_END_OVERLAP;
+            struct law law = law_of(o, sticky);
+            if (!law_general_rubs(&law))
+                continue;
+            struct law_step step = law_general_step(&o, 1e-3);
+            for (int level = 0; level < 3; level++) {
+                const struct force_kernel *kernel = force_kernel_find(walk_level_name(level));
+                if (kernel == NULL)
+                    continue;
+                batch_fill(&plain, &law, &r);
+                fast = plain;
+                force_general_respond(&law, step, &plain, FORCE_BATCH);
+                force_general_rub(&law, step, &fast, FORCE_BATCH, kernel);
+                int sums = law.spin ? o.rolling ? 9 : 6 : 3;
+                for (int k = 0; k < FORCE_BATCH; k++) {
+                    assert_true(plain.active[k] == fast.active[k]);
+                    for (int c = 0; c < sums; c++)
+                        assert_true(plain.walk.out[c][k] == fast.walk.out[c][k]);
+                    for (int c = 0; c < law.history_components; c++)
+                        assert_true(plain.walk.history[c][k] == fast.walk.history[c][k]);
+                }
+                tried++;
+            }
+        }
+    assert_true(tried > 200);
+}
+
 /* A contact that sticks holds up to the static limit; once it slides, the kinetic one counts until the force
  * falls below it. */
 static void test_static_friction(void **state) {
@@ -237,7 +306,8 @@ static void test_epsd(void **state) {
     o.rolling = LAW_ROLLING_EPSD;
     o.synchronised = false;
     struct law law = law_of(o, sticky);
-    const double a = 0.5, b = 2.0, ma = a * a * a, mb = b * b * b, r = a * b / (a + b), mass = ma * mb / (ma + mb);
+    const double a = 0.5, b = 2.0, ma = a * a * a, mb = b * b * b, r = a * b / (a + b),
+                 mass = ma * mb / (ma + mb);
     struct law_general in = {.extra = &law.extra[0][1], .radius = {a, b}};
     in.contact = (struct law_contact){.overlap = 1e-3,
                                       .mass = mass,
@@ -247,7 +317,8 @@ static void test_epsd(void **state) {
                                       .coefficients = law.pair[0][1]};
     struct law_response out;
     law_general_respond(&law, law_general_step(&o, 0.0), &in, &out);
-    double k = 2.25 * 1e5 * 0.2 * 0.2 * r * r, inertia = 1.0 / (1.0 / (1.4 * ma * a * a) + 1.0 / (1.4 * mb * b * b));
+    double k = 2.25 * 1e5 * 0.2 * 0.2 * r * r,
+           inertia = 1.0 / (1.0 / (1.4 * ma * a * a) + 1.0 / (1.4 * mb * b * b));
     assert_near(out.rolling.y / (-2.0 * sticky.rolling_damping_ratio * sqrt(inertia * k) * 1e-6), 1.0, 1e-12);
 }
 
@@ -303,10 +374,15 @@ static void test_absent(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_energies),        cmocka_unit_test(test_jkr),
-                                       cmocka_unit_test(test_pulls),           cmocka_unit_test(test_mirror),
-                                       cmocka_unit_test(test_static_friction), cmocka_unit_test(test_refused),
-                                       cmocka_unit_test(test_epsd),            cmocka_unit_test(test_root),
-                                       cmocka_unit_test(test_absent)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_energies),
+                                       cmocka_unit_test(test_jkr),
+                                       cmocka_unit_test(test_pulls),
+                                       cmocka_unit_test(test_mirror),
+                                       cmocka_unit_test(test_static_friction),
+                                       cmocka_unit_test(test_refused),
+                                       cmocka_unit_test(test_epsd),
+                                       cmocka_unit_test(test_root),
+                                       cmocka_unit_test(test_absent),
+                                       cmocka_unit_test(test_rub)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

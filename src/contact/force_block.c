@@ -4,6 +4,7 @@
 #include "contact/force_account.h"
 #include "contact/force_kernel.h"
 #include "contact/force_physics.h"
+#include "contact/law_general.h"
 #include "contact/law_user.h"
 #include "contact/material.h"
 
@@ -48,6 +49,8 @@ static void force_begin(struct force_thread *thread, const struct force_context 
     const struct law_options *options = &context->law->options;
     thread->step = law_step_of(options, context->dt);
     thread->energies = context->want_sums;
+    thread->kernel = &FORCE_KERNEL;
+    thread->rubs = !context->want_sums && law_general_rubs(context->law);
     thread->material = material_numbers(context->particles);
     thread->measure = force_measure_find(options);
     if (context->law->general)
@@ -102,5 +105,10 @@ static void force_answer(const struct law_options *options, bool energies, struc
     force_respond_find(options, energies)(batch, step);
 }
 
-const struct force_kernel FORCE_KERNEL = {FORCE_KERNEL_NAME, force_begin, force_compute,
-                                          force_note,        force_add,   force_answer};
+static void force_rub_batch(const struct law_options *options, struct force_batch *batch,
+                            struct law_step step) {
+    force_rub_find(options)(batch, step);
+}
+
+const struct force_kernel FORCE_KERNEL = {FORCE_KERNEL_NAME, force_begin,     force_compute, force_note,
+                                          force_add,         force_rub_batch, force_answer};

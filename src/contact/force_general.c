@@ -7,7 +7,7 @@
 
 _Static_assert((int)LAW_MEMORY_MAX <= (int)HISTORY_COMPONENTS_MAX, "a law remembers more than history holds");
 
-static struct law_vector vector_of(double row[3][FORCE_BATCH], int k) {
+static struct law_vector vector_of(const double row[3][FORCE_BATCH], int k) {
     return (struct law_vector){row[0][k], row[1][k], row[2][k]};
 }
 
@@ -17,33 +17,34 @@ static void vector_set(double row[3][FORCE_BATCH], int k, struct law_vector v) {
     row[2][k] = v.z;
 }
 
-/* Contact k of the batch. */
-static void contact_take(const struct law *law, struct force_batch *b, int k, struct law_general *in) {
-    const double radius[2] = {b->walk.radius[0][k], b->walk.radius[1][k]};
-    *in = (struct law_general){
-        .contact = {.overlap = b->overlap[k],
-                    .mass = b->mass[k],
-                    .radius = isinf(radius[1]) ? radius[0] : radius[0] * radius[1] / (radius[0] + radius[1]),
-                    .normal = vector_of(b->normal, k),
-                    .velocity = vector_of(b->velocity, k),
-                    .coefficients = {b->coefficient[0][k], b->coefficient[1][k], b->coefficient[2][k],
-                                     b->coefficient[3][k], b->coefficient[4][k], b->coefficient[5][k]}},
-        .extra = b->extra[k],
-        .radius = {radius[0], radius[1]}};
-    if (law->spin) {
-        in->contact.half_normal = vector_of(b->half_normal, k);
-        in->contact.surface = vector_of(b->surface, k);
-        in->contact.spin = vector_of(b->spin, k);
-    }
+/* What the normal direction of contact k needs. */
+static void contact_take(const struct law *law, const struct force_batch *b, int k, struct law_general *in) {
+    double ri = b->walk.radius[0][k], rj = b->walk.radius[1][k];
+    in->contact.overlap = b->overlap[k];
+    in->contact.mass = b->mass[k];
+    in->contact.radius = isinf(rj) ? ri : ri * rj / (ri + rj);
+    in->contact.normal = vector_of(b->normal, k);
+    in->contact.velocity = vector_of(b->velocity, k);
+    in->contact.coefficients =
+        (struct law_coefficients){b->coefficient[0][k], b->coefficient[1][k], b->coefficient[2][k],
+                                  b->coefficient[3][k], b->coefficient[4][k], b->coefficient[5][k]};
+    in->extra = b->extra[k];
+    in->radius[0] = ri;
+    in->radius[1] = rj;
     for (int c = 0; c < law->history_components; c++)
         in->value[c] = b->walk.history[c][k];
 }
 
 void force_general_respond(const struct law *law, struct law_step step, struct force_batch *b, int count) {
+    struct law_general in = {0};
     for (int k = 0; k < count; k++) {
-        struct law_general in;
         struct law_response out;
         contact_take(law, b, k, &in);
+        if (law->spin) {
+            in.contact.half_normal = vector_of(b->half_normal, k);
+            in.contact.surface = vector_of(b->surface, k);
+            in.contact.spin = vector_of(b->spin, k);
+        }
         b->active[k] = law_general_respond(law, step, &in, &out);
         vector_set(b->walk.out + FORCE_OUT, k, out.force);
         vector_set(b->walk.out + FORCE_MOMENT, k, out.moment);
@@ -54,6 +55,26 @@ void force_general_respond(const struct law *law, struct law_step step, struct f
         for (int c = 0; c < law->history_components; c++)
             b->walk.history[c][k] = in.value[c];
     }
+}
+
+void force_general_rub(const struct law *law, struct law_step step, struct force_batch *b, int count,
+                       const struct force_kernel *kernel) {
+    struct law_general in = {0};
+    step.energies = false;
+    for (int k = 0; k < count; k++) {
+        struct law_push push;
+        contact_take(law, b, k, &in);
+        b->active[k] = law_general_push(law, step, &in, &push);
+        b->effective[k] = in.contact.radius;
+        b->springs[0][k] = push.force;
+        b->springs[1][k] = push.base;
+        b->springs[2][k] = push.grip.tangential;
+        b->springs[3][k] = push.press;
+        b->springs[4][k] = push.grip.touches ? 1.0 : 0.0;
+        for (int c = law->history_odd; c < law->history_components; c++)
+            b->walk.history[c][k] = in.value[c];
+    }
+    kernel->rub(&law->options, b, step);
 }
 
 /* LAMMPS's slip of pair_style granular: the radii are the levers. */
@@ -77,7 +98,12 @@ void force_general_compute(const struct walk_task *task, struct walk_batch *batc
         if (law->options.lammps_granular && law->spin)
             slip_lammps(b, k);
     }
-    force_general_respond(law, law_general_step(&law->options, context->dt), b, batch->padded);
+    struct law_step step = law_general_step(&law->options, context->dt);
+    step.energies = thread->energies;
+    if (thread->rubs)
+        force_general_rub(law, step, b, batch->padded, thread->kernel);
+    else
+        force_general_respond(law, step, b, batch->padded);
 }
 
 void force_general_note(const struct walk_task *task, struct walk_batch *batch) {
@@ -86,7 +112,7 @@ void force_general_note(const struct walk_task *task, struct walk_batch *batch) 
     for (int k = 0; k < batch->count; k++)
         if (thread->batch.active[k])
             thread->sums.contact_sides += k >= batch->both && k < batch->one ? 1 : 2;
-    force_kernel_find(NULL)->account(context, thread);
+    thread->kernel->account(context, thread);
     if (thread->energies && context->pair_work)
         force_put_work(task, &thread->batch);
 }

@@ -37,8 +37,9 @@ struct force_batch {
     double half_normal[3][FORCE_BATCH];
     double surface[3][FORCE_BATCH];
     double spin[3][FORCE_BATCH];
-    double springs[5]
-                  [FORCE_BATCH]; /* of a law of the user's: force, stiffness, tangential, contact, energy */
+    /* Of a law of the user's: force, stiffness, tangential, contact, energy. Of a law with parts that rubs: force with the
+     * damper, the damper's base, tangential, press (law_general.h), 1 where the surfaces touch. */
+    double springs[5][FORCE_BATCH];
     double parameter[LAW_PARAMETERS_MAX][FORCE_BATCH]; /* its input */
     double energy[3][FORCE_BATCH];                     /* normal, springs, work taken; if asked for */
     /* Of a law with parts or of the user's: coefficients of the parts; contact k interacts. */
@@ -85,6 +86,8 @@ struct force_thread {
     struct force_batch batch;
     struct force_sums sums;
     struct law_step step;
+    const struct force_kernel *kernel; /* of the loop, of a law with parts */
+    bool rubs;                         /* such a law goes through force_general_rub */
     bool energies;
     const uint8_t *material;          /* NULL if all particles are of one material */
     force_physics *measure, *respond; /* the loops of this law */
@@ -99,6 +102,8 @@ struct force_kernel {
     void (*note)(const struct walk_task *task, struct walk_batch *batch);
     /* The sums of a batch besides the number of contacts. */
     void (*account)(const struct force_context *context, struct force_thread *thread);
+    /* Sliding and rolling of a law that rubs (law_general.h), after its normal direction: fills force ... rolling, and the springs. */
+    void (*rub)(const struct law_options *options, struct force_batch *batch, struct law_step step);
     /* The law alone over the first `count` contacts of a batch whose overlap ... spring are filled in, for
      * contacts that are no pairs: fills force ... energy. */
     void (*respond)(const struct law_options *options, bool energies, struct force_batch *batch,

@@ -94,6 +94,43 @@ LAW_INLINE void force_respond(struct law_case law, struct force_batch *b, int k,
     force_set(b->walk.history + 3, k, out.roll);
 }
 
+LAW_INLINE struct law_vector force_select(bool chosen, struct law_vector v) {
+    return (struct law_vector){chosen ? v.x : 0.0, chosen ? v.y : 0.0, chosen ? v.z : 0.0};
+}
+
+/* Sliding and rolling of a law with parts, whose normal direction is in `springs`. */
+LAW_INLINE void force_rub(struct law_case law, struct force_batch *b, int k, struct law_step step) {
+    struct law_contact in = {.normal = force_vector(b->normal, k),
+                             .velocity = force_vector(b->velocity, k),
+                             .coefficients = {b->coefficient[0][k], b->coefficient[1][k],
+                                              b->coefficient[2][k], b->coefficient[3][k],
+                                              b->coefficient[4][k], b->coefficient[5][k]},
+                             .radius = b->effective[k]};
+    struct law_vector push = law_scale(b->springs[0][k], in.normal);
+    bool touches = b->springs[4][k] > 0.0;
+    struct law_response out = {0};
+    if (!law.friction) {
+        force_set(b->walk.out + FORCE_OUT, k, push);
+        return;
+    }
+    in.surface = force_vector(b->surface, k);
+    in.spring = force_vector(b->walk.history, k);
+    if (law.synchronised)
+        in.half_normal = force_vector(b->half_normal, k);
+    if (law.rolling) {
+        in.spin = force_vector(b->spin, k);
+        in.roll = force_vector(b->walk.history + 3, k);
+    }
+    law_rub(law, step, &in, b->springs[3][k], b->springs[2][k], b->springs[1][k], &out);
+    force_set(b->walk.out + FORCE_OUT, k, law_add(push, 1.0, force_select(touches, out.force)));
+    force_set(b->walk.out + FORCE_MOMENT, k, force_select(touches, out.moment));
+    force_set(b->walk.history, k, force_select(touches, out.spring));
+    if (!law.rolling)
+        return;
+    force_set(b->walk.out + FORCE_ROLLING, k, force_select(touches, out.rolling));
+    force_set(b->walk.history + 3, k, force_select(touches, out.roll));
+}
+
 /* Two loops instead of one: in a single, long loop a processor could not begin a contact before all roots and
  * divisions of the previous contact are done. The bodies of the loops are functions, as variables inside an
  * `omp simd` loop would become arrays. */
@@ -102,6 +139,13 @@ LAW_INLINE void force_measure_all(struct law_case law, struct force_batch *restr
 #pragma omp simd
     for (int k = 0; k < count; k++)
         force_measure(law, b, k, step);
+}
+
+LAW_INLINE void force_rub_all(struct law_case law, struct force_batch *restrict b, struct law_step step) {
+    int count = b->walk.padded;
+#pragma omp simd
+    for (int k = 0; k < count; k++)
+        force_rub(law, b, k, step);
 }
 
 LAW_INLINE void force_respond_loop(struct law_case law, struct force_batch *restrict b,
@@ -170,6 +214,13 @@ static inline int force_friction_of(struct law_case law) {
 static inline force_physics *force_measure_find(const struct law_options *options) {
     struct law_case law = law_case_of(options, false);
     return force_measure_table[law.radius][law.lever_radius][force_friction_of(law)];
+}
+
+FORCE_PHYSICS_FAMILY(force_rub_all, force_rub, .radius = true)
+
+static inline force_physics *force_rub_find(const struct law_options *options) {
+    static force_physics *const table[5] = FORCE_PHYSICS_ROW(force_rub);
+    return table[force_friction_of(law_case_of(options, false))];
 }
 
 static inline force_physics *force_respond_find(const struct law_options *options, bool energies) {

@@ -43,14 +43,17 @@ static double bridge_rupture(const struct law_surfaces *s) {
 
 /* Willett et al. (2000), their closed form for small bridges: 2 pi R gamma cos(theta) / (1 + 1.05 S + 2.5 S^2)
  * with R = 2 R* and S = gap sqrt(R/V). */
-static struct law_pull pull_capillary(const struct law_surfaces *s, double overlap) {
-    double r = 2.0 * s->effective, gap = fmax(-overlap, 0.0), end = bridge_rupture(s);
+static struct law_pull pull_capillary(const struct law_surfaces *s, double overlap, bool energy) {
+    double r = 2.0 * s->effective, gap = fmax(-overlap, 0.0), area = 0.0;
     double most = 2.0 * M_PI * r * s->extra->surface_tension * cos(s->extra->contact_angle);
-    double unit = sqrt(r / bridge_volume(s)), b = 1.05 * unit, c = 2.5 * unit * unit;
+    if (!energy && overlap >= 0.0)
+        return (struct law_pull){most, 0.0, 0.0};
+    double end = bridge_rupture(s), unit = sqrt(r / bridge_volume(s)), b = 1.05 * unit, c = 2.5 * unit * unit;
     double below = 1.0 + gap * (b + c * gap), root = sqrt(4.0 * c - b * b);
     if (!(gap < end))
         return (struct law_pull){0};
-    double area = 2.0 / root * (atan((2.0 * c * end + b) / root) - atan((2.0 * c * gap + b) / root));
+    if (energy)
+        area = 2.0 / root * (atan((2.0 * c * end + b) / root) - atan((2.0 * c * gap + b) / root));
     return (struct law_pull){most / below, overlap < 0.0 ? most * (b + 2.0 * c * gap) / (below * below) : 0.0,
                              -most * (area + fmax(overlap, 0.0))};
 }
@@ -66,14 +69,15 @@ static struct law_pull pull_van_der_waals(const struct law_surfaces *s, double o
                              -scale * (1.0 / gap - 1.0 / e->cut_off) - force * (gap + overlap)};
 }
 
-struct law_pull law_cohesion_pull(enum law_cohesion cohesion, const struct law_surfaces *s, double overlap) {
+struct law_pull law_cohesion_pull(enum law_cohesion cohesion, const struct law_surfaces *s, double overlap,
+                                  bool energy) {
     switch (cohesion) {
     case LAW_COHESION_DMT:
         return pull_dmt(s, overlap);
     case LAW_COHESION_SJKR:
         return pull_sjkr(s, overlap);
     case LAW_COHESION_CAPILLARY:
-        return bridge_volume(s) > 0.0 ? pull_capillary(s, overlap) : (struct law_pull){0};
+        return bridge_volume(s) > 0.0 ? pull_capillary(s, overlap, energy) : (struct law_pull){0};
     case LAW_COHESION_VAN_DER_WAALS:
         return pull_van_der_waals(s, overlap);
     case LAW_COHESION_NONE:

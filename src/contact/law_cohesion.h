@@ -20,8 +20,10 @@ struct law_pull {
     double force, slope, energy;
 };
 
-/* The attraction at an overlap (negative: a gap within the range). */
-struct law_pull law_cohesion_pull(enum law_cohesion cohesion, const struct law_surfaces *s, double overlap);
+/* The attraction at an overlap (negative: a gap within the range); its energy only with `energy`, as it may cost more than
+ * the force. */
+struct law_pull law_cohesion_pull(enum law_cohesion cohesion, const struct law_surfaces *s, double overlap,
+                                  bool energy);
 
 /* The largest gap at which two surfaces interact, length: that at which a bridge or an adhesive contact breaks,
  * or an attraction ends. 0 where there is no cohesion, or none beyond touch. */

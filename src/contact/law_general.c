@@ -6,6 +6,7 @@
 
 struct law_step law_general_step(const struct law_options *options, double dt) {
     struct law_step step = law_step_of(options, dt);
+    step.energies = true;
     if (!options->lammps_granular)
         return step;
     step.spring_least = 0.0;
@@ -37,6 +38,17 @@ static double plastic_loss(const struct law *law, const struct law_surfaces *sur
     return 0.5 * (now->force + before.force) * growth - (now->energy - before.energy);
 }
 
+bool law_general_rubs(const struct law *law) {
+    const struct law_options *o = &law->options;
+    bool plain = law->general && o->tangential <= LAW_TANGENTIAL_HISTORY &&
+                 o->rolling <= LAW_ROLLING_SPRING && o->twisting == LAW_TWISTING_NONE &&
+                 !o->lammps_granular && law->memory.slides < 0;
+    for (int a = 0; a < law->materials; a++)
+        for (int b = 0; b <= a; b++)
+            plain = plain && !(o->rolling == LAW_ROLLING_SPRING && law->extra[a][b].rolling_stiffness > 0.0);
+    return plain;
+}
+
 /* Reads what a contact remembers of the normal direction. */
 static struct law_past past_of(const struct law *law, const double *value) {
     struct law_past past = {.held = law->memory.held >= 0 && value[law->memory.held] != 0.0};
@@ -52,33 +64,51 @@ static void past_put(const struct law *law, const struct law_past *past, double 
         value[law->memory.past + k] = past->number[k];
 }
 
-bool law_general_respond(const struct law *law, struct law_step step, struct law_general *in,
-                         struct law_response *out) {
+bool law_general_push(const struct law *law, struct law_step step, struct law_general *in,
+                      struct law_push *push) {
     const struct law_options *options = &law->options;
     const struct law_contact *contact = &in->contact;
     struct law_surfaces surfaces = {
         &contact->coefficients, in->extra, {in->radius[0], in->radius[1]}, contact->radius};
-    struct law_past before = past_of(law, in->value), past = before;
-    double rate = law_dot(contact->velocity, contact->normal);
-    struct law_grip grip = law_grip_at(options, &surfaces, contact->overlap, &past);
-    *out = (struct law_response){0};
-    if (!grip.interacts) {
+    struct law_past past = past_of(law, in->value);
+    past.no_energy = !step.energies;
+    push->before = past;
+    push->grip = law_grip_at(options, &surfaces, contact->overlap, &past);
+    if (!push->grip.interacts) {
         memset(in->value, 0, sizeof in->value);
+        push->force = push->base = push->press = push->rate = 0.0;
         return false;
     }
     past_put(law, &past, in->value);
-    double base = grip.touches ? damper_base(options, &grip, contact->mass) : 0.0;
-    double force = grip.force - contact->coefficients.c_n * base * rate;
+    const struct law_grip *grip = &push->grip;
+    push->rate = law_dot(contact->velocity, contact->normal);
+    push->base = grip->touches ? damper_base(options, grip, contact->mass) : 0.0;
+    push->force = grip->force - contact->coefficients.c_n * push->base * push->rate;
     if (options->end == LAW_END_FORCE)
-        force = fmax(force, grip.least);
-    out->force = law_scale(force, contact->normal);
-    out->normal_energy = grip.energy;
-    out->taken = (grip.force - force) * rate * step.dt +
-                 plastic_loss(law, &surfaces, &grip, contact->overlap, -rate * step.dt, before);
+        push->force = fmax(push->force, grip->least);
     bool fixed = options->cohesion == LAW_COHESION_JKR || options->cohesion == LAW_COHESION_DMT;
-    double press = fabs((fixed ? grip.force : force) + grip.press);
+    push->press = fabs((fixed ? grip->force : push->force) + grip->press);
+    return true;
+}
+
+bool law_general_respond(const struct law *law, struct law_step step, struct law_general *in,
+                         struct law_response *out) {
+    const struct law_contact *contact = &in->contact;
+    struct law_surfaces surfaces = {
+        &contact->coefficients, in->extra, {in->radius[0], in->radius[1]}, contact->radius};
+    struct law_push push;
+    *out = (struct law_response){0};
+    if (!law_general_push(law, step, in, &push))
+        return false;
+    out->force = law_scale(push.force, contact->normal);
+    if (step.energies) {
+        out->normal_energy = push.grip.energy;
+        out->taken =
+            (push.grip.force - push.force) * push.rate * step.dt +
+            plastic_loss(law, &surfaces, &push.grip, contact->overlap, -push.rate * step.dt, push.before);
+    }
     if (law->spin)
-        law_resist(law, step, in, &(struct law_hold){&grip, press, base}, out);
+        law_resist(law, step, in, &(struct law_hold){&push.grip, push.press, push.base}, out);
     return true;
 }
 

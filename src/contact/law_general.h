@@ -7,11 +7,28 @@
 
 #include "contact/law_grip.h"
 
+/* The normal direction of a contact. */
+struct law_push {
+    struct law_grip grip;
+    struct law_past before; /* what the contact remembered */
+    double force;           /* normal, with the damper */
+    double base;            /* the damper's coefficient over c_n */
+    double press;           /* the force that limits of friction are multiples of */
+    double rate;            /* velocity along the normal */
+};
+
+/* The normal direction alone: as law_general_respond, which calls it; updates what the contact remembers of it. */
+bool law_general_push(const struct law *law, struct law_step step, struct law_general *in,
+                      struct law_push *push);
+
+/* True if a law with parts slides and rolls as a law without: no other parts than those of the normal direction. */
+bool law_general_rubs(const struct law *law);
+
 /* Forces and torques of the contact; false if the surfaces do not interact: then all results and `value` are 0. */
 bool law_general_respond(const struct law *law, struct law_step step, struct law_general *in,
                          struct law_response *out);
 
-/* The step's numbers for a law with parts. */
+/* The step's numbers for a law with parts, with energies. */
 struct law_step law_general_step(const struct law_options *options, double dt);
 
 /* Springs and dampers of a contact for small changes. */

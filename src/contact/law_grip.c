@@ -14,14 +14,16 @@ static struct law_grip grip_jkr(const struct law_options *options, const struct 
         flat = form->flatten(s->c, s->extra, s->effective, past->number[0]);
     }
     double depth = overlap - flat.left;
-    double end = law_jkr_end_overlap(modulus, gamma, flat.radius, options->jkr_end);
-    past->held = depth > 0.0 || (past->held && depth > end);
+    past->held = depth > 0.0 ||
+                 (past->held && depth > law_jkr_end_overlap(modulus, gamma, flat.radius, options->jkr_end));
     if (!past->held) /* a dent is remembered as long as the spheres overlap */
         return (struct law_grip){.interacts = overlap > 0.0};
-    double a = law_jkr_radius(modulus, gamma, flat.radius, depth);
+    double a = law_jkr_radius(modulus, gamma, flat.radius, depth), left = 0.0;
     struct law_jkr now = law_jkr_at(modulus, gamma, flat.radius, a);
-    double last = law_jkr_end_radius(modulus, gamma, flat.radius, options->jkr_end);
-    double left = law_jkr_at(modulus, gamma, flat.radius, last).energy;
+    if (!past->no_energy) {
+        double last = law_jkr_end_radius(modulus, gamma, flat.radius, options->jkr_end);
+        left = law_jkr_at(modulus, gamma, flat.radius, last).energy;
+    }
     return (struct law_grip){.interacts = true,
                              .touches = true,
                              .force = now.force,
@@ -58,7 +60,7 @@ struct law_grip law_grip_at(const struct law_options *options, const struct law_
                                  .tangential = springs.tangential,
                                  .energy = springs.energy};
     }
-    struct law_pull pull = law_cohesion_pull(options->cohesion, s, overlap);
+    struct law_pull pull = law_cohesion_pull(options->cohesion, s, overlap, !past->no_energy);
     grip.interacts = true;
     grip.touches = touches;
     grip.least = fmin(grip.force, 0.0) - pull.force;

@@ -33,6 +33,7 @@ struct law_grip {
 struct law_past {
     bool held;                   /* the surfaces held to each other one step ago; updated */
     double number[LAW_PAST_MAX]; /* of a law with hysteresis (law_form.h); updated */
+    bool no_energy;              /* nobody asks for the energy, which may cost more than the force */
 };
 
 /* The normal direction at an overlap (negative: a gap); updates `past`. */

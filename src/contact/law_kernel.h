@@ -50,6 +50,7 @@ struct law_step {
                             empty ones (LAMMPS) */
     double rescale;      /* 1: a turned spring keeps its length; 0: the spring is projected only */
     double relaxation;   /* 1 / dt if a sliding spring relaxes against its damper; 0: cut at once */
+    bool energies;       /* of a law with parts: fill the three energies of the response */
 };
 
 /* One contact. The members from half_normal on are used with friction only, `spin` and `roll` with rolling

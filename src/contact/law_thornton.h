@@ -27,6 +27,8 @@ LAW_INLINE struct law_springs law_thornton_springs(const struct law_coefficients
  * bound above the root. */
 LAW_INLINE double law_thornton_yield(double modulus, double s, double pressure, double radius) {
     double square = 0.5 * M_PI * pressure * radius / modulus, q = 0.5 * s * radius;
+    if (q == 0.0)
+        return sqrt(square);
     double x = sqrt(square) + law_cbrt(q);
     for (int k = 0; k < 7; k++)
         x -= (x * (x * x - square) - q) / (3.0 * x * x - square);

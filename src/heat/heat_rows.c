@@ -152,7 +152,7 @@ static const struct observable_kind kinds[] = {
     {INFO("temperature_max", "temperature", "K", "highest temperature of a grain"), .parts = 2,
      .combine = OBSERVABLE_MAX, .of_rank = take_most, .finish = finish_most},
     {INFO("heat_walls", "", "W", "power from walls into grains"), .parts = 1, .of_rank = take_walls},
-    {.info = {"heat_wall", "", "W", "power from one wall into grains", OBSERVABLE_OF_WALL, 1, NULL}, .symbol = "", .parts = 1,
+    {.info = {"heat_wall", "", "W", "power from one wall into grains", OBSERVABLE_OF_WALL, 1, NULL}, .symbol = "_heat", .parts = 1,
      .of_rank = take_wall, .relevant = known},
     {INFO("energy_thermal", "", "J", "m c T of the grains, with the heat that the last step brought"), .parts = 1,
      .of_particle = take_energy}};

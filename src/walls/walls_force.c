@@ -300,7 +300,8 @@ static void take_particle(struct wall_task *task) {
 }
 
 static struct law_step wall_step(const struct law *law, double dt) {
-    return law->general ? law_general_step(&law->options, dt) : law_step_of(&law->options, dt);
+    return law->general ? law_general_step(&law->options, dt)
+                        : law_step_of(&law->options, dt); /* with energies */
 }
 
 void walls_force_share(struct walls *walls, const struct force_context *context, int thread) {

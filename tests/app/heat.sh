@@ -199,6 +199,8 @@ each_wall() { # the power of each wall in the steady chain
             printf "  %s\n", $0; exit !($2 / P > 0.999999 && $2 / P < 1.000001 && $3 / P < -0.999999 && $3 / P > -1.000001 && $4 - $2 - $3 < 1e-12 && $4 - $2 - $3 > -1e-12) }'
 }
 check 'power of each wall' each_wall
+heated_drum() { SCREE=$scree "$top_srcdir/examples/heated_drum/check" "$PWD/heated" 1500 | sed 's/^/  /'; [ "${PIPESTATUS[0]}" -eq 0 ]; }
+check 'examples/heated_drum: the balance of heat, step by step' heated_drum
 absent() {
     run_scene 1 gas.yaml without --set threads=1 --set 'heat=~' --set 'observables.list=[{name: energy_kinetic}]' \
         --set 'output.dump.fields=[id, position]' && rows without | cut -d ' ' -f 1-5 >cold && cut -d ' ' -f 1-5 one.rows | cmp - cold &&
