@@ -17,6 +17,7 @@
     ROW(density, number_density, GRAINS,                                                                     \
         "the SPH number density of each particle, sum of W(|x_ij|, support)")                                \
     ROW(heat, heat, GRAINS, "heat that grains conduct through contacts, with walls and through gas")         \
+    ROW(bonds, bonds, GRAINS, "parallel bonds that hold grains together until they break")                   \
     ROW(fluid, fluid, OWN, "an incompressible fluid around grains and between walls (implicit SPH)")
 
 #define PHYSICS_ENUMERATOR(name, key, whose, summary) PHYSICS_##name,

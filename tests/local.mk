@@ -45,6 +45,7 @@ check_PROGRAMS += \
 	tests/test_law \
 	tests/test_law_impact \
 	tests/test_law_motion \
+	tests/test_bonds \
 	tests/test_law_parts \
 	tests/test_stability \
 	tests/test_timestep
@@ -63,6 +64,8 @@ tests_test_law_SOURCES = tests/test_law.c
 tests_test_law_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
 tests_test_law_motion_SOURCES = tests/test_law_motion.c
 tests_test_law_motion_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
+tests_test_bonds_SOURCES = tests/test_bonds.c
+tests_test_bonds_LDADD = libbonds.la $(SCENE_LIBS) $(TEST_LIBS)
 tests_test_law_parts_SOURCES = tests/test_law_parts.c
 tests_test_law_parts_LDADD = $(WALLS_LIBS) $(TEST_LIBS)
 tests_test_law_impact_SOURCES = tests/test_law_impact.c

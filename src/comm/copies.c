@@ -35,7 +35,7 @@ struct found {
 struct selection {
     const struct domain *domain;
     const struct particles *particles;
-    const double *reach;
+    const double *reach, *own;
     const struct box *box;
     const struct domain_place *place;
     size_t places;
@@ -44,10 +44,28 @@ struct selection {
     double limit[3];           /* a ball must be smaller than this */
 };
 
-void copies_ball(struct copy_ball *ball, const struct particle_state *state, double reach,
+static const struct field own_reach = {.name = "own_reach",
+                                       .type = FIELD_DOUBLE,
+                                       .components = 1,
+                                       .use = FIELD_GHOST | FIELD_MIGRATE,
+                                       .unit = "m",
+                                       .needed_for = "bonds",
+                                       .help = "distance up to which other ranks must know the particle"};
+
+void copies_register_reach(struct particles *particles) {
+    fields_register(particles, &own_reach);
+}
+
+double *copies_own_reach(const struct particles *particles) {
+    return fields_values(particles, &own_reach);
+}
+
+void copies_ball(struct copy_ball *ball, const struct particle_state *state, double reach, double own,
                  const struct box *box) {
     ball->x = state->x;
     ball->radius = (state->radius + reach) * (1 + 8 * DBL_EPSILON);
+    if (own > 0 && own > ball->radius)
+        ball->radius = own;
     ball->relay =
         ball->radius + 64 * DBL_EPSILON * (box->edge[0] + box->edge[1] + box->edge[2] + ball->radius);
 }
@@ -94,7 +112,8 @@ static void note_far(struct found *found, size_t k, double radius) {
 static void find_copies(const struct selection *selection, size_t k, struct found *found) {
     const struct particle_state *state = &selection->particles->state[k];
     struct copy_ball ball;
-    copies_ball(&ball, state, selection->reach[selection->particles->size_class[k]], selection->box);
+    copies_ball(&ball, state, selection->reach[selection->particles->size_class[k]],
+                selection->own ? selection->own[k] : 0, selection->box);
     if (stays_inside(selection, state->x, ball.radius))
         return;
     check_limit(selection, k, ball.radius);
@@ -162,6 +181,7 @@ void copies_select(struct copies *copies, const struct comm *comm, const struct 
     struct selection selection = {.domain = domain,
                                   .particles = particles,
                                   .reach = reach,
+                                  .own = copies_own_reach(particles),
                                   .box = box,
                                   .clearance = domain_clearance(domain)};
     *copies = (struct copies){0};

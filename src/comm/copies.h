@@ -25,14 +25,20 @@
  * no rank needs particles of the class, as they meet no partner. */
 void copies_reach(const struct size_classes *classes, bool reduced, double reach[CLASS_MAX]);
 
-/* A particle as a ball: the region in which ranks need a copy of the particle. */
+/* A particle as a ball: the region in which ranks need a copy of the particle. `own`: its own reach, 0: none. */
 struct copy_ball {
     const double *x;
     double radius; /* a place needs a copy up to this distance */
     double relay;  /* a place up to this distance passes the copy on: `radius` and the rounding error */
 };
-void copies_ball(struct copy_ball *ball, const struct particle_state *state, double reach,
+void copies_ball(struct copy_ball *ball, const struct particle_state *state, double reach, double own,
                  const struct box *box);
+
+/* The field of particles that other ranks must know beyond the reach of their class: `own`, the distance from
+ * the centre up to which they must (0: no farther than the class). Whoever registers it sets it before each
+ * migration. copies_own_reach is NULL where nobody has. */
+void copies_register_reach(struct particles *particles);
+double *copies_own_reach(const struct particles *particles);
 
 /* COPY_FAR: a copy of a ball that may reach beyond the neighbours of the ball's owner. COPY_RELAY: a copy
  * that is passed on and not kept. */

@@ -7,7 +7,7 @@
 #include "comm/exchange.h"
 #include "particles/particles.h"
 
-enum { MIGRATE_SETS_MAX = 4 };
+enum { MIGRATE_SETS_MAX = 16 };
 
 /* Rows that travel with particles (contact history): owned particle k carries the rows start[k] ... start[k +
  * 1] - 1 of row_bytes bytes each. Both arrays come from memory_allocate and are replaced; rows have no

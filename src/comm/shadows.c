@@ -248,8 +248,9 @@ static void spread_arrival(struct spread *spread, const struct arrival *arrival)
     const struct domain_place *places = domain_neighbours(spread->place->domain, &count);
     fields_unpack(particles, &spread->fields, slot, 1, arrival->order.fields);
     struct copy_ball ball;
+    const double *own = copies_own_reach(particles);
     copies_ball(&ball, &particles->state[slot], spread->place->reach[particles->size_class[slot]],
-                spread->place->box);
+                own ? own[slot] : 0, spread->place->box);
     size_t sender = place_of_sender(spread->place->domain, arrival->sender, arrival->order.head.step);
     for (size_t p = 0; p < count; p++)
         if (p != sender && (sender == count || !places_meet(&places[p], &places[sender])))

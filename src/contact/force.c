@@ -39,10 +39,14 @@ static bool force_fixed(const double record[8], const double *omega) {
     return omega == NULL || (omega[0] == omega[4] && omega[1] == omega[5] && omega[2] == omega[6]);
 }
 
-/* Drops contacts of particles that are fixed to each other. */
+/* Drops contacts of particles that are fixed to each other or joined. */
 static void force_select(const struct walk_task *task, const struct walk_batch *batch, uint8_t *keep) {
-    for (int k = 0; k < batch->count; k++)
+    const struct force_context *context = task->work->context;
+    for (int k = 0; k < batch->count; k++) {
         keep[k] = !force_fixed(batch->record[k], task->work->gathers > 0 ? batch->gathered[0][k] : NULL);
+        if (context->joined && keep[k])
+            keep[k] = !context->joined(context->joined_context, batch->i[k], batch->j[k]);
+    }
 }
 
 struct force_loop *force_loop_create(int threads) {
@@ -87,7 +91,7 @@ static struct walk_work force_work(const struct force_context *context) {
                              .stride = (size_t)particles->force_stride,
                              .radii = true,
                              .range = context->range,
-                             .selective = context->prescribed,
+                             .selective = context->prescribed || context->joined,
                              .ordered = context->ordered};
     if (context->law->spin) {
         work.gathers = 1;

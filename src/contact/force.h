@@ -56,6 +56,9 @@ struct force_context {
     /* Where that work goes; NULL: nowhere. */
     struct force_work *pair_work; /* by pair of the list: set for each contact */
     struct force_work *wall_work; /* by owned particle: those of its contacts with walls are added */
+    /* True if two particles of the list have no contact, whatever their distance; any thread. NULL: all have. */
+    bool (*joined)(const void *context, size_t i, size_t j);
+    const void *joined_context;
 };
 
 /* A force loop's own memory (slots, batches of each thread), and the compiled kernel that the loop runs: the

@@ -69,7 +69,8 @@ static bool force_pair_contact(const struct force_context *context, size_t k, co
         return false;
     const double(*omega)[4] = context->law->spin ? spin_values(p) : NULL;
     const uint8_t *material = material_numbers(p);
-    if (force_pair_fixed(p, omega, i, j))
+    if (force_pair_fixed(p, omega, i, j) ||
+        (context->joined && context->joined(context->joined_context, i, j)))
         return false;
     double distance = sqrt(square), inertia = si->inverse_mass + sj->inverse_mass;
     struct law_case law = law_case_of(&context->law->options, false);

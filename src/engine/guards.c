@@ -207,7 +207,7 @@ bool guards_energy_due(const struct simulation *s, uint64_t step) {
 }
 
 /* Energies of all grains, in this order. */
-enum { KINETIC, ROTATIONAL, GRAVITY, ELASTIC_NORMAL, ELASTIC_TANGENTIAL, TAKEN, WORK, ENERGIES };
+enum { KINETIC, ROTATIONAL, GRAVITY, ELASTIC_NORMAL, ELASTIC_TANGENTIAL, TAKEN, WORK, HELD, GONE, ENERGIES };
 
 /* Energy of the free grains among the owned particles [first, last) in gravity; across periodic sides particles
  * go on. */
@@ -248,6 +248,7 @@ static void energies_find(const struct simulation *s, double energy[ENERGIES]) {
     energy[ELASTIC_TANGENTIAL] = s->grains.sums.elastic_tangential;
     energy[TAKEN] = s->grains.taken;
     energy[WORK] = s->grains.walls ? walls_work(s->grains.walls) : 0;
+    physics_energy(&s->physics, &energy[HELD], &energy[GONE]);
     comm_sum(s->comm, energy, ENERGIES);
 }
 
@@ -257,7 +258,7 @@ static void energy_measure(const struct simulation *s, double *balance, double *
     const struct law_options *law = &s->grains.law.options;
     double energy[ENERGIES];
     energies_find(s, energy);
-    double dissipated = energy[TAKEN] - energy[ELASTIC_TANGENTIAL];
+    double dissipated = energy[TAKEN] - energy[ELASTIC_TANGENTIAL] + energy[GONE];
     if (s->guards.energy.mechanical) {
         dissipated = 0; /* not summed at each step */
         if (law->sliding == LAW_SLIDING_TOTAL || law->lammps_history || law->lammps_granular)
@@ -265,10 +266,10 @@ static void energy_measure(const struct simulation *s, double *balance, double *
                 0; /* springs that take all of the slip are longer than friction loads
                                                them */
     }
-    double mechanical =
-        energy[KINETIC] + energy[ROTATIONAL] + energy[ELASTIC_NORMAL] + energy[ELASTIC_TANGENTIAL];
+    double mechanical = energy[KINETIC] + energy[ROTATIONAL] + energy[ELASTIC_NORMAL] +
+                        energy[ELASTIC_TANGENTIAL] + energy[HELD];
     *balance = mechanical + energy[GRAVITY] + dissipated - energy[WORK];
-    *in_play = fmax(fabs(dissipated), fabs(energy[WORK]));
+    *in_play = fmax(fmax(fabs(dissipated), fabs(energy[WORK])), energy[HELD]);
     for (int k = KINETIC; k <= ELASTIC_TANGENTIAL; k++)
         *in_play = k == GRAVITY ? *in_play : fmax(*in_play, fabs(energy[k]));
 }

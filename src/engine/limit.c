@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Passes the contacts of all ranks to stability.h and iterates. Read limit.h first. */
 #include "engine/limit.h"
+#include "contact/spin.h"
 #include "core/memory.h"
 #include "integrate/stability.h"
 #include "particles/fields.h"
@@ -13,8 +14,8 @@ static void sums_home(struct simulation *s, struct stability *stability) {
     struct particles *p = s->particles;
     struct field_list fields = fields_one(FIELD_FORCE);
     size_t stride = (size_t)p->force_stride, sums = (size_t)stability->sums, bytes;
-    size_t width = s->grains.law.spin ? 6 : 3;
-    if (s->grains.law.spin)
+    size_t width = spin_of(p) ? 6 : 3;
+    if (spin_of(p))
         fields.field[fields.count++] = fields_find(p, "torque");
     double *kept = memory_allocate(stability->count * stride, sizeof *kept, "stability of contacts");
     bytes = stability->count * stride * sizeof *kept;
@@ -70,10 +71,12 @@ static double eigenvalue_at(struct simulation *s, double h) {
         walls_give(s, &stability);
     if (!s->ranks.alone && s->search.view.newton)
         sums_home(s, &stability);
+    physics_stiffen(&s->physics, &stability);
     stability_solve(&stability, s->particles);
     if (!s->ranks.alone)
         local_out(s, &stability);
     double worst = stability_worst(&stability, &s->grains.contact);
+    worst = fmax(worst, physics_stiffest(&s->physics, &stability));
     stability_free(&stability);
     comm_max(s->comm, &worst, 1);
     return worst;

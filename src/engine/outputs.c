@@ -68,9 +68,16 @@ bool outputs_write(struct outputs *o, const struct simulation *s, struct error *
     if (good && o->dump &&
         output_interval_due(&options->dump.every, s->clock.step, s->clock.time, s->clock.dt))
         good = frame_write(o, &view, false, error);
-    return good;
+    return good && (!outputs_due(o, s) || outputs_tables(s, error));
 }
 
-bool outputs_flush(struct outputs *o, struct error *error) {
-    return o->h5md == NULL || h5md_flush(o->h5md, error);
+bool outputs_tables(const struct simulation *s, struct error *error) {
+    if (!physics_has_tables(&s->physics))
+        return true;
+    physics_table_write(&s->physics, error);
+    return comm_agree(s->comm, error);
+}
+
+bool outputs_flush(struct outputs *o, const struct simulation *s, struct error *error) {
+    return outputs_tables(s, error) && (o->h5md == NULL || h5md_flush(o->h5md, error));
 }

@@ -35,8 +35,11 @@ bool outputs_due(const struct outputs *outputs, const struct simulation *simulat
 /* Writes all outputs that are due at the present step. Collective. */
 bool outputs_write(struct outputs *outputs, const struct simulation *simulation, struct error *error);
 
-/* Writes the data that wait for the next frame. Collective. */
-bool outputs_flush(struct outputs *outputs, struct error *error);
+/* Writes the rows that wait of the tables of physics. Collective. */
+bool outputs_tables(const struct simulation *simulation, struct error *error);
+
+/* Writes the data that wait for the next frame, and the tables. Collective. */
+bool outputs_flush(struct outputs *outputs, const struct simulation *simulation, struct error *error);
 
 /* Writes the data that wait for the next frame, unless `error` is of kind ERROR_SYSTEM, closes all files, and
  * frees. Collective. */

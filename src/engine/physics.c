@@ -35,6 +35,7 @@ void physics_begin(struct physics_set *set, const struct physics *grains,
                    const struct physics_context *context, struct interactions *interactions) {
     const struct scene *scene = context->scene;
     set->count = 0;
+    set->interactions = interactions;
     activate(set, grains, context->options, context, interactions);
     for (int k = 0; k < PHYSICS_COUNT; k++) {
         if (scene->physics_given[k] == 0)
@@ -53,6 +54,8 @@ bool physics_create(struct physics_set *set, void *self, struct error *error) {
         if (active->row->check && !active->row->check(&active->context, error))
             return false;
         active->context.self = active->row->create ? active->row->create(&active->context) : NULL;
+        for (int i = 0; active->row->range_of_self && i < active->row->interactions; i++)
+            set->interactions->row[active->first + i].context = active->context.self;
     }
     return true;
 }
@@ -86,13 +89,113 @@ void physics_lists(struct physics_set *set, const struct interactions *interacti
             set->active[k].context.list[i] = interaction_list(interactions, set->active[k].first + i);
 }
 
-void physics_rebuilt(struct physics_set *set, struct ghosts *ghosts) {
+bool physics_rebuilt(struct physics_set *set, struct ghosts *ghosts) {
+    bool again = false;
     for (int k = 0; k < set->count; k++) {
         struct physics_active *active = &set->active[k];
         active->context.ghosts = ghosts;
         if (active->row->rebuilt)
             active->row->rebuilt(&active->context);
+        if (active->row->rebuilt_again)
+            again = active->row->rebuilt_again(&active->context) || again;
     }
+    return again;
+}
+
+bool physics_due(const struct physics_set *set) {
+    bool due = false;
+    for (int k = 1; k < set->count; k++)
+        due = due || (set->active[k].row->due && set->active[k].row->due(&set->active[k].context));
+    return due;
+}
+
+bool physics_carries(const struct physics_set *set) {
+    bool carries = false;
+    for (int k = 1; k < set->count; k++)
+        carries = carries || set->active[k].row->rows;
+    return carries;
+}
+
+void physics_rows(const struct physics_set *set, struct history_rows *rows[PHYSICS_COUNT],
+                  int components[PHYSICS_COUNT]) {
+    for (int number = 0; number < PHYSICS_COUNT; number++) {
+        rows[number] = NULL;
+        for (int k = 1; k < set->count; k++) {
+            const struct physics *row = set->active[k].row;
+            if (row != entries[number].physics || row->rows == NULL)
+                continue;
+            rows[number] = row->rows(&set->active[k].context);
+            components[number] = row->row_components;
+        }
+    }
+}
+
+void physics_energy(const struct physics_set *set, double *stored, double *taken) {
+    *stored = *taken = 0;
+    for (int k = 1; k < set->count; k++) {
+        double own[2] = {0};
+        if (set->active[k].row->energy)
+            set->active[k].row->energy(&set->active[k].context, &own[0], &own[1]);
+        *stored += own[0];
+        *taken += own[1];
+    }
+}
+
+static bool may_join(const struct physics_active *active) {
+    return active->row->joins && active->row->joins(&active->context);
+}
+
+bool physics_joins(const struct physics_set *set) {
+    bool joins = false;
+    for (int k = 1; k < set->count; k++)
+        joins = joins || may_join(&set->active[k]);
+    return joins;
+}
+
+bool physics_joined(const void *context, size_t i, size_t j) {
+    const struct physics_set *set = context;
+    for (int k = 1; k < set->count; k++)
+        if (may_join(&set->active[k]) && set->active[k].row->joined(&set->active[k].context, i, j))
+            return true;
+    return false;
+}
+
+void physics_stiffen(const struct physics_set *set, struct stability *stability) {
+    for (int k = 1; k < set->count; k++)
+        if (set->active[k].row->stiffen)
+            set->active[k].row->stiffen(&set->active[k].context, stability);
+}
+
+double physics_stiffest(const struct physics_set *set, const struct stability *stability) {
+    double most = 0;
+    for (int k = 1; k < set->count; k++)
+        if (set->active[k].row->stiffest)
+            most = fmax(most, set->active[k].row->stiffest(&set->active[k].context, stability));
+    return most;
+}
+
+bool physics_has_tables(const struct physics_set *set) {
+    bool has = false;
+    for (int k = 1; k < set->count; k++)
+        has = has || set->active[k].row->table_write;
+    return has;
+}
+
+bool physics_table_open(const struct physics_set *set, const char *directory, int64_t step,
+                        struct error *error) {
+    bool good = true;
+    for (int k = 1; good && k < set->count; k++)
+        if (set->active[k].row->table_open)
+            good = set->active[k].row->table_open(&set->active[k].context, directory, step, error);
+    return good;
+}
+
+bool physics_table_write(const struct physics_set *set, struct error *error) {
+    bool good = true;
+    for (int k = 1; k < set->count; k++)
+        if (set->active[k].row->table_write)
+            good = set->active[k].row->table_write(&set->active[k].context, error) && good;
+    return good;
 }
 
 void physics_look(const struct physics_set *set) {

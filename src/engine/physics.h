@@ -110,11 +110,14 @@ struct physics_share {
     void *context;
 };
 
+struct stability;
+
 struct physics {
     const char *name;
     int interactions;
-    /* `context` of a row is replaced by the options. */
+    /* `context` of a row is replaced by the options, or by the own data if `range_of_self`. */
     struct interaction interaction[PHYSICS_INTERACTIONS_MAX];
+    bool range_of_self;
     int passes;
     const struct physics_pass *pass;
     /* Refuses options that do not go together: a user's error. The same on all ranks. NULL: nothing to refuse. */
@@ -132,6 +135,36 @@ struct physics {
                  struct error *error);
     /* Called after each rebuild, when the lists are new. NULL: nothing to do. */
     void (*rebuilt)(const struct physics_context *context);
+    /* The memory of pairs of the physics: rows at both particles of a pair (pairs/history.h), by owned particle,
+     * of which `row_components` doubles count. The engine asks before each rebuild, and for a checkpoint; it
+     * carries the rows with their particles through deletion, migration, reorder, checkpoint and resume. The
+     * physics forgets what it derived from their numbers; `rebuilt` finds them in the new order. `start` is
+     * there, owned + 1 entries. NULL: no rows. */
+    struct history_rows *(*rows)(const struct physics_context *context);
+    int row_components;
+    /* True if the step in progress must rebuild. The same on all ranks. NULL: never. */
+    bool (*due)(const struct physics_context *context);
+    /* As `rebuilt`, which it follows. True if the ranges of interactions or the rows have changed: the engine
+     * rebuilds at once, a second time, with new size classes. The same on all ranks; false the second time.
+     * Collective. NULL: false. */
+    bool (*rebuilt_again)(const struct physics_context *context);
+    /* This rank's parts of the energy that the physics holds, and of the energy that it has taken from the
+     * grains for good since the start: parts of the balance of energies. NULL: none. */
+    void (*energy)(const struct physics_context *context, double *stored, double *taken);
+    /* True if two particles of the list of contacts, one of them owned, have no contact now; any thread. Asked
+     * if `joins` is true, at the start. NULL: all have. */
+    bool (*joined)(const struct physics_context *context, size_t i, size_t j);
+    bool (*joins)(const struct physics_context *context);
+    /* The part of the physics in the stability of contacts (integrate/stability.h): adds the springs at owned
+     * particles; the largest L_i + L_j of its pairs. NULL: none. */
+    void (*stiffen)(const struct physics_context *context, struct stability *stability);
+    double (*stiffest)(const struct physics_context *context, const struct stability *stability);
+    /* Opens the tables that the physics writes into the folder of a run, cut behind `step` if the run goes on
+     * from there (-1: a new run); and appends the rows that are due: with output, before a checkpoint, at the
+     * end. Collective; errors may differ between ranks. NULL: none. */
+    bool (*table_open)(const struct physics_context *context, const char *directory, int64_t step,
+                       struct error *error);
+    bool (*table_write)(const struct physics_context *context, struct error *error);
     /* The largest time step, up to `most`, that is stable for the present state. NULL: any. Collective. */
     double (*limit)(const struct physics_context *context, double most);
     const char *limit_why; /* the cause of the limit, for messages: "advection of the fluid ..." */
@@ -152,6 +185,7 @@ struct physics_active {
 struct physics_set {
     int count;
     struct physics_active active[PHYSICS_COUNT + 1];
+    struct interactions *interactions; /* borrowed */
 };
 
 /* Finds the physics that a scene asks for, after `grains`, adds their interactions and registers their
@@ -177,8 +211,36 @@ bool physics_fill(const struct physics_set *set, const struct physics_share *sha
  * (interactions_divide). */
 void physics_lists(struct physics_set *set, const struct interactions *interactions);
 
-/* Calls `rebuilt` of all physics, after the search of a rebuild. */
-void physics_rebuilt(struct physics_set *set, struct ghosts *ghosts);
+/* Calls `rebuilt` of all physics, after the search of a rebuild. True if the engine must rebuild again. */
+bool physics_rebuilt(struct physics_set *set, struct ghosts *ghosts);
+
+/* True if a physics needs a rebuild in the step in progress. */
+bool physics_due(const struct physics_set *set);
+
+/* True if a physics has rows. */
+bool physics_carries(const struct physics_set *set);
+
+/* The rows of the physics in their order in the table, NULL of those without, after they have been asked for. */
+void physics_rows(const struct physics_set *set, struct history_rows *rows[PHYSICS_COUNT],
+                  int components[PHYSICS_COUNT]);
+
+/* This rank's parts of the energies of all. */
+void physics_energy(const struct physics_set *set, double *stored, double *taken);
+
+/* True if a physics says that the pair has no contact; `set` as context for struct force_context. physics_joins:
+ * a physics may. */
+bool physics_joined(const void *set, size_t i, size_t j);
+bool physics_joins(const struct physics_set *set);
+
+/* The parts of all in the stability of contacts. */
+void physics_stiffen(const struct physics_set *set, struct stability *stability);
+double physics_stiffest(const struct physics_set *set, const struct stability *stability);
+
+/* True if a physics has tables; opens the tables of all; writes them. Collective; errors may differ between ranks. */
+bool physics_has_tables(const struct physics_set *set);
+bool physics_table_open(const struct physics_set *set, const char *directory, int64_t step,
+                        struct error *error);
+bool physics_table_write(const struct physics_set *set, struct error *error);
 
 /* Runs the passes before output. Collective. */
 void physics_look(const struct physics_set *set);

@@ -63,8 +63,8 @@ static void part_with_leavers(struct simulation *s, struct rebuild_rows *rows) {
 
 /* Particles go to their owners, with their rows. */
 static void migrate(struct simulation *s, struct rebuild_rows *rows) {
-    struct migrate_rows set[2];
-    int n = 0, pairs = -1, walls = -1;
+    struct migrate_rows set[2 + PHYSICS_COUNT];
+    int n = 0, pairs = -1, walls = -1, carried[PHYSICS_COUNT];
     if (rows->pairs.start) {
         pairs = n;
         set[n++] = (struct migrate_rows){rows->pairs.start, rows->pairs.row, rows->pairs.count,
@@ -77,7 +77,18 @@ static void migrate(struct simulation *s, struct rebuild_rows *rows) {
             (struct migrate_rows){rows->walls.start, rows->walls.row, rows->walls.count,
                                   sizeof *rows->walls.row, wall_row_bytes(s->grains.law.history_components)};
     }
+    for (int k = 0; k < PHYSICS_COUNT; k++) {
+        const struct history_rows *own = rows->carried[k];
+        carried[k] = n;
+        if (own)
+            set[n++] = (struct migrate_rows){own->start, own->row, own->count, sizeof *own->row,
+                                             history_row_bytes(rows->components[k])};
+    }
     ghosts_migrate_rows(s->ranks.ghosts, s->particles, set, n);
+    for (int k = 0; k < PHYSICS_COUNT; k++)
+        if (rows->carried[k])
+            *rows->carried[k] =
+                (struct history_rows){set[carried[k]].start, set[carried[k]].row, set[carried[k]].count};
     if (pairs >= 0)
         rows->pairs = (struct history_rows){set[pairs].start, set[pairs].row, set[pairs].count};
     if (walls >= 0)
@@ -97,6 +108,9 @@ static void reorder(struct simulation *s, struct rebuild_rows *rows) {
         history_rows_reorder(&rows->pairs, order, owned);
     if (rows->walls.start)
         wall_rows_reorder(&rows->walls, order, owned);
+    for (int k = 0; k < PHYSICS_COUNT; k++)
+        if (rows->carried[k])
+            history_rows_reorder(rows->carried[k], order, owned);
 }
 
 static void keep(struct simulation *s, struct rebuild_rows *rows) {
@@ -219,6 +233,10 @@ static void detach(struct simulation *s, struct rebuild_rows *rows) {
     rows->keep = keeps;
 }
 
+static void carry(struct simulation *s, struct rebuild_rows *rows) {
+    rebuild_carry(s, rows);
+}
+
 static void wrap(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
     ghosts_drop(s->ranks.ghosts, s->particles);
@@ -238,8 +256,8 @@ static void come_and_go(struct simulation *s, struct rebuild_rows *rows) {
 }
 
 static void tell_physics(struct simulation *s, struct rebuild_rows *rows) {
-    (void)rows;
-    physics_rebuilt(&s->physics, s->ranks.alone ? NULL : s->ranks.ghosts);
+    rows->again = physics_rebuilt(&s->physics, s->ranks.alone ? NULL : s->ranks.ghosts);
+    s->classes_stale = s->classes_stale || rows->again;
     if (s->search.sweep)
         s->search.sweep->stale = true;
 }
@@ -259,6 +277,10 @@ static bool with_walls(const struct simulation *s, const struct rebuild_rows *ro
     (void)rows;
     return s->grains.walls && s->grains.law.materials > 0;
 }
+static bool with_carried(const struct simulation *s, const struct rebuild_rows *rows) {
+    (void)rows;
+    return physics_carries(&s->physics);
+}
 static bool with_history(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
     return s->grains.law.history_components > 0;
@@ -272,11 +294,12 @@ struct rebuild_pass {
     void (*run)(struct simulation *s, struct rebuild_rows *rows);
 };
 
-/* The passes of a rebuild. The passes before `wrap` are left out if histories come from a checkpoint. */
+/* The passes of a rebuild. The passes before `carry` are left out if histories come from a checkpoint. */
 static const struct rebuild_pass passes[] = {
     {"balance", "several ranks", "migrate", many_ranks, balance},
     {"follow", "history, several ranks", "comm", many_with_history, follow},
     {"detach", "history", "history", with_history, detach},
+    {"carry", "pairs that a physics remembers", "history", with_carried, carry},
     {"wrap", NULL, "migrate", NULL, wrap},
     {"sources", NULL, "migrate", NULL, come_and_go},
     {"part", "history, several ranks", "history", many_that_keep, part_with_leavers},
@@ -291,9 +314,10 @@ static const struct rebuild_pass passes[] = {
     {"attach", NULL, "history", NULL, attach},
     {"physics", NULL, "pairs", NULL, tell_physics},
 };
-enum { REBUILD_PASSES = sizeof passes / sizeof passes[0], REBUILD_WRAP = 3 };
+enum { REBUILD_PASSES = sizeof passes / sizeof passes[0], REBUILD_CARRY = 3 };
 
-static void passes_run(struct simulation *s, struct rebuild_rows *rows, int first) {
+/* Returns true if another rebuild must follow. */
+static bool passes_run(struct simulation *s, struct rebuild_rows *rows, int first) {
     for (int p = first; p < REBUILD_PASSES; p++) {
         if (passes[p].needed && !passes[p].needed(s, rows))
             continue;
@@ -302,7 +326,9 @@ static void passes_run(struct simulation *s, struct rebuild_rows *rows, int firs
         passes[p].run(s, rows);
         timer_stop(&s->timers, stage);
     }
+    bool again = rows->again;
     rebuild_rows_free(rows);
+    return again;
 }
 
 void rebuild_print(const struct simulation *s, FILE *file) {
@@ -313,10 +339,12 @@ void rebuild_print(const struct simulation *s, FILE *file) {
 }
 
 void rebuild_from_rows(struct simulation *s, struct rebuild_rows *rows) {
-    passes_run(s, rows, REBUILD_WRAP);
+    if (passes_run(s, rows, REBUILD_CARRY))
+        rebuild_run(s);
 }
 
 void rebuild_run(struct simulation *s) {
     struct rebuild_rows rows = {0};
-    passes_run(s, &rows, 0);
+    if (passes_run(s, &rows, 0))
+        rebuild_run(s);
 }

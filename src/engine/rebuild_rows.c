@@ -11,6 +11,10 @@ void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *r
         walls_detach(s->grains.walls, s->particles, &rows->walls);
 }
 
+void rebuild_carry(struct simulation *s, struct rebuild_rows *rows) {
+    physics_rows(&s->physics, rows->carried, rows->components);
+}
+
 void rebuild_rows_free(struct rebuild_rows *rows) {
     history_rows_free(&rows->pairs);
     history_kept_free(&rows->kept);

@@ -17,8 +17,15 @@ struct rebuild_rows {
     uint32_t *order;          /* new particle k is old order[k] */
     struct history_kept kept; /* made between reorder and search */
     struct wall_rows walls;
+    /* Those of other physics, in the order of the table; NULL: none. The physics own them. */
+    struct history_rows *carried[PHYSICS_COUNT];
+    int components[PHYSICS_COUNT];
+    bool again; /* another rebuild follows */
 };
 void rebuild_detach(struct simulation *simulation, bool both_ends, struct rebuild_rows *rows);
+
+/* Asks all physics for their rows. */
+void rebuild_carry(struct simulation *simulation, struct rebuild_rows *rows);
 void rebuild_rows_free(struct rebuild_rows *rows);
 
 #endif

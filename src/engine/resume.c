@@ -102,6 +102,7 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
                   struct error *error) {
     struct rebuild_rows rows;
     rebuild_detach(s, true, &rows); /* the reader may divide the particles differently */
+    rebuild_carry(s, &rows);
     rows_sort(&rows.pairs, s->particles->owned);
     if (s->grains.walls && !s->ranks.alone)
         wall_forces_gather(s);
@@ -119,6 +120,8 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
                                     .history_components = s->grains.law.history_components,
                                     .history = rows.pairs.start ? &rows.pairs : NULL,
                                     .wall_history = rows.walls.start ? &rows.walls : NULL,
+                                    .carried = rows.carried,
+                                    .components = rows.components,
                                     .walls = s->grains.walls,
                                     .law = law,
                                     .materials = s->scene->materials,
@@ -154,6 +157,25 @@ static void wall_rows_rename(const struct simulation *s, const struct checkpoint
     }
 }
 
+/* Gives the physics their rows; a scene without the physics does without. */
+static bool carried_take(struct simulation *s, const char *path, struct checkpoint_loaded *loaded,
+                         struct error *error) {
+    struct rebuild_rows rows = {0};
+    rebuild_carry(s, &rows);
+    for (int k = 0; k < PHYSICS_COUNT; k++) {
+        if (rows.carried[k] == NULL || loaded->carried[k].start == NULL)
+            continue;
+        if (rows.components[k] != loaded->components[k])
+            return error_set(error, ERROR_USER, "%s: the rows of %s have %d numbers each, not %d", path,
+                             physics_get((enum physics_number)k)->name, loaded->components[k],
+                             rows.components[k]);
+        history_rows_free(rows.carried[k]);
+        *rows.carried[k] = loaded->carried[k];
+        loaded->carried[k] = (struct history_rows){0};
+    }
+    return true;
+}
+
 /* Moves the data read into the simulation. */
 static bool take(struct simulation *s, const char *path, struct checkpoint_loaded *loaded,
                  struct rebuild_rows *rows, struct error *error) {
@@ -178,7 +200,7 @@ static bool take(struct simulation *s, const char *path, struct checkpoint_loade
         rows->walls = loaded->wall_history;
         loaded->wall_history = (struct wall_rows){0};
     }
-    return true;
+    return carried_take(s, path, loaded, error);
 }
 
 bool resume_read(struct simulation *s, const char *path, struct rebuild_rows *rows, struct error *error) {

@@ -127,7 +127,7 @@ static bool checkpoint_regular(struct run *run, struct error *error) {
     if (!comm_agree(run->s->comm, &condemned))
         return true;
     run->checkpoint_last = timer_now();
-    return (run->outputs == NULL || outputs_flush(run->outputs, error)) &&
+    return (run->outputs == NULL || outputs_flush(run->outputs, run->s, error)) &&
            resume_write(run->s, &run->output, "", error);
 }
 
@@ -305,6 +305,16 @@ static bool over_already(const struct simulation *s, const char *resume) {
     return true;
 }
 
+/* Writes the rows that still wait of the tables of physics. */
+static void tables_end(const struct run *run, struct error *error) {
+    struct error own = {0};
+    if (run->outputs == NULL || error->kind == ERROR_SYSTEM)
+        return;
+    outputs_tables(run->s, &own);
+    if (error->kind == ERROR_NONE)
+        *error = own;
+}
+
 int run_scene(const struct comm *comm, const struct scene *scene, const struct run_options *options,
               struct report *report, struct error *error) {
     struct run run = {.options = options, .lock = -1};
@@ -326,6 +336,7 @@ int run_scene(const struct comm *comm, const struct scene *scene, const struct r
             notes_tell(run.s);
         run.record.setup = timer_now() - start;
         run_loop(&run, error);
+        tables_end(&run, error);
         report_create(&own, comm->size);
         run_report_fill(run.s, &run.record, &own);
         outputs_close(&run.outputs, comm, error);

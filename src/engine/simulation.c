@@ -134,6 +134,8 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
     deform_prepare(s);
     if (physics_create(&s->physics, s, error))
         simulation_parts_simd(s, error);
+    s->grains.contact.joined = physics_joins(&s->physics) ? physics_joined : NULL;
+    s->grains.contact.joined_context = &s->physics;
     if (!comm_agree(s->comm, error)) /* ranks may have different CPUs */
         return false;
     struct rebuild_rows rows = {0};

@@ -146,6 +146,9 @@ static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
             history_rows_remove(&rows->pairs, remove, owned);
         if (rows->walls.start)
             wall_rows_remove(&rows->walls, remove, owned);
+        for (int k = 0; k < PHYSICS_COUNT; k++)
+            if (rows->carried[k])
+                history_rows_remove(rows->carried[k], remove, owned);
         particles_remove(particles, remove);
     }
     memory_free(remove);
@@ -271,6 +274,9 @@ void sources_run(struct simulation *s, struct rebuild_rows *rows) {
                     s->particles->owned, (size_t)1 << PARTICLE_INDEX_BITS);
     rows->pairs.start = starts_extend(rows->pairs.start, before, s->particles->owned);
     rows->walls.start = starts_extend(rows->walls.start, before, s->particles->owned);
+    for (int k = 0; k < PHYSICS_COUNT; k++)
+        if (rows->carried[k])
+            rows->carried[k]->start = starts_extend(rows->carried[k]->start, before, s->particles->owned);
     if (!s->ranks.alone)
         comm_sum_int(s->comm, &removed, 1);
     s->sources.deleted += (uint64_t)removed;

@@ -28,6 +28,7 @@ struct output_view simulation_view(const struct simulation *s) {
                                         .work = timer_sum(&s->timers, TIMER_WORK, 0),
                                         .waiting = timer_sum(&s->timers, TIMER_WAIT, 0)}};
     physics_own(&s->physics, view.own);
+    physics_energy(&s->physics, &view.held, &view.gone);
     return view;
 }
 

@@ -57,25 +57,28 @@ static bool put_counts(struct checkpoint_writing *w, const char *name, const siz
     return good;
 }
 
-static bool put_history(struct checkpoint_writing *w, struct error *error) {
-    const struct history_rows *rows = w->checkpoint->history;
-    if (!put_counts(w, "/history/count", rows->start, error))
+/* Writes the rows of pairs of a group: "history", or a physics. */
+static bool put_rows(struct checkpoint_writing *w, const char *group, const struct history_rows *rows,
+                     int components, struct error *error) {
+    char name[CHECKPOINT_ROWS_NAMES][OUTPUT_NAME_MAX];
+    checkpoint_rows_names(group, name);
+    if (!put_counts(w, name[CHECKPOINT_ROWS_COUNT], rows->start, error))
         return false;
     int64_t *partner = memory_allocate(rows->count, sizeof *partner, "history rows");
-    size_t width = checkpoint_history_width(w->checkpoint->history_components);
+    size_t width = checkpoint_history_width(components);
     double *value = memory_allocate_zero(rows->count * (width + 3), sizeof *value, "history rows");
     for (size_t k = 0; k < rows->count; k++) {
         double *to = value + k * (width + 3);
         partner[k] = rows->row[k].partner;
-        memcpy(to, rows->row[k].value, (size_t)w->checkpoint->history_components * sizeof *to);
+        memcpy(to, rows->row[k].value, (size_t)components * sizeof *to);
         memcpy(to + width, rows->row[k].separation, sizeof rows->row[k].separation);
     }
     struct h5_table table = place_rows(w->comm, rows->count);
     table.type = FIELD_INT64;
-    bool good = checkpoint_put(w, "/history/partner", &table, partner, error);
+    bool good = checkpoint_put(w, name[CHECKPOINT_ROWS_PARTNER], &table, partner, error);
     table.type = FIELD_DOUBLE;
     table.width = width + 3;
-    good = good && checkpoint_put(w, "/history/value_separation", &table, value, error);
+    good = good && checkpoint_put(w, name[CHECKPOINT_ROWS_VALUE], &table, value, error);
     memory_free(partner);
     memory_free(value);
     return good;
@@ -114,9 +117,12 @@ static bool put_all(struct checkpoint_writing *w, struct error *error) {
         good = put_field(w, fields.field[k], error);
     /* either every rank has rows, or no rank: the law decides */
     if (good && c->history)
-        good = put_history(w, error);
+        good = put_rows(w, "history", c->history, c->history_components, error);
     if (good && c->wall_history)
         good = put_wall_history(w, error);
+    for (int k = 0; good && c->carried && k < PHYSICS_COUNT; k++)
+        if (c->carried[k])
+            good = put_rows(w, checkpoint_physics_names[k], c->carried[k], c->components[k], error);
     return good;
 }
 
@@ -124,9 +130,13 @@ static bool put_all(struct checkpoint_writing *w, struct error *error) {
 static uint64_t estimate_bytes(const struct checkpoint_writing *w) {
     const struct checkpoint *c = w->checkpoint;
     uint64_t rows = (c->history ? c->history->count : 0) + (c->wall_history ? c->wall_history->count : 0);
+    uint64_t carried = 0;
+    for (int k = 0; c->carried && k < PHYSICS_COUNT; k++)
+        if (c->carried[k])
+            carried += c->carried[k]->count * 8 * (checkpoint_history_width(c->components[k]) + 4);
     const struct field_list fields = fields_with(c->particles, FIELD_RESTART);
     int64_t bytes = (int64_t)(c->particles->owned * (fields_packed_bytes(c->particles, &fields) + 8) +
-                              rows * 8 * (checkpoint_history_width(c->history_components) + 4));
+                              carried + rows * 8 * (checkpoint_history_width(c->history_components) + 4));
     comm_sum_int(w->comm, &bytes, 1);
     uint64_t ranks = (uint64_t)w->comm->size, walls = c->walls ? (uint64_t)walls_count(c->walls) : 0;
     uint64_t numbers = c->restart ? c->restart->count : 0, texts = 0;

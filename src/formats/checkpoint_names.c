@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Names of datasets, and the list of the numbers that every checkpoint has. Read checkpoint_names.h first. */
 #include "formats/checkpoint_names.h"
+#include "physics_table.h"
 
 #include <stdio.h>
 
@@ -14,6 +15,16 @@ const char *const checkpoint_value_datasets[RESTART_KINDS] = {
     [RESTART_REAL] = "/run/reals",
     [RESTART_SUM] = "/run/sums",
 };
+
+#define CHECKPOINT_PHYSICS(name, key, whose, summary) #name,
+const char *const checkpoint_physics_names[] = {PHYSICS_TABLE(CHECKPOINT_PHYSICS)};
+#undef CHECKPOINT_PHYSICS
+
+void checkpoint_rows_names(const char *group, char name[CHECKPOINT_ROWS_NAMES][OUTPUT_NAME_MAX]) {
+    snprintf(name[CHECKPOINT_ROWS_COUNT], OUTPUT_NAME_MAX, "/%s/count", group);
+    snprintf(name[CHECKPOINT_ROWS_PARTNER], OUTPUT_NAME_MAX, "/%s/partner", group);
+    snprintf(name[CHECKPOINT_ROWS_VALUE], OUTPUT_NAME_MAX, "/%s/value_separation", group);
+}
 
 void checkpoint_core_list(struct checkpoint_core *core, struct restart *restart) {
     static const char axis[] = "xyz";

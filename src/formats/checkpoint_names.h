@@ -17,6 +17,16 @@ static inline size_t checkpoint_history_width(int components) {
     return (size_t)(components > HISTORY_COMPONENTS_USUAL ? components : HISTORY_COMPONENTS_USUAL);
 }
 
+/* The datasets of rows of pairs, "/GROUP/count" ..., and the groups of the physics (their names). */
+enum checkpoint_rows_name {
+    CHECKPOINT_ROWS_COUNT,
+    CHECKPOINT_ROWS_PARTNER,
+    CHECKPOINT_ROWS_VALUE,
+    CHECKPOINT_ROWS_NAMES
+};
+void checkpoint_rows_names(const char *group, char name[CHECKPOINT_ROWS_NAMES][OUTPUT_NAME_MAX]);
+extern const char *const checkpoint_physics_names[];
+
 /* Names of datasets that are written and read. */
 #define CHECKPOINT_MATERIALS "/materials/name"
 #define CHECKPOINT_DENSITIES "/materials/density"

@@ -124,19 +124,23 @@ static bool get_starts(struct checkpoint_reading *r, const char *counts, const c
     return comm_agree(r->comm, error);
 }
 
-static bool get_history(struct checkpoint_reading *r, const struct particles *p, struct error *error) {
-    struct history_rows *rows = &r->loaded->history;
+/* Reads the rows of pairs of a group; `components` is that of the file. */
+static bool get_rows(struct checkpoint_reading *r, const char *group, const struct particles *p,
+                     int components, struct history_rows *rows, struct error *error) {
+    char name[CHECKPOINT_ROWS_NAMES][OUTPUT_NAME_MAX];
+    checkpoint_rows_names(group, name);
     struct h5_table place;
-    if (!get_starts(r, "/history/count", "/history/partner", &rows->start, &place, error))
+    if (!get_starts(r, name[CHECKPOINT_ROWS_COUNT], name[CHECKPOINT_ROWS_PARTNER], &rows->start, &place,
+                    error))
         return false;
     int64_t *partner = memory_allocate(place.count, sizeof *partner, "history rows");
-    size_t width = checkpoint_history_width(r->loaded->history_components);
+    size_t width = checkpoint_history_width(components);
     double *value = memory_allocate(place.count * (width + 3), sizeof *value, "history rows");
     place.type = FIELD_INT64;
-    bool good = get(r, "/history/partner", &place, partner, error);
+    bool good = get(r, name[CHECKPOINT_ROWS_PARTNER], &place, partner, error);
     place.type = FIELD_DOUBLE;
     place.width = width + 3;
-    good = good && get(r, "/history/value_separation", &place, value, error);
+    good = good && get(r, name[CHECKPOINT_ROWS_VALUE], &place, value, error);
     rows->count = good ? place.count : 0;
     rows->row = memory_allocate_zero(rows->count, sizeof *rows->row, "history rows");
     for (uint64_t i = 0; good && i < r->count; i++)
@@ -200,14 +204,36 @@ static bool count_kind(struct checkpoint_reading *r, const char *dataset, struct
     return good;
 }
 
+/* Reads the rows of physics. The width of their values tells how many doubles count, but for the usual ones. */
+static bool get_carried(struct checkpoint_reading *r, const struct particles *p, struct error *error) {
+    bool good = true;
+    for (int k = 0; good && k < PHYSICS_COUNT; k++) {
+        char name[CHECKPOINT_ROWS_NAMES][OUTPUT_NAME_MAX];
+        checkpoint_rows_names(checkpoint_physics_names[k], name);
+        const struct checkpoint_entry *entry = checkpoint_file_find(&r->file, name[CHECKPOINT_ROWS_VALUE]);
+        if (entry == NULL)
+            continue;
+        size_t width = entry->row_bytes / sizeof(double);
+        if (width < HISTORY_COMPONENTS_USUAL + 3 || width > HISTORY_COMPONENTS_MAX + 3)
+            return error_set(error, ERROR_USER, "%s: %s: has rows of an unknown width", r->file.path,
+                             name[CHECKPOINT_ROWS_VALUE]);
+        r->loaded->components[k] = (int)width - 3;
+        good = get_rows(r, checkpoint_physics_names[k], p, (int)width - 3, &r->loaded->carried[k], error);
+    }
+    return good;
+}
+
 static bool get_rest(struct checkpoint_reading *r, struct particles *particles, struct error *error) {
     if (!get_share(r, error) || !get_particles(r, particles, error) ||
         !count_kind(r, "/particles/material", r->loaded->material, r->loaded->materials, error) ||
         !count_kind(r, "/particles/group", r->loaded->group, r->loaded->groups, error))
         return false;
-    if (checkpoint_file_find(&r->file, "/history/count") && !get_history(r, particles, error))
+    if (checkpoint_file_find(&r->file, "/history/count") &&
+        !get_rows(r, "history", particles, r->loaded->history_components, &r->loaded->history, error))
         return false;
-    return !checkpoint_file_find(&r->file, "/wall_history/count") || get_wall_history(r, particles, error);
+    if (checkpoint_file_find(&r->file, "/wall_history/count") && !get_wall_history(r, particles, error))
+        return false;
+    return get_carried(r, particles, error);
 }
 
 bool checkpoint_read_head(const struct comm *comm, const char *path, struct checkpoint_loaded *loaded,
@@ -240,6 +266,8 @@ bool checkpoint_read(const struct comm *comm, const char *path, struct particles
 void checkpoint_loaded_free(struct checkpoint_loaded *loaded) {
     history_rows_free(&loaded->history);
     wall_rows_free(&loaded->wall_history);
+    for (int k = 0; k < PHYSICS_COUNT; k++)
+        history_rows_free(&loaded->carried[k]);
     domain_tree_destroy(&loaded->tree);
     restart_values_free(&loaded->restart);
     lineage_free(&loaded->lineage);

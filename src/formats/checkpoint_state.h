@@ -35,6 +35,8 @@ struct checkpoint {
     int history_components;               /* 0: no history */
     const struct history_rows *history;   /* NULL where there is none */
     const struct wall_rows *wall_history; /* NULL where there is none */
+    struct history_rows *const *carried;  /* PHYSICS_COUNT rows of physics, NULL where there are none */
+    const int *components;                /* their doubles */
     const struct walls *walls;            /* NULL: none */
     const char *law;                      /* name of the law */
     int materials, groups;
@@ -63,6 +65,8 @@ struct checkpoint_loaded {
     int history_components;
     struct history_rows history;
     struct wall_rows wall_history;
+    struct history_rows carried[PHYSICS_COUNT]; /* of physics; start NULL: the file has none */
+    int components[PHYSICS_COUNT];
     int walls;
     struct checkpoint_wall *wall;
     bool field_read[FIELDS_MAX]; /* by handle: the file has this field of the set of particles */

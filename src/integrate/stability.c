@@ -2,23 +2,16 @@
 /* Collects the stiffness of contacts and finds the largest eigenvalue. Read stability.h first. */
 #include "integrate/stability.h"
 #include "contact/material.h"
+#include "contact/spin.h"
 #include "core/memory.h"
 #include "integrate/timestep.h"
 #include <math.h>
 
-/* One contact as both sides see it. */
-struct stability_contact {
-    size_t i, j;
-    double normal[3];        /* from i to j */
-    double radius;           /* R* */
-    double push, turn, roll; /* a = h^2 k + 2 h c of the three springs */
-    double twist;            /* the same of the twisting spring, times length^2 */
-};
-
 void stability_create(struct stability *s, const struct force_context *context, double step) {
     size_t count = context->particles->owned + context->particles->ghosts;
-    *s = (struct stability){
-        .step = step, .count = count, .sums = context->law->spin ? STABILITY_SUMS : STABILITY_PUSH};
+    *s = (struct stability){.step = step,
+                            .count = count,
+                            .sums = spin_values(context->particles) ? STABILITY_SUMS : STABILITY_PUSH};
     s->sum = memory_allocate_zero(count * (size_t)s->sums, sizeof *s->sum, "stability of contacts");
     s->local = memory_allocate_zero(count, sizeof *s->local, "stability of contacts");
 }
@@ -67,6 +60,7 @@ static bool pair_contact(const struct stability *s, const struct force_context *
         contact->normal[d] = distance > 0.0 ? contact->normal[d] / distance : 0.0;
     contact->i = i;
     contact->j = j;
+    contact->lever = 1.0;
     contact->radius = a->radius * b->radius / reach;
     struct timestep_springs springs =
         timestep_springs(context->law, material_of(number, i), material_of(number, j), 1.0 / inertia,
@@ -105,10 +99,17 @@ static void add_to(const struct stability *s, const struct particles *p, size_t 
     if (s->sums == STABILITY_PUSH)
         return;
     double radius = p->state[i].radius, twist = contact->twist / (radius * radius);
-    add_tensor(sum + 6, mass * turn * twist, mass * turn * (contact->turn + share * share * contact->roll),
-               contact->normal, shared);
+    double slide = contact->turn * contact->lever;
+    add_tensor(sum + 6, mass * turn * twist,
+               mass * turn * (slide * contact->lever + share * share * contact->roll), contact->normal,
+               shared);
     for (int d = 0; d < 3; d++)
-        add(&sum[12 + d], sign * sqrt(turn) * mass * contact->turn * contact->normal[d], shared);
+        add(&sum[12 + d], sign * sqrt(turn) * mass * slide * contact->normal[d], shared);
+}
+
+void stability_add(struct stability *s, const struct particles *particles, size_t i,
+                   const struct stability_contact *contact) {
+    add_to(s, particles, i, contact, 1.0, false);
 }
 
 /* Shares go to one side or both, as forces do. */
@@ -142,8 +143,10 @@ void stability_walls(struct stability *s, const struct force_context *context,
     for (size_t k = 0; k < count; k++) {
         const struct force_contact *c = &contacts[k];
         const struct particle_state *state = &p->state[c->number_i];
-        struct stability_contact contact = {
-            .i = c->number_i, .normal = {c->normal[0], c->normal[1], c->normal[2]}, .radius = state->radius};
+        struct stability_contact contact = {.i = c->number_i,
+                                            .normal = {c->normal[0], c->normal[1], c->normal[2]},
+                                            .radius = state->radius,
+                                            .lever = 1.0};
         if (state->inverse_mass == 0.0)
             continue;
         struct timestep_springs springs =

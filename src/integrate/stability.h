@@ -33,6 +33,20 @@ struct stability {
     double *local; /* L of each particle, without unit */
 };
 
+/* One spring between two particles as both see it. */
+struct stability_contact {
+    size_t i, j;
+    double normal[3];        /* from i to j */
+    double radius;           /* R* */
+    double lever;            /* of the turning spring, over the radius of the particle */
+    double push, turn, roll; /* a = h^2 k + 2 h c of the three springs */
+    double twist;            /* the same of the twisting spring, times length^2 */
+};
+
+/* Adds a spring at the owned particle i, with its normal away from i. One thread. */
+void stability_add(struct stability *stability, const struct particles *particles, size_t i,
+                   const struct stability_contact *contact);
+
 /* Makes room for the particles of the context, all sums 0; free releases. One thread. */
 void stability_create(struct stability *stability, const struct force_context *context, double step);
 void stability_free(struct stability *stability);

@@ -142,7 +142,7 @@ static void total_of_rank(const struct observable_context *context, struct obser
     elastic_tangential(context, item, &one[1]);
     dissipated(context, item, &one[2]);
     wall_work(context, item, &one[3]);
-    part[0] += one[0] + one[1] + one[2] - one[3];
+    part[0] += one[0] + one[1] + one[2] - one[3] + context->view->held + context->view->gone;
 }
 
 static void add_total(const struct output_view *view, const struct observable_item *item, size_t i,

@@ -15,6 +15,7 @@ dist_check_SCRIPTS += \
 	tests/app/folder.sh \
 	tests/app/guards.sh \
 	tests/app/hard.sh \
+	tests/app/bonds.sh \
 	tests/app/heat.sh \
 	tests/app/lammps.sh \
 	tests/app/layouts.sh \
