@@ -31,6 +31,12 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/sphere_array/check examples/sphere_array/run.sh \
 	examples/taylor_green/check examples/taylor_green/run.sh
 
+crushing = examples/crushing
+nobase_dist_pkgdata_DATA += \
+	$(crushing)/README.md $(crushing)/crushing.gp $(crushing)/curve.awk $(crushing)/grains.awk $(crushing)/picture.awk \
+	$(crushing)/scene.yaml $(crushing)/summary.awk
+nobase_dist_pkgdata_SCRIPTS += $(crushing)/check $(crushing)/run.sh
+
 drum = examples/drum
 nobase_dist_pkgdata_DATA += \
 	$(drum)/README.md $(drum)/compare.awk $(drum)/lammps-1.csv $(drum)/lammps-2.csv $(drum)/lammps/data.awk \

@@ -8,6 +8,8 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/beverloo/floor.txt \
 	examples/verify/beverloo/scene.yaml \
 	examples/verify/bouncing/scene.yaml \
+	examples/verify/bonded-cantilever/particles.txt \
+	examples/verify/bonded-cantilever/scene.yaml \
 	examples/verify/bowl/scene.yaml \
 	examples/verify/capillary-bridge/scene.yaml \
 	examples/verify/case.sh \
@@ -111,6 +113,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/beverloo-3d/check \
 	examples/verify/beverloo/check \
 	examples/verify/bouncing/check \
+	examples/verify/bonded-cantilever/check \
 	examples/verify/bowl/check \
 	examples/verify/capillary-bridge/check \
 	examples/verify/chain/check \

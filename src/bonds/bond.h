@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* One parallel bond: a short elastic beam between two spheres (D. O. Potyondy and P. A. Cundall, "A bonded-particle
- * model for rock", Int. J. Rock Mech. Min. Sci. 41 (2004) 1329-1364, section 2.2).
+ * model for rock", Int. J. Rock Mech. Min. Sci. 41 (2004) 1329-1364, its parallel bonds).
  *
  * A bond of radius R has the section of a disc: area A = pi R^2, moment of inertia I = pi R^4 / 4, polar moment
- * J = pi R^4 / 2 (eq. 13). Stiffnesses k_n and k_s are those of an area, Pa/m. A relative motion of the two
- * ends at the middle of the bond changes force and moment by (eqs. 10 to 12)
+ * J = pi R^4 / 2. Stiffnesses k_n and k_s are those of an area, Pa/m. A relative motion of the two
+ * ends at the middle of the bond changes force and moment by
  *
  *   dF_n = k_n A dU_n,  dF_s = -k_s A dU_s,  dM_n = -k_s J dTheta_n,  dM_s = -k_n I dTheta_s
  *
- * The largest tensile and shear stress at the rim of the section are (eqs. 14 and 15)
+ * The largest tensile and shear stress at the rim of the section are
  *
  *   sigma = tension / A + |M_s| R / I,   tau = |F_s| / A + |M_n| R / J
  *

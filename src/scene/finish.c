@@ -393,7 +393,8 @@ bool finish_scene(struct scene *scene, struct error *error) {
     finish_motion(scene);
     finish_newton(scene);
     /* both ends of a bond compute the same bits, from the same positions */
-    scene->ghosts.in_place = scene->physics_given[PHYSICS_bonds] != 0;
+    if (scene->physics_given[PHYSICS_bonds])
+        scene->ghosts.in_place = true;
     scene->ghosts.reduced = scene->ghosts_name == SCENE_GHOSTS_REDUCED ||
                             (scene->ghosts_name == SCENE_GHOSTS_AUTO && scene->ghosts.newton);
     if (scene->reproducible)
