@@ -143,6 +143,8 @@ absent() {
 }
 check 'absent unless asked for, and no grain moves otherwise' absent
 
+check 'a ball is crushed' env SCREE="$scree" "$top_srcdir/examples/crushing/check" "$out/crush"
+
 refused() { # TEXT SETTING...
     local text=$1
     shift
