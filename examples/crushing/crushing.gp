@@ -23,7 +23,7 @@ set xlabel "way of the plate (mm)"
 set ylabel "force (N)"
 set y2label "broken bonds"
 set y2tics
-set key top left
+set key at graph 0.98, graph 0.55 right samplen 2
 plot curve using 1:2 with lines lw 2 lc rgb "#264653" title "force", \
     curve using 1:($4 + $5) axes x1y2 with lines lw 2 lc rgb "#e76f51" title "broken bonds"
 unset multiplot
