@@ -124,6 +124,10 @@ void march_rebuilt(const struct physics_context *context) {
         flow_number(&fluid->flow);
     else
         flow_forward(&fluid->flow, FLOW_ROW);
+    /* points move from the start; particles without a shift yet have no drift */
+    if (fluid->options->motion.name == FLUID_ALE && fluid->past.steps == 0 &&
+        context->clock->step == fluid->done)
+        motion_drift(context, 0);
 }
 
 static const char *preconditioner_of(const struct fluid_options *options) {
