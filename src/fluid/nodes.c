@@ -302,7 +302,11 @@ static void gaps_count(struct nodes *nodes) {
             if (b->x[0] - a->x[0] > a->radius + largest + narrow)
                 break;
             double gap = sqrt(box_distance2(nodes->box, a->x, b->x)) - a->radius - b->radius;
-            nodes->narrowest = fmin(nodes->narrowest, gap);
+            if (gap < nodes->narrowest) {
+                nodes->narrowest = gap;
+                nodes->narrowest_of[0] = a->id < b->id ? a->id : b->id;
+                nodes->narrowest_of[1] = a->id < b->id ? b->id : a->id;
+            }
             nodes->narrow += gap < narrow;
         }
     }

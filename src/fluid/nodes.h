@@ -28,9 +28,10 @@ struct nodes {
     uint8_t *state;
     int32_t *
         owner; /* SOLID: number of the grain, or, of a wall or an open side, its number as a body; FLUID: number of the region */
-    float *depth;     /* SOLID: depth below the surface of the owner, length */
-    int64_t narrow;   /* gaps between two grains of less than NODES_GAP spacings; contacts count */
-    double narrowest; /* length; INFINITY without a gap */
+    float *depth;            /* SOLID: depth below the surface of the owner, length */
+    int64_t narrow;          /* gaps between two grains of less than NODES_GAP spacings; contacts count */
+    double narrowest;        /* length; INFINITY without a gap */
+    int64_t narrowest_of[2]; /* the two grains */
     size_t grains;
     struct nodes_grain *grain;
 };

@@ -117,6 +117,19 @@ check "in time, with inertia" run 1 channel --set fluid.time=transient --set flu
     --set fluid.solver.tolerance=1e-4 --set 'step={dt: 0.01, count: 120}' --set output.dump.every=120
 check "ends as that of Poiseuille" profile channel.1 4.8 2
 
+# Grains of a packing in a file stand in the fluid; gaps between them that the spacing does not resolve are named.
+printf '%s\n' '0.2 0.3 0.5 0.15' '0.2 0.7 0.5 0.15' '0.5 0.35 0.5 0.14' >packing.txt
+sed -e '/^walls/d' -e 's/drag\/cube/drag\/bed/' cube.yaml >packing.yaml
+cat >>packing.yaml <<'YAML'
+particles: {from: file, format: table, file: packing.txt, columns: [x, y, z, radius], density: 1, group: bed}
+groups: [{name: bed, motion: frozen}]
+YAML
+packing() {
+    run 1 packing && grep -q 'note: packing.yaml:[0-9]*: fluid.spacing: is too coarse for [0-9]* gaps between grains.*between grains 1 and 3, is 0.' said &&
+        within "$(value packing.1 body_x)" "$(value packing.1 fluid_porosity)" 1e-4
+}
+check "a packing from a file, its narrow gaps and its drag" packing
+
 # refused WORDS SCENE SETTING...: one line, status 2
 refused() {
     local words=$1 scene=$2 word
