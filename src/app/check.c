@@ -134,7 +134,10 @@ static void print_terms(const struct simulation *s) {
                "gravity is 0");
     print_term("motion along z", scene->box.dimension == 3 ? "box.dimension: 3" : "", "box.dimension: 2");
     print_term("exchange of copies", s->ranks.alone ? "" : "several ranks", "one rank");
-    print_term("energy sums", s->grains.sums_each_step ? "guards.energy" : "",
+    print_term("energy sums",
+               s->grains.contact.want_work ? "heat.dissipation"
+               : s->grains.sums_each_step  ? "guards.energy"
+                                           : "",
                "at rows of observables alone; each step if dissipated energy is among them");
 }
 
