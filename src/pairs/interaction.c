@@ -185,52 +185,106 @@ static int partner_compare(const void *a, const void *b) {
     return i != j ? (i > j) - (i < j) : (x > y) - (x < y);
 }
 
-/* Counts the pairs of each row (partner NULL), or fills them in. Mirror blocks have second copies only. */
-static void rows_visit(struct pair_rows *rows, const struct pairlist *list, size_t owned, bool fill) {
-    for (int b = 0; b < list->block_count; b++) {
+/* Both sides of the pairs of one thread: rows of the thread's own particles at the places `next`, and those of busy
+ * particles, which all threads add to, at the thread's own places `slot`. Without `partner` the places count. */
+struct rows_visit {
+    const struct pairlist *list;
+    size_t owned, *next, *slot;
+    uint32_t *partner;
+};
+
+static void row_add(const struct rows_visit *visit, size_t *next, uint32_t partner) {
+    if (visit->partner != NULL)
+        visit->partner[*next] = partner;
+    ++*next;
+}
+
+/* Visits the pairs of a thread: the particle that gets the force of a pair in the thread's part of the list gets
+ * the pair. */
+static void rows_visit(const struct rows_visit *visit, int thread) {
+    const struct pairlist *list = visit->list;
+    for (int b = list->thread_block[thread]; b < list->thread_block[thread + 1]; b++) {
         const struct pair_block *block = &list->blocks[b];
-        for (size_t k = block->first_pair; block->kind != PAIR_BLOCK_MIRROR && k < block->end_pair; k++) {
+        for (size_t k = block->first_pair; k < block->end_pair; k++) {
             uint32_t i = list->i[k], j = pair_partner(list->j[k]);
             uint32_t back = i | image_opposite(pair_image(list->j[k])) << PARTICLE_INDEX_BITS;
-            if (fill)
-                rows->partner[rows->start[i]] = list->j[k];
-            rows->start[i]++;
-            if (j >= owned)
+            row_add(visit, &visit->next[i], list->j[k]);
+            if (j >= visit->owned || (k >= block->one_sided && k < block->slotted))
                 continue;
-            if (fill)
-                rows->partner[rows->start[j]] = back;
-            rows->start[j]++;
+            row_add(visit, k < block->one_sided ? &visit->next[j] : &visit->slot[list->slot_of[j]], back);
         }
     }
 }
 
-/* Counts to the places where rows begin. */
-static size_t rows_scan(struct pair_rows *rows) {
-    size_t sum = 0;
-    for (size_t i = 0; i <= rows->rows; i++) {
-        size_t count = i < rows->rows ? rows->start[i] : 0;
-        rows->start[i] = sum;
-        sum += count;
+/* Visits the pairs of all threads; `slot` has list->slot_count places a thread. */
+static void rows_visit_all(struct rows_visit visit) {
+    const struct pairlist *list = visit.list;
+    size_t *slot = visit.slot;
+#pragma omp parallel for schedule(static, 1) firstprivate(visit)
+    for (int t = 0; t < list->threads; t++) {
+        visit.slot = slot + (size_t)t * list->slot_count;
+        rows_visit(&visit, t);
     }
+}
+
+/* The count of a busy particle over all threads. */
+static size_t slot_sum(const struct pairlist *list, const size_t *slot, size_t s) {
+    size_t sum = 0;
+    for (int t = 0; t < list->threads; t++)
+        sum += slot[(size_t)t * list->slot_count + s];
     return sum;
 }
 
-void pair_rows_build(struct pair_rows *rows, const struct pairlist *list, size_t owned) {
+/* Counts (row i at start[i + 2], threads in `slot`) to places: row i begins at start[i + 1]; in the row of a busy
+ * particle the places of the threads follow its own. Returns the number of places. */
+static size_t rows_scan(struct pair_rows *rows, const struct pairlist *list, size_t *slot) {
+    for (size_t s = 0; s < list->slot_count; s++)
+        if (list->busy[s] < rows->rows)
+            rows->start[list->busy[s] + 2] += slot_sum(list, slot, s);
+    for (size_t i = 0; i < rows->rows; i++)
+        rows->start[i + 2] += rows->start[i + 1];
+    for (size_t s = 0; s < list->slot_count; s++) {
+        if (list->busy[s] >= rows->rows)
+            continue;
+        size_t at = rows->start[list->busy[s] + 2] - slot_sum(list, slot, s);
+        for (int t = 0; t < list->threads; t++) {
+            size_t *place = &slot[(size_t)t * list->slot_count + s], count = *place;
+            *place = at;
+            at += count;
+        }
+    }
+    return rows->start[rows->rows + 1];
+}
+
+static void rows_reserve(struct pair_rows *rows, size_t owned) {
     if (owned + 2 > rows->row_capacity) {
         rows->row_capacity = owned + owned / 8 + 2;
         rows->start = memory_resize(rows->start, rows->row_capacity, sizeof *rows->start, "rows of pairs");
     }
     rows->rows = owned;
-    memset(rows->start, 0, (owned + 1) * sizeof *rows->start);
-    rows_visit(rows, list, owned, false);
-    size_t pairs = rows_scan(rows);
+    memset(rows->start, 0, (owned + 2) * sizeof *rows->start);
+}
+
+void pair_rows_build(struct pair_rows *rows, const struct pairlist *list, size_t owned) {
+    size_t slots = (size_t)list->threads * list->slot_count;
+    size_t *slot = memory_allocate_zero(slots, sizeof *slot, "rows of pairs");
+    rows_reserve(rows, owned);
+    struct rows_visit visit = {.list = list, .owned = owned, .next = rows->start + 2, .slot = slot};
+    rows_visit_all(visit);
+    size_t pairs = rows_scan(rows, list, slot);
     if (pairs > rows->capacity) {
         rows->capacity = pairs + pairs / 8;
         rows->partner = memory_resize(rows->partner, rows->capacity, sizeof *rows->partner, "rows of pairs");
     }
-    rows_visit(rows, list, owned, true);
-    memmove(rows->start + 1, rows->start, owned * sizeof *rows->start);
-    rows->start[0] = 0;
+    visit.next = rows->start + 1;
+    visit.partner = rows->partner;
+    rows_visit_all(visit);
+    /* each row now ends where the next one begins, but for the places of threads */
+    for (size_t s = 0; s < list->slot_count; s++)
+        if (list->busy[s] < owned)
+            rows->start[list->busy[s] + 1] = slot[slots - list->slot_count + s];
+    memory_free(slot);
+#pragma omp parallel for schedule(static)
     for (size_t i = 0; i < owned; i++)
         qsort(rows->partner + rows->start[i], rows->start[i + 1] - rows->start[i], sizeof *rows->partner,
               partner_compare);

@@ -77,7 +77,8 @@ struct pair_rows {
     uint32_t *partner;
 };
 
-/* Makes the rows of a list that was built with newton off, where several ranks hold particles. One thread. */
+/* Makes the rows of a list that was built with newton off, where several ranks hold particles. The same rows for any
+ * number of threads; opens its own team. */
 void pair_rows_build(struct pair_rows *rows, const struct pairlist *list, size_t owned);
 void pair_rows_free(struct pair_rows *rows);
 
