@@ -60,6 +60,6 @@ static void divide(const struct output_view *view, const struct observable_item 
     .parts = 2, .relevant = known, .finish = divide
 static const struct observable_kind kinds[] = {
     {INFO("min", "least number density"), .combine = OBSERVABLE_MAX, .of_rank = take_least},
-    {INFO("mean", "mean number density of free particles"), .of_particle = add},
+    {INFO("mean", "mean number density"), .of_particle = add, .of_all_kinds = true},
     {INFO("max", "largest number density"), .combine = OBSERVABLE_MAX, .of_rank = take_most}};
 const struct observable_table density_observables = {kinds, 3};

@@ -56,12 +56,13 @@ struct observable_kind {
     const struct observable_component *component; /* info.components of them; NULL: as usual */
     int parts;
     enum observable_combine combine;
+    bool of_all_kinds;   /* not grains alone */
     bool needs_sums;     /* force_sums beyond contacts and overlap */
     bool needs_work;     /* force_sums.taken of every step */
     bool needs_contacts; /* the contact list, of a region (then no sums) */
     /* Add to this rank's parts, which begin as zero. A row has one of the two functions or both: for the whole
-     * rank, called once and last, and for one particle, called for all owned ones, prescribed and of any kind
-     * (kinds.h), by many threads at once. With OBSERVABLE_MAX each takes the larger of its value and part[k],
+     * rank, called once and last, and for one particle, called for all owned grains, prescribed ones too, by
+     * many threads at once (with `of_all_kinds` for particles of all kinds, kinds.h). With OBSERVABLE_MAX each takes the larger of its value and part[k],
      * so what can be negative needs another form: a least value is 1 / the largest inverse. */
     void (*of_rank)(const struct observable_context *context, struct observable_item *item, double *part);
     void (*of_particle)(const struct output_view *view, const struct observable_item *item, size_t i,

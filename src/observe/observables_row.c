@@ -9,6 +9,7 @@
 #include "core/memory.h"
 #include "files/file.h"
 #include "files/lines.h"
+#include "particles/kinds.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,16 +18,27 @@
 
 enum { CHUNK = 4096 };
 
-/* Adds up (or takes the largest of) the parts of all owned particles. */
+/* The kinds of the particles if some of them do not count for a row, else NULL. */
+static const uint8_t *kinds_for(const struct observable_kind *row, const struct output_view *view) {
+    return row->of_all_kinds ? NULL : kinds_of(view->particles);
+}
+
+static bool counts(const uint8_t *kind, size_t i) {
+    return kind == NULL || kind[i] == KIND_GRAIN;
+}
+
+/* Adds up (or takes the largest of) the parts of all owned particles that count. */
 static void over_particles(const struct output_view *view, const struct observable_item *item, double *part) {
     const struct observable_kind *kind = observables_kind(item->kind);
+    const uint8_t *of = kinds_for(kind, view);
     size_t owned = view->particles->owned, chunks = (owned + CHUNK - 1) / CHUNK;
     double(*partial)[OBSERVABLE_PARTS_MAX] = memory_allocate_zero(chunks, sizeof *partial, "partial sums");
 #pragma omp parallel for schedule(static)
     for (size_t c = 0; c < chunks; c++) {
         size_t last = (c + 1) * CHUNK < owned ? (c + 1) * CHUNK : owned;
         for (size_t i = c * CHUNK; i < last; i++)
-            kind->of_particle(view, item, i, partial[c]);
+            if (counts(of, i))
+                kind->of_particle(view, item, i, partial[c]);
     }
     for (size_t c = 0; c < chunks; c++)
         for (int k = 0; k < kind->parts; k++)
@@ -35,17 +47,19 @@ static void over_particles(const struct output_view *view, const struct observab
     memory_free(partial);
 }
 
-/* Adds up the parts of all owned particles without rounding. */
+/* Adds up the parts of all owned particles that count without rounding. */
 static void over_particles_exactly(const struct output_view *view, const struct observable_item *item,
                                    struct exact *sum) {
     const struct observable_kind *kind = observables_kind(item->kind);
+    const uint8_t *of = kinds_for(kind, view);
 #pragma omp parallel
     {
         struct exact mine[OBSERVABLE_PARTS_MAX] = {0};
 #pragma omp for schedule(static)
         for (size_t i = 0; i < view->particles->owned; i++) {
             double one[OBSERVABLE_PARTS_MAX] = {0};
-            kind->of_particle(view, item, i, one);
+            if (counts(of, i))
+                kind->of_particle(view, item, i, one);
             for (int k = 0; k < kind->parts; k++)
                 exact_add(&mine[k], one[k]);
         }

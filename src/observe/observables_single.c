@@ -181,7 +181,8 @@ static const struct observable_kind kinds[] = {
      .parts = 4,
      .of_rank = force_on_one,
      .finish = finish_one},
-    {.info = OF(REGION, "count", "", "1", 1, "number of particles in a region"),
+    {.info =
+         OF(REGION, "count", "", "1", 1, "number of particles in a region; those of a fluid do not count"),
      .parts = 1,
      .of_particle = count_in_region},
     {.info = OF(REGION, "solid_volume", "", "m3", 1, "volume of the particles whose centres are in a region"),
