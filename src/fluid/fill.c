@@ -46,41 +46,45 @@ static int64_t body_at(const struct nodes *nodes, int64_t node) {
 }
 
 /* Appends the particle of a node. */
-static void append(const struct nodes *nodes, const struct physics_context *context, int64_t node, int64_t id,
-                   const double x[3]) {
+static void append(const struct nodes *nodes, const struct physics_context *context, int64_t node,
+                   int64_t first_id) {
     struct particles *p = context->particles;
     bool fluid = nodes->state[node] == NODES_FLUID;
     size_t i = particles_append(p);
     struct particle_state *state = &p->state[i];
-    memcpy(state->x, x, sizeof state->x);
+    nodes_place(nodes, nodes_number(nodes, node), state->x);
     state->radius = 0.5 * nodes->spacing;
-    p->id[i] = id;
+    p->id[i] = first_id + nodes_number(nodes, node);
     kinds_of(p)[i] = fluid ? KIND_FLUID : KIND_BOUNDARY;
     if (fluid) {
-        fluid_pressure(p)[i] = flow_at(nodes, context->options, x, state->v);
+        fluid_pressure(p)[i] = flow_at(nodes, context->options, state->x, state->v);
         fluid_region(p)[i] = nodes->owner[node];
     } else {
         fluid_body(p)[i] = body_at(nodes, node);
     }
 }
 
-/* A side of the fluid without a wall: a node within the support that is neither fluid nor solid. */
+/* The lowest number on the lattice of a fluid node at a side without a wall: a node within the support is neither fluid
+ * nor solid. -1: there is none. Collective. */
 static int64_t open_find(const struct nodes *nodes) {
     int(*steps)[3];
     size_t count = nodes_steps(nodes, &steps);
-    int64_t open = nodes->all;
+    int64_t open = INT64_MAX;
 #pragma omp parallel for schedule(static) reduction(min : open)
     for (int64_t node = 0; node < nodes->all; node++) {
-        if (nodes->state[node] != NODES_FLUID || node > open)
+        int64_t number = nodes_number(nodes, node);
+        if (nodes->state[node] != NODES_FLUID || number > open || !nodes_own(nodes, node))
             continue;
         for (size_t k = 0; k < count; k++) {
             int64_t next = nodes_neighbour(nodes, node, steps[k]);
             if (next < 0 || nodes->state[next] == NODES_VOID)
-                open = node < open ? node : open;
+                open = number < open ? number : open;
         }
     }
     memory_free(steps);
-    return open < nodes->all ? open : -1;
+    open = -open;
+    comm_max_int(nodes->comm, &open, 1);
+    return open > -INT64_MAX ? -open : -1;
 }
 
 /* Refuses a lattice without fluid, or with a side that nothing bounds. */
@@ -165,13 +169,9 @@ bool fill_run(const struct physics_context *context, const struct physics_share 
     good =
         good && suits(&nodes, &regions, context, error) && fill_open_suits(&nodes, &regions, context, error);
     for (int64_t node = 0; good && node < nodes.all; node++) {
-        double x[3];
         bool deep = nodes.state[node] == NODES_SOLID && nodes.depth[node] >= nodes.support;
-        if (nodes.state[node] == NODES_VOID || deep)
-            continue;
-        nodes_place(&nodes, node, x);
-        if (share->mine(share->context, x))
-            append(&nodes, context, node, share->first_id + node, x);
+        if (nodes.state[node] != NODES_VOID && !deep && nodes_own(&nodes, node))
+            append(&nodes, context, node, share->first_id);
     }
     if (good && regions.pocket > 0 && context->comm->rank == 0)
         fprintf(stderr, "scree: note: %lld of %lld nodes of the fluid lie in closed pockets, and are solid\n",

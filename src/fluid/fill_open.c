@@ -21,11 +21,12 @@ static struct at_side side_find(const struct nodes *nodes, const struct physics_
     struct at_side at = {0};
     step[d] = open->side % 2 == 1 ? 1 : -1;
     for (int64_t node = 0; node < nodes->all; node++) {
-        int64_t next = nodes->state[node] == NODES_FLUID ? nodes_neighbour(nodes, node, step) : -1;
+        bool own = nodes->state[node] == NODES_FLUID && nodes_own(nodes, node);
+        int64_t next = own ? nodes_neighbour(nodes, node, step) : -1;
         double x[3], velocity[3];
         if (next < 0 || nodes->state[next] != NODES_SOLID || nodes->owner[next] != body_of_side(open->side))
             continue;
-        nodes_place(nodes, node, x);
+        nodes_place(nodes, nodes_number(nodes, node), x);
         open_velocity(open, context->box, x, velocity);
         at.nodes++;
         at.flow -= isnan(velocity[d]) ? 0 : step[d] * velocity[d];

@@ -11,7 +11,7 @@ static double distance_of(const struct nodes *nodes, const struct walls *walls, 
                           double reach) {
     struct wall_foot foot;
     double x[3];
-    nodes_place(nodes, node, x);
+    nodes_place(nodes, nodes_number(nodes, node), x);
     walls_foot(walls, wall, x, reach, &foot);
     return foot.distance;
 }
@@ -65,7 +65,7 @@ static void side_mark(struct nodes *nodes, int side) {
 #pragma omp parallel for schedule(static)
     for (int64_t node = 0; node < nodes->all; node++) {
         double x[3];
-        nodes_place(nodes, node, x);
+        nodes_place(nodes, nodes_number(nodes, node), x);
         double beyond = side % 2 == 1 ? x[d] - nodes->box->edge[d] : -x[d];
         if (nodes->state[node] == NODES_VOID && beyond > 0)
             nodes_claim(nodes, node, (int32_t)body_of_side(side), beyond);

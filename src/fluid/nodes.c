@@ -11,11 +11,29 @@
 
 static const double same = 1e-6; /* part of a spacing by which lengths may differ from whole numbers of it */
 
-/* The numbers of a node in the three directions. */
+static int64_t wrap(int64_t value, int64_t count) {
+    return (value % count + count) % count;
+}
+
+/* The numbers on the lattice of a node in the three directions. */
 static void split(const struct nodes *nodes, int64_t node, int64_t at[3]) {
     at[0] = node % nodes->count[0];
     at[1] = node / nodes->count[0] % nodes->count[1];
     at[2] = node / nodes->count[0] / nodes->count[1];
+    at[nodes->cut] = wrap(at[nodes->cut] + nodes->plane, nodes->whole[nodes->cut]);
+}
+
+/* The node with these numbers, which may go on across periodic sides; -1 if there is none, or it is not held. */
+static int64_t join(const struct nodes *nodes, const int64_t at[3]) {
+    int64_t held[3];
+    for (int d = 0; d < 3; d++) {
+        held[d] = at[d] - (d == nodes->cut ? nodes->plane : 0);
+        if (nodes->box->periodic[d])
+            held[d] = wrap(held[d], nodes->whole[d]);
+        if (held[d] < 0 || held[d] >= nodes->count[d])
+            return -1;
+    }
+    return held[0] + nodes->count[0] * (held[1] + nodes->count[1] * held[2]);
 }
 
 /* The place that a node has, not wrapped. */
@@ -24,18 +42,32 @@ static void place_at(const struct nodes *nodes, const int64_t at[3], double x[3]
         x[d] = nodes->first[d] + (double)at[d] * nodes->spacing;
 }
 
-/* The displacement of a node. */
-static void displace(const struct nodes *nodes, int64_t node, double x[3]) {
-    struct random_sequence random = random_sequence(nodes->seed, RANDOM_POSITION, (uint64_t)node);
+/* The displacement of the node of that number. */
+static void displace(const struct nodes *nodes, int64_t number, double x[3]) {
+    struct random_sequence random = random_sequence(nodes->seed, RANDOM_POSITION, (uint64_t)number);
     for (int d = 0; d < nodes->dimension && nodes->jitter > 0; d++)
         x[d] += nodes->jitter * nodes->spacing * (random_uniform(&random) - 0.5);
 }
 
-void nodes_place(const struct nodes *nodes, int64_t node, double x[3]) {
+/* The place of a node on the lattice, displaced, not wrapped. */
+static void place_of(const struct nodes *nodes, int64_t node, double x[3]) {
     int64_t at[3];
     split(nodes, node, at);
     place_at(nodes, at, x);
-    displace(nodes, node, x);
+    displace(nodes, nodes_number(nodes, node), x);
+}
+
+int64_t nodes_number(const struct nodes *nodes, int64_t node) {
+    int64_t at[3];
+    split(nodes, node, at);
+    return at[0] + nodes->whole[0] * (at[1] + nodes->whole[1] * at[2]);
+}
+
+void nodes_place(const struct nodes *nodes, int64_t number, double x[3]) {
+    const int64_t at[3] = {number % nodes->whole[0], number / nodes->whole[0] % nodes->whole[1],
+                           number / nodes->whole[0] / nodes->whole[1]};
+    place_at(nodes, at, x);
+    displace(nodes, number, x);
     for (int d = 0; d < nodes->dimension; d++)
         if (nodes->box->periodic[d]) {
             double edge = nodes->box->edge[d];
@@ -44,17 +76,39 @@ void nodes_place(const struct nodes *nodes, int64_t node, double x[3]) {
         }
 }
 
+int64_t nodes_plane(const struct nodes *nodes, int64_t node) {
+    int64_t at[3];
+    split(nodes, node, at);
+    return at[nodes->cut];
+}
+
+bool nodes_own(const struct nodes *nodes, int64_t node) {
+    int64_t plane = nodes_plane(nodes, node);
+    return plane >= nodes->own[0] && plane < nodes->own[1];
+}
+
+/* The first plane of a rank. */
+static int64_t plane_of(const struct nodes *nodes, int rank) {
+    return nodes->whole[nodes->cut] * rank / nodes->comm->size;
+}
+
+int nodes_rank_of(const struct nodes *nodes, int64_t plane) {
+    int64_t whole = nodes->whole[nodes->cut];
+    return (int)(((plane + 1) * nodes->comm->size - 1) / whole);
+}
+
 int64_t nodes_neighbour(const struct nodes *nodes, int64_t node, const int step[3]) {
     int64_t at[3];
     split(nodes, node, at);
-    for (int d = 0; d < 3; d++) {
+    for (int d = 0; d < 3; d++)
         at[d] += step[d];
-        if (nodes->box->periodic[d])
-            at[d] = (at[d] % nodes->count[d] + nodes->count[d]) % nodes->count[d];
-        else if (at[d] < 0 || at[d] >= nodes->count[d])
-            return -1;
-    }
-    return at[0] + nodes->count[0] * (at[1] + nodes->count[1] * at[2]);
+    return join(nodes, at);
+}
+
+int nodes_edges(const struct nodes *nodes, const int (**steps)[3]) {
+    static const int cubic[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    *steps = cubic;
+    return 2 * nodes->dimension;
 }
 
 size_t nodes_steps(const struct nodes *nodes, int (**steps)[3]) {
@@ -81,19 +135,18 @@ static bool lay(struct nodes *nodes, const struct physics_context *context,
                 const struct fluid_options *options, struct error *error) {
     const struct box *box = context->box;
     int64_t margin = (int64_t)ceil(nodes->support / nodes->spacing);
-    nodes->all = 1;
     for (int d = 0; d < 3; d++) {
         double spacings = box->edge[d] / nodes->spacing;
-        nodes->count[d] = llround(spacings);
+        nodes->whole[d] = llround(spacings);
         nodes->first[d] = 0.5 * nodes->spacing + options->fill.offset[d];
         if (d == 2 && nodes->dimension == 2) {
-            nodes->count[d] = 1;
+            nodes->whole[d] = 1;
             nodes->first[d] = 0.5 * box->edge[d];
         } else if (!box->periodic[d]) {
-            nodes->count[d] = (int64_t)ceil(spacings - same) + 2 * margin;
+            nodes->whole[d] = (int64_t)ceil(spacings - same) + 2 * margin;
             nodes->first[d] -= (double)margin * nodes->spacing;
-        } else if (fabs(spacings - (double)nodes->count[d]) > same * spacings || nodes->count[d] < 1) {
-            double more = fmax((double)nodes->count[d], 1);
+        } else if (fabs(spacings - (double)nodes->whole[d]) > same * spacings || nodes->whole[d] < 1) {
+            double more = fmax((double)nodes->whole[d], 1);
             return scene_fail(context->scene, error, "fluid.spacing",
                               "%g does not divide the periodic %c edge, %g; the nearest that does is %.15g",
                               nodes->spacing, 'x' + d, box->edge[d], box->edge[d] / more);
@@ -102,9 +155,29 @@ static bool lay(struct nodes *nodes, const struct physics_context *context,
             return scene_fail(context->scene, error, "fluid.spacing",
                               "the periodic %c edge, %g, must be longer than two support radii, %g", 'x' + d,
                               box->edge[d], 2 * nodes->support);
-        nodes->all *= nodes->count[d];
     }
     return true;
+}
+
+void nodes_deal(struct nodes *nodes) {
+    int cut = nodes->cut = nodes->dimension - 1;
+    int64_t margin = (int64_t)ceil(nodes->support / nodes->spacing), whole = nodes->whole[cut];
+    nodes->own[0] = plane_of(nodes, nodes->comm->rank);
+    nodes->own[1] = plane_of(nodes, nodes->comm->rank + 1);
+    int64_t from = nodes->own[0] - margin, to = nodes->own[1] + margin;
+    if (nodes->own[0] == nodes->own[1])
+        from = to = nodes->own[0];
+    if (!nodes->box->periodic[cut]) {
+        from = from < 0 ? 0 : from;
+        to = to > whole ? whole : to;
+    } else if (to - from >= whole) {
+        from = 0;
+        to = whole;
+    }
+    nodes->plane = from;
+    memcpy(nodes->count, nodes->whole, sizeof nodes->count);
+    nodes->count[cut] = to - from;
+    nodes->all = nodes->count[0] * nodes->count[1] * nodes->count[2];
 }
 
 /* Gathers the grains of all ranks on every rank. */
@@ -142,22 +215,24 @@ void nodes_claim(struct nodes *nodes, int64_t node, int32_t owner, double depth)
 
 static void claim_if_inside(struct nodes *nodes, int32_t number, const int64_t at[3]) {
     const struct nodes_grain *grain = &nodes->grain[number];
-    int64_t wrapped[3];
+    int64_t node = join(nodes, at);
     double x[3], square = 0;
-    for (int d = 0; d < 3; d++) {
-        wrapped[d] = at[d];
-        if (nodes->box->periodic[d])
-            wrapped[d] = (at[d] % nodes->count[d] + nodes->count[d]) % nodes->count[d];
-        else if (at[d] < 0 || at[d] >= nodes->count[d])
-            return;
-    }
-    int64_t node = wrapped[0] + nodes->count[0] * (wrapped[1] + nodes->count[1] * wrapped[2]);
+    if (node < 0)
+        return;
     place_at(nodes, at, x);
-    displace(nodes, node, x);
+    displace(nodes, nodes_number(nodes, node), x);
     for (int d = 0; d < nodes->dimension; d++)
         square += (x[d] - grain->x[d]) * (x[d] - grain->x[d]);
     if (square <= grain->radius * grain->radius)
         nodes_claim(nodes, node, number, grain->radius - sqrt(square));
+}
+
+/* True if the planes of a number across the cut are held. */
+static bool is_held(const struct nodes *nodes, int64_t plane) {
+    int64_t held = plane - nodes->plane;
+    if (nodes->box->periodic[nodes->cut])
+        held = wrap(held, nodes->whole[nodes->cut]);
+    return held >= 0 && held < nodes->count[nodes->cut];
 }
 
 /* Marks the nodes in a grain; places of nodes are not wrapped here, so that a grain reaches across the box. */
@@ -171,17 +246,12 @@ static void grain_mark(struct nodes *nodes, int32_t number) {
         to[d] = flat ? 0 : (int64_t)ceil((grain->x[d] + reach - nodes->first[d]) / nodes->spacing);
     }
     for (at[2] = from[2]; at[2] <= to[2]; at[2]++)
-        for (at[1] = from[1]; at[1] <= to[1]; at[1]++)
+        for (at[1] = from[1]; at[1] <= to[1]; at[1]++) {
+            if (!is_held(nodes, at[nodes->cut]))
+                continue;
             for (at[0] = from[0]; at[0] <= to[0]; at[0]++)
                 claim_if_inside(nodes, number, at);
-}
-
-/* The place of a node that has a number, displaced but not wrapped. */
-static void place_plain(const struct nodes *nodes, int64_t node, double x[3]) {
-    int64_t at[3];
-    split(nodes, node, at);
-    place_at(nodes, at, x);
-    displace(nodes, node, x);
+        }
 }
 
 /* Marks the nodes behind a wall that is no mesh. */
@@ -190,7 +260,7 @@ static void wall_mark(struct nodes *nodes, const struct walls *walls, int wall) 
     for (int64_t node = 0; node < nodes->all; node++) {
         struct wall_foot foot;
         double x[3];
-        place_plain(nodes, node, x);
+        place_of(nodes, node, x);
         walls_foot(walls, wall, x, INFINITY, &foot);
         if (foot.distance <= 0)
             nodes_claim(nodes, node, -1 - wall, -foot.distance);
@@ -210,7 +280,7 @@ static void region_mark(struct nodes *nodes, const struct fluid_options *options
     for (int64_t node = 0; node < nodes->all; node++) {
         double x[3], user[3];
         bool inside = true;
-        nodes_place(nodes, node, x);
+        nodes_place(nodes, nodes_number(nodes, node), x);
         for (int d = 0; d < 3; d++) {
             inside = inside && x[d] >= 0 && x[d] <= box->edge[d];
             user[d] = x[d] + box->origin[d];
@@ -319,11 +389,13 @@ bool nodes_make(struct nodes *nodes, const struct physics_context *context, stru
                             .support = fluid_support(options, context->box->dimension),
                             .jitter = options->fill.jitter,
                             .box = context->box,
+                            .comm = context->comm,
                             .seed = context->scene->seed};
     bool rest = grains_rest(context, error);
     if (!comm_agree(context->comm, error) || !rest || !walls_suit(context, error) ||
         !lay(nodes, context, options, error))
         return false;
+    nodes_deal(nodes);
     gather(nodes, context);
     if (!grains_suit(nodes, context, error))
         return false;

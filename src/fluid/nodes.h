@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The nodes of the lattice on which fluid and boundary particles are placed. Each rank has all nodes of the
- * box, in memory of the set-up alone: 9 bytes a node. In an open direction the nodes go on beyond the box by
- * the support, for the boundary particles behind walls. */
+/* The nodes of the lattice on which fluid and boundary particles are placed, in memory of the set-up alone: 9 bytes a
+ * node. The planes across the last direction are dealt out between the ranks. A rank holds its own planes and those
+ * within the support of them; `node` is a number among the nodes that it holds, 0 ... all - 1, and nodes_number that on
+ * the whole lattice. In an open direction the nodes go on beyond the box by the support, for the boundary particles
+ * behind walls. */
 #ifndef SCREE_FLUID_NODES_H
 #define SCREE_FLUID_NODES_H
 
@@ -21,10 +23,15 @@ struct nodes_grain {
 
 struct nodes {
     int dimension;
-    double spacing, support, jitter, first[3]; /* place of node (0, 0, 0), box-relative */
+    double spacing, support, jitter, first[3]; /* place of node (0, 0, 0) of the lattice, box-relative */
     const struct box *box;
+    const struct comm *comm;
     uint64_t seed;
-    int64_t count[3], all;
+    int64_t whole[3];      /* nodes of the lattice in each direction */
+    int cut;               /* the direction whose planes are dealt out, the slowest one of numbers of nodes */
+    int64_t plane;         /* the first plane held, below 0 if it lies across a periodic side */
+    int64_t own[2];        /* own planes: own[0] ... own[1] - 1 */
+    int64_t count[3], all; /* nodes held */
     uint8_t *state;
     int32_t *
         owner; /* SOLID: number of the grain, or, of a wall or an open side, its number as a body; FLUID: number of the region */
@@ -38,20 +45,36 @@ struct nodes {
 
 /* Lays the nodes and finds what each is: fluid in the region, solid in grains and behind walls, else void. Meshes and
  * open sides are left to marks.h.
- * Fails (user) where the scene makes no sense. Collective; the same result on all ranks. */
+ * Fails (user) where the scene makes no sense. Collective; a node is the same on all ranks that hold it. */
 bool nodes_make(struct nodes *nodes, const struct physics_context *context, struct error *error);
 void nodes_free(struct nodes *nodes);
 
 /* A node becomes solid, at a depth in the body `owner`, or goes on as the part of the body in which it lies deepest. */
 void nodes_claim(struct nodes *nodes, int64_t node, int32_t owner, double depth);
 
-/* The place of a node, box-relative and wrapped. Any thread. */
-void nodes_place(const struct nodes *nodes, int64_t node, double x[3]);
+/* Deals the planes out between the ranks: sets cut, plane, own, count and all; the other lengths and counts are given. */
+void nodes_deal(struct nodes *nodes);
 
-/* The node `step` away from a node, -1 beyond an open side. Any thread. */
+/* The number of a node on the whole lattice, and the place of a node of that number, box-relative and wrapped. Any
+ * thread. */
+int64_t nodes_number(const struct nodes *nodes, int64_t node);
+void nodes_place(const struct nodes *nodes, int64_t number, double x[3]);
+
+/* The plane of a node, and whether it is one of this rank's own. Any thread. */
+int64_t nodes_plane(const struct nodes *nodes, int64_t node);
+bool nodes_own(const struct nodes *nodes, int64_t node);
+
+/* The rank whose own plane this is, of planes 0 ... whole[cut] - 1. */
+int nodes_rank_of(const struct nodes *nodes, int64_t plane);
+
+/* The node `step` away from a node, -1 beyond an open side or the planes held: from an own node, steps within the
+ * support stay in these. Any thread. */
 int64_t nodes_neighbour(const struct nodes *nodes, int64_t node, const int step[3]);
 
 /* The steps to all nodes nearer than the support, allocated (memory_free). */
 size_t nodes_steps(const struct nodes *nodes, int (**steps)[3]);
+
+/* The steps along the edges of the lattice, to a next plane at most; returns how many. */
+int nodes_edges(const struct nodes *nodes, const int (**steps)[3]);
 
 #endif

@@ -113,3 +113,8 @@ check_PROGRAMS += tests/mpi/test_projection
 tests_mpi_test_projection_SOURCES = tests/mpi/test_projection.c tests/mpi/team.c tests/mpi/team.h
 tests_mpi_test_projection_CPPFLAGS = $(MPI_TEST_FLAGS)
 tests_mpi_test_projection_LDADD = $(FLUID_LIBS) $(TEST_LIBS) $(MPI_LIBS)
+
+check_PROGRAMS += tests/mpi/test_regions
+tests_mpi_test_regions_SOURCES = tests/mpi/test_regions.c tests/mpi/team.c tests/mpi/team.h
+tests_mpi_test_regions_CPPFLAGS = $(MPI_TEST_FLAGS)
+tests_mpi_test_regions_LDADD = libfluid.la $(SOLVE_LIBS) $(SCENE_LIBS) $(TEST_LIBS) $(MPI_LIBS)
