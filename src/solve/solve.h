@@ -18,6 +18,7 @@
 #define SCREE_SOLVE_SOLVE_H
 
 #include "comm/comm.h"
+#include "core/timer.h"
 
 /* True if the program was built with PETSc. Not collective. */
 bool solve_available(void);
@@ -33,6 +34,10 @@ struct solve; /* the library, ready for use */
  * ..."); PETSc adds those of PETSC_OPTIONS. Returns NULL and fills `error` if the library is missing or
  * refuses an option. */
 struct solve *solve_begin(const struct comm *comm, const char *options, struct error *error);
+
+/* Charges the time in which matrices are handed over, preconditioners made and systems solved to the stages "assembly",
+ * "preconditioner" and "solve" of `timers` (borrowed), as far as there are such. Not collective. */
+void solve_charge(struct solve *solve, struct timers *timers);
 
 /* Ends the library; all systems must have been destroyed. `unused`, which may be NULL, gets the options of
  * the user that nothing has asked for, separated by spaces; "" if there are none. */
@@ -54,7 +59,9 @@ struct solve_options {
     int iterations;             /* at most */
     int restart;                /* vectors that fgmres and gmres keep */
     double pin; /* the diagonal is multiplied by 1 + pin; 0: none. For singular matrices 1e-9 */
-    int reuse;  /* solves after new values that keep an old preconditioner; 0: none */
+    /* A preconditioner serves the matrix for which it was made, and after new values so many times more; 0: none.
+     * It is made again sooner if a solve took more than half as many iterations again as the first one with it. */
+    int reuse;
 };
 
 /* The options of a system whose matrix is singular (pressure: FGMRES, BoomerAMG, pin 1e-9) and of one that is
@@ -62,15 +69,24 @@ struct solve_options {
 struct solve_options solve_options_singular(const char *prefix);
 struct solve_options solve_options_regular(const char *prefix);
 
+/* A solve whose true residual is above so many tolerances is doubtful. */
+#define SOLVE_DOUBT 10.0
+
 /* The course of a system so far. */
 struct solve_report {
     int iterations;        /* of the last solve */
     bool converged;        /* the last solve */
     const char *reason;    /* the end of the last solve, in a word of PETSc's; static text */
-    double residual;       /* |b - A x| / |b| of the last solve, computed from A, b and x */
+    double residual;       /* |b - A x| / |b| of the last solve, computed from the pinned A, b and x */
+    double tolerance;      /* of the last solve */
     double residual_worst; /* the largest so far */
     int64_t solves, set_ups, iterations_all;
-    double seconds_set_up, seconds_solve; /* in all */
+    int64_t kept;     /* solves after new values for which the old preconditioner was kept */
+    int64_t doubtful; /* solves with a residual above SOLVE_DOUBT tolerances, where these alone end a solve */
+    double doubt;     /* the largest residual over its tolerance */
+    int64_t rows, entries; /* of the matrix, all ranks together; 0 entries: without a matrix */
+    int64_t products;      /* of the matrix with a vector, for residuals; seconds_products is theirs */
+    double seconds_matrix, seconds_set_up, seconds_solve, seconds_products; /* in all, of this rank */
 };
 
 struct solve_system;
@@ -90,11 +106,20 @@ void solve_values(struct solve_system *system, const double *value);
 enum { SOLVE_REGIONS_MAX = 256 };
 void solve_null_space(struct solve_system *system, int regions, const int32_t *region);
 
+/* Makes the preconditioner now, if a solve would. */
+void solve_prepare(struct solve_system *system);
+
+/* The next solve makes its preconditioner, whatever `reuse` says. Not collective, but alike on all ranks. */
+void solve_renew(struct solve_system *system);
+
 /* Sets the tolerance of the solves that follow. Not collective, but alike on all ranks. */
 void solve_tolerance(struct solve_system *system, double tolerance);
 
-/* Solves A x = b. x is the first guess, or not looked at where `guess` is false. b of a singular system is
- * made consistent in place. Returns true if the solver converged to the tolerance; the report says more. */
+/* Solves A x = b. x is the first guess, or not looked at where `guess` is false. The means of b over regions are
+ * subtracted in place. That makes b consistent if the columns of A sum to zero, as on a lattice; else no x solves A x = b.
+ * With a pin the solver then finds the x that solves A x = b - g D, with the diagonal D of A and one number g a region: g D
+ * is the pinned matrix times a constant, which is no part of the result, but of the residual that is reported. Returns
+ * true if the solver converged to the tolerance; the report says more. */
 bool solve_solve(struct solve_system *system, double *b, double *x, bool guess);
 
 /* y = A x, with the pinned diagonal. z = one application of the system's preconditioner to r. */
@@ -103,6 +128,11 @@ void solve_cycle(struct solve_system *system, const double *r, double *z);
 
 /* Borrowed. Not collective. */
 const struct solve_report *solve_report(const struct solve_system *system);
+
+/* The course of all systems with a prefix together, also of those that are no more; what concerns the last solve is
+ * that of the last solve of any. Zeros without such a system. Borrowed. Not collective. */
+enum { SOLVE_PREFIXES_MAX = 8 };
+const struct solve_report *solve_total(const struct solve *solve, const char *prefix);
 
 /* A system without a matrix: callbacks say what operator and preconditioner do to `count` numbers of this
  * rank, and when to end. They get `context`; they are collective. */

@@ -3,16 +3,25 @@
  * the report. */
 #include "solve/solve.h"
 #include "core/memory.h"
-#include "core/timer.h"
 #include "solve/backend.h"
 
+#include <assert.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
+
+/* The course of all systems of a prefix. */
+struct total {
+    char prefix[32]; /* "": free */
+    struct solve_report report;
+};
 
 struct solve {
     const struct solve_backend *backend;
     const struct comm *comm;
     void *library;
+    struct timers *timers; /* NULL: none */
+    struct total total[SOLVE_PREFIXES_MAX];
 };
 
 struct solve_system {
@@ -20,15 +29,18 @@ struct solve_system {
     void *back;
     int32_t count;
     double tolerance;
+    bool ends_otherwise;  /* than by the tolerance alone */
     double *product;      /* [count]: A x */
     int regions;          /* 0: not singular */
     int32_t *region;      /* [count]; NULL: all in region 0 */
     double *region_rows;  /* [regions]: over all ranks */
     double *region_sum;   /* [regions] */
     bool changed;         /* the values, since the last set-up */
+    bool stale;           /* the preconditioner may not be kept */
     int age, reuse;       /* solves since the last set-up with old values, and how many there may be */
     int iterations_fresh; /* of the first solve after the last set-up; -1: not known yet */
     struct solve_report report;
+    struct solve_report *total; /* of the system's prefix */
 };
 
 const char *solve_preconditioners(void) {
@@ -83,6 +95,40 @@ struct solve *solve_begin(const struct comm *comm, const char *options, struct e
     return solve;
 }
 
+void solve_charge(struct solve *solve, struct timers *timers) {
+    solve->timers = timers;
+}
+
+/* The total of a prefix, which is added where there is none. */
+static struct solve_report *total_of(struct solve *solve, const char *prefix) {
+    int k = 0;
+    while (solve->total[k].prefix[0] && strcmp(solve->total[k].prefix, prefix) != 0) {
+        k++;
+        assert(k < SOLVE_PREFIXES_MAX);
+    }
+    snprintf(solve->total[k].prefix, sizeof solve->total[k].prefix, "%s", prefix);
+    return &solve->total[k].report;
+}
+
+const struct solve_report *solve_total(const struct solve *solve, const char *prefix) {
+    static const struct solve_report none = {.reason = "not solved yet"};
+    for (int k = 0; k < SOLVE_PREFIXES_MAX; k++)
+        if (strcmp(solve->total[k].prefix, prefix) == 0)
+            return &solve->total[k].report;
+    return &none;
+}
+
+/* Times a piece of work: the stage of that name, and the seconds of a system and of its prefix. */
+static double work_begin(const struct solve *solve, const char *stage) {
+    timer_enter(solve->timers, stage);
+    return timer_now();
+}
+
+static double work_end(const struct solve *solve, const char *stage, double began) {
+    timer_leave(solve->timers, stage);
+    return timer_now() - began;
+}
+
 void solve_end(struct solve **solve, char *unused, size_t size) {
     if (*solve == NULL)
         return;
@@ -105,19 +151,37 @@ static struct solve_system *wrap(struct solve *solve, void *back, int32_t count,
     system->iterations_fresh = -1;
     system->product = memory_allocate((size_t)count, sizeof(double), "linear system");
     system->report.reason = "not solved yet";
+    system->report.rows = count;
+    comm_sum_int(solve->comm, &system->report.rows, 1);
+    system->total = total_of(solve, options->prefix);
+    system->total->reason = system->total->reason ? system->total->reason : system->report.reason;
+    system->total->rows = system->report.rows;
     return system;
 }
 
 struct solve_system *solve_create(struct solve *solve, const struct solve_rows *rows,
                                   const struct solve_options *options, struct error *error) {
-    return wrap(solve, solve->backend->create(solve->library, rows, options, error), rows->count, options,
-                error);
+    double began = work_begin(solve, "assembly");
+    void *back = solve->backend->create(solve->library, rows, options, error);
+    double seconds = work_end(solve, "assembly", began);
+    struct solve_system *system = wrap(solve, back, rows->count, options, error);
+    if (system == NULL)
+        return NULL;
+    system->report.entries = rows->start[rows->count];
+    comm_sum_int(solve->comm, &system->report.entries, 1);
+    system->total->entries = system->report.entries;
+    system->report.seconds_matrix += seconds;
+    system->total->seconds_matrix += seconds;
+    return system;
 }
 
 struct solve_system *solve_create_free(struct solve *solve, const struct solve_free *work,
                                        const struct solve_options *options, struct error *error) {
-    return wrap(solve, solve->backend->create_free(solve->library, work, options, error), work->count,
-                options, error);
+    void *back = solve->backend->create_free(solve->library, work, options, error);
+    struct solve_system *system = wrap(solve, back, work->count, options, error);
+    if (system != NULL)
+        system->ends_otherwise = work->enough != NULL;
+    return system;
 }
 
 void solve_destroy(struct solve_system **system) {
@@ -135,7 +199,11 @@ void solve_destroy(struct solve_system **system) {
 
 void solve_values(struct solve_system *system, const double *value) {
     struct error error = {0};
+    double began = work_begin(system->solve, "assembly");
     must(system->solve->backend->values(system->back, value, &error), &error);
+    double seconds = work_end(system->solve, "assembly", began);
+    system->report.seconds_matrix += seconds;
+    system->total->seconds_matrix += seconds;
     system->changed = true;
 }
 
@@ -160,6 +228,10 @@ void solve_null_space(struct solve_system *system, int regions, const int32_t *r
     must(system->solve->backend->null_space(system->back, regions, system->region, system->region_rows,
                                             &error),
          &error);
+}
+
+void solve_renew(struct solve_system *system) {
+    system->changed = system->stale = true;
 }
 
 void solve_tolerance(struct solve_system *system, double tolerance) {
@@ -191,57 +263,92 @@ static double norm(const struct solve_system *system, const double *value) {
 static void set_up(struct solve_system *system) {
     if (!system->changed)
         return;
-    const struct solve_report *report = &system->report;
+    struct solve_report *report = &system->report;
     bool slow = system->iterations_fresh >= 0 && 2 * report->iterations > 3 * system->iterations_fresh + 1;
-    bool keep = report->set_ups > 0 && system->age < system->reuse && !slow;
+    bool keep = report->set_ups > 0 && system->age < system->reuse && !slow && !system->stale;
     struct error error = {0};
-    double before = timer_now();
+    double began = work_begin(system->solve, "preconditioner");
     must(system->solve->backend->set_up(system->back, keep, &error), &error);
-    system->report.seconds_set_up += timer_now() - before;
-    system->changed = false;
+    double seconds = work_end(system->solve, "preconditioner", began);
+    system->changed = system->stale = false;
     system->age = keep ? system->age + 1 : 0;
-    if (!keep) {
-        system->report.set_ups++;
+    if (!keep)
         system->iterations_fresh = -1;
+    struct solve_report *const reports[2] = {report, system->total};
+    for (int k = 0; k < 2; k++) {
+        reports[k]->seconds_set_up += seconds;
+        *(keep ? &reports[k]->kept : &reports[k]->set_ups) += 1;
     }
 }
 
-static void note(struct solve_system *system, const struct solve_outcome *outcome) {
-    struct solve_report *report = &system->report;
-    report->iterations = outcome->iterations;
-    report->converged = outcome->converged;
-    report->reason = outcome->reason;
-    report->solves++;
-    report->iterations_all += outcome->iterations;
-    report->residual_worst = fmax(report->residual_worst, report->residual);
+void solve_prepare(struct solve_system *system) {
+    set_up(system);
+}
+
+/* The end of one solve. */
+struct ending {
+    struct solve_outcome outcome;
+    double residual;
+    int products;
+    double seconds, seconds_products;
+};
+
+static void note(struct solve_system *system, const struct ending *ending) {
+    double doubt = system->ends_otherwise ? 0 : ending->residual / system->tolerance;
+    struct solve_report *const reports[2] = {&system->report, system->total};
+    for (int k = 0; k < 2; k++) {
+        struct solve_report *report = reports[k];
+        report->iterations = ending->outcome.iterations;
+        report->converged = ending->outcome.converged;
+        report->reason = ending->outcome.reason;
+        report->solves++;
+        report->iterations_all += ending->outcome.iterations;
+        report->residual = ending->residual;
+        report->tolerance = system->tolerance;
+        report->residual_worst = fmax(report->residual_worst, ending->residual);
+        report->doubt = fmax(report->doubt, doubt);
+        report->doubtful += !(doubt <= SOLVE_DOUBT); /* NaN is doubtful */
+        report->products += ending->products;
+        report->seconds_solve += ending->seconds;
+        report->seconds_products += ending->seconds_products;
+    }
     if (system->iterations_fresh < 0)
-        system->iterations_fresh = outcome->iterations;
+        system->iterations_fresh = ending->outcome.iterations;
+}
+
+/* |b - A x|. */
+static double residual_of(struct solve_system *system, const double *b, const double *x,
+                          struct ending *ending) {
+    double before = timer_now();
+    solve_multiply(system, x, system->product);
+    ending->seconds_products = timer_now() - before;
+    ending->products = 1;
+    for (int32_t i = 0; i < system->count; i++)
+        system->product[i] = b[i] - system->product[i];
+    return norm(system, system->product);
 }
 
 bool solve_solve(struct solve_system *system, double *b, double *x, bool guess) {
     struct error error = {0};
-    struct solve_outcome outcome = {.converged = true, .reason = "right-hand side of zero"};
+    struct ending ending = {.outcome = {.converged = true, .reason = "right-hand side of zero"}};
     set_up(system);
-    double before = timer_now();
+    double began = work_begin(system->solve, "solve");
     if (system->regions > 0)
         subtract_means(system, b);
     double size = norm(system, b);
     if (size == 0) {
         memset(x, 0, (size_t)system->count * sizeof *x);
-        system->report.residual = 0;
     } else {
-        must(system->solve->backend->solve(system->back, b, x, guess, system->tolerance, &outcome, &error),
+        must(system->solve->backend->solve(system->back, b, x, guess, system->tolerance, &ending.outcome,
+                                           &error),
              &error);
+        ending.residual = residual_of(system, b, x, &ending) / size;
         if (system->regions > 0)
             subtract_means(system, x);
-        solve_multiply(system, x, system->product);
-        for (int32_t i = 0; i < system->count; i++)
-            system->product[i] = b[i] - system->product[i];
-        system->report.residual = norm(system, system->product) / size;
     }
-    note(system, &outcome);
-    system->report.seconds_solve += timer_now() - before;
-    return outcome.converged;
+    ending.seconds = work_end(system->solve, "solve", began);
+    note(system, &ending);
+    return ending.outcome.converged;
 }
 
 void solve_multiply(struct solve_system *system, const double *x, double *y) {

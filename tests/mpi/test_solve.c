@@ -244,6 +244,77 @@ static void iterations_are_flat(void **state) {
     team_finish(team);
 }
 
+/* |b - A x - g D| / |b| from the rows, with the diagonal D and the best g. */
+static double residual_beside_diagonal(const struct lattice *lattice, const struct comm *comm,
+                                       const double *b, const double *x) {
+    double *all = memory_allocate((size_t)lattice->all, sizeof(double), "lattice"), sum[4] = {0};
+    comm_gather_all(comm, x, (size_t)lattice->count * sizeof(double), all);
+    for (int32_t i = 0; i < lattice->count; i++) {
+        double r = b[i], diagonal = 0;
+        for (int32_t k = lattice->start[i]; k < lattice->start[i + 1]; k++) {
+            r -= lattice->value[k] * all[lattice->column[k]];
+            diagonal += lattice->column[k] == lattice->first + i ? lattice->value[k] : 0;
+        }
+        sum[0] += r * r;
+        sum[1] += r * diagonal;
+        sum[2] += diagonal * diagonal;
+        sum[3] += b[i] * b[i];
+    }
+    comm_sum(comm, sum, 4);
+    memory_free(all);
+    return sqrt(fmax(sum[0] - sum[1] * sum[1] / sum[2], 0) / sum[3]);
+}
+
+/* Rows that weigh more or less: no x solves A x = b, and the part of b that cannot be reached counts for no residual. */
+static void columns_need_not_sum_to_zero(void **state) {
+    struct team *team = *state;
+    struct error error = {0};
+    struct solve *solve = begin(team, NULL);
+    struct lattice lattice = {.dimension = 2, .side = 48};
+    struct solve_options options = solve_options_singular("test_");
+    lattice_make(&lattice, &team->comm);
+    struct solve_rows rows = lattice_rows(&lattice);
+    double *b = memory_allocate((size_t)rows.count, sizeof(double), "lattice");
+    double *x = memory_allocate((size_t)rows.count, sizeof(double), "lattice");
+    for (int32_t i = 0; i < rows.count; i++)
+        for (int32_t k = lattice.start[i]; k < lattice.start[i + 1]; k++)
+            lattice.value[k] *= 1 + draw(lattice.first + i, -9);
+    struct solve_system *system = solve != NULL ? solve_create(solve, &rows, &options, &error) : NULL;
+    team_expect(team, system != NULL, "%s", error.text);
+    if (system != NULL) {
+        draw_sides(&lattice, b, x);
+        solve_null_space(system, 1, NULL);
+        bool converged = solve_solve(system, b, x, false);
+        double r = residual_beside_diagonal(&lattice, &team->comm, b, x),
+               whole = residual(&lattice, &team->comm, b, x);
+        team_expect(team, converged && r < 10 * options.tolerance && whole > 5e-4, "residuals %g, %g", r,
+                    whole);
+        team_expect(
+            team, solve_report(system)->residual < 10 * options.tolerance && !solve_report(system)->doubtful,
+            "reported residual %g", solve_report(system)->residual);
+        team_expect(team, largest_mean(&lattice, &team->comm, x) < 1e-9, "the mean is 0");
+    }
+    solve_destroy(&system);
+    solve_end(&solve, NULL, 0);
+    lattice_free(&lattice);
+    memory_free(b);
+    memory_free(x);
+    team_finish(team);
+}
+
+/* What is told of all systems of a prefix is that of the only one. */
+static void totals_expect(struct team *team, const struct solve *solve, const struct solve_system *system) {
+    const struct solve_report *one = solve_report(system), *all = solve_total(solve, "test_");
+    team_expect(team,
+                all->solves == one->solves && all->set_ups == one->set_ups && all->kept == one->kept &&
+                    all->iterations_all == one->iterations_all && all->residual == one->residual &&
+                    all->residual_worst == one->residual_worst && all->rows == one->rows &&
+                    all->entries == one->entries,
+                "%d solves, %d in all", (int)one->solves, (int)all->solves);
+    team_expect(team, all->rows == 48 * 48 && all->entries == 5 * 48 * 48 && all->products == 6, "%d rows",
+                (int)all->rows);
+}
+
 /* New values, twice the old: half the solution; the old preconditioner serves as often as allowed. */
 static void values_are_refilled(void **state) {
     struct team *team = *state;
@@ -274,10 +345,21 @@ static void values_are_refilled(void **state) {
         for (int32_t k = 0; k < rows.start[rows.count]; k++)
             lattice.value[k] *= 2;
         solve_values(system, lattice.value);
-        team_expect(team, solve_report(system)->set_ups == 1 + turn / 3, "%d set-ups after turn %d",
-                    (int)solve_report(system)->set_ups, turn);
+        const struct solve_report *report = solve_report(system);
+        team_expect(team, report->set_ups == 1 + turn / 3 && report->kept == turn - turn / 3,
+                    "%d set-ups, %d kept after turn %d", (int)report->set_ups, (int)report->kept, turn);
+    }
+    if (system != NULL) { /* the next turn would keep the preconditioner */
+        solve_renew(system);
+        solve_solve(system, b, x, false);
+        team_expect(team, solve_report(system)->set_ups == 3, "a new preconditioner where it is asked for");
+        totals_expect(team, solve, system);
     }
     solve_destroy(&system);
+    if (solve != NULL)
+        team_expect(team,
+                    solve_total(solve, "test_")->solves == 6 && solve_total(solve, "other_")->solves == 0,
+                    "the course of a system that is no more");
     solve_end(&solve, NULL, 0);
     lattice_free(&lattice);
     memory_free(b);
@@ -313,6 +395,8 @@ static void options_reach_petsc(void **state) {
         bool converged = solve_solve(system, b, x, false);
         team_expect(team, !converged && solve_report(system)->iterations == 3, "%s after %d iterations",
                     solve_report(system)->reason, solve_report(system)->iterations);
+        team_expect(team, solve_report(system)->doubtful == 1 && solve_report(system)->doubt > SOLVE_DOUBT,
+                    "a residual of %g is in doubt", solve_report(system)->residual);
         solve_destroy(&system);
         memory_free(b);
         memory_free(x);
@@ -388,6 +472,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(two_regions, &team),
         cmocka_unit_test_prestate(helmholtz, &team),
         cmocka_unit_test_prestate(iterations_are_flat, &team),
+        cmocka_unit_test_prestate(columns_need_not_sum_to_zero, &team),
         cmocka_unit_test_prestate(values_are_refilled, &team),
         cmocka_unit_test_prestate(options_reach_petsc, &team),
         cmocka_unit_test_prestate(without_a_matrix, &team),
