@@ -65,3 +65,15 @@ void timer_stop(struct timers *timers, int stage) {
     charge(timers);
     timers->depth--;
 }
+
+void timer_enter(struct timers *timers, const char *name) {
+    int stage = timers ? timer_find(timers, name) : -1;
+    if (stage >= 0)
+        timer_start(timers, stage);
+}
+
+void timer_leave(struct timers *timers, const char *name) {
+    int stage = timers ? timer_find(timers, name) : -1;
+    if (stage >= 0)
+        timer_stop(timers, stage);
+}

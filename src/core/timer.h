@@ -53,4 +53,8 @@ double timer_sum(const struct timers *timers, unsigned with, unsigned without);
 void timer_start(struct timers *timers, int stage);
 void timer_stop(struct timers *timers, int stage);
 
+/* The same for a stage by its name; nothing where `timers` is NULL or has no such stage. */
+void timer_enter(struct timers *timers, const char *name);
+void timer_leave(struct timers *timers, const char *name);
+
 #endif

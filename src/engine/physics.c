@@ -238,6 +238,13 @@ void physics_restart(const struct physics_set *set, struct restart *restart) {
             set->active[k].row->restart(&set->active[k].context, restart);
 }
 
+void physics_solvers(const struct physics_set *set, struct report *report) {
+    report->solvers = 0;
+    for (int k = 0; k < set->count; k++)
+        if (set->active[k].row->solvers && report->solvers == 0)
+            report->solvers = set->active[k].row->solvers(&set->active[k].context, report->solver);
+}
+
 void physics_print(const struct physics_set *set, FILE *file) {
     for (int k = 0; k < set->count; k++)
         if (set->active[k].row->print)

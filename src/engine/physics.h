@@ -35,6 +35,7 @@
 #include "contact/force.h"
 #include "engine/clock.h"
 #include "formats/restart.h"
+#include "observe/report.h"
 #include "pairs/interaction.h"
 #include "particles/fields.h"
 #include "physics_table.h"
@@ -57,6 +58,7 @@ struct physics_context {
     struct walls *walls;                                   /* NULL: none */
     struct force_context *contact; /* of grains; a physics may ask for the work of contacts in `create` */
     const struct clock *clock; /* number, time and length of the step; the length may change between steps */
+    struct timers *timers;     /* of the run, for the stages of the physics; only the main thread uses them */
     int threads;
     double (*speed)
         [CLASS_MAX]; /* [thread][class]: largest squared speed of this drift; a pass that moves particles
@@ -102,12 +104,9 @@ struct physics_pass {
     void (*share)(const struct physics_context *context, int thread);
 };
 
-/* The particles that a physics of its own particles makes (physics_table.h). */
+/* What the particles begin with that a physics of its own particles makes (physics_table.h). */
 struct physics_share {
     int64_t first_id; /* ids from this one on are free */
-    /* True for places (box-relative, wrapped) whose particles belong to this rank. */
-    bool (*mine)(void *context, const double x[3]);
-    void *context;
 };
 
 struct stability;
@@ -120,6 +119,10 @@ struct physics {
     bool range_of_self;
     int passes;
     const struct physics_pass *pass;
+    /* Stages of the report beside those of the passes, which the physics starts by timer_enter; with `stages`
+     * entries. */
+    const struct timer_stage *stage;
+    int stages;
     /* Refuses options that do not go together: a user's error. The same on all ranks. NULL: nothing to refuse. */
     bool (*check)(const struct physics_context *context, struct error *error);
     /* Bits 1 << kind (kinds.h) of its own particles that move. NULL: none. */
@@ -128,9 +131,9 @@ struct physics {
      * rebuild. NULL: no data. */
     void *(*create)(const struct physics_context *context);
     void (*destroy)(void *self);
-    /* Appends this rank's share of the physics' own particles, after the grains have been made, in a run that is
-     * not resumed; kinds (kinds.h) are registered. The same ids on any number of ranks. NULL: no particles.
-     * Collective. Errors may differ between ranks. */
+    /* Appends this rank's share of the physics' own particles, wherever they lie: the first rebuild sends them to their
+     * owners. After the grains have been made, in a run that is not resumed; kinds (kinds.h) are registered. The same
+     * ids on any number of ranks. NULL: no particles. Collective. Errors may differ between ranks. */
     bool (*fill)(const struct physics_context *context, const struct physics_share *share,
                  struct error *error);
     /* Called after each rebuild, when the lists are new. NULL: nothing to do. */
@@ -172,6 +175,9 @@ struct physics {
     void (*guard)(const struct physics_context *context, struct error *error);
     /* Prints lines for `scree check`, by rank 0 alone, at the start. NULL: none. Collective. */
     void (*print)(const struct physics_context *context, FILE *file);
+    /* Fills rows of the report with the linear solvers of the physics; returns how many, up to REPORT_SOLVERS_MAX.
+     * NULL: none. Collective. */
+    int (*solvers)(const struct physics_context *context, struct report_solver *solver);
     /* Adds the numbers that a resume needs, with their names. NULL: none. */
     void (*restart)(const struct physics_context *context, struct restart *restart);
 };
@@ -252,6 +258,9 @@ double physics_limit(const struct physics_set *set, double most);
 const char *physics_limit_why(const struct physics_set *set, double limit);
 void physics_guard(const struct physics_set *set, struct error *error);
 void physics_restart(const struct physics_set *set, struct restart *restart);
+
+/* The linear solvers of all physics, for the report. Collective. */
+void physics_solvers(const struct physics_set *set, struct report *report);
 
 /* Prints the lines of all physics. Collective. */
 void physics_print(const struct physics_set *set, FILE *file);

@@ -269,6 +269,7 @@ static void run_loop(struct run *run, struct error *error) {
     ghosts_count(s->ranks.ghosts, &run->record.before);
     s->ranks.load.seconds = 0;
     int stage = stages_find(&s->timers, "other");
+    run->record.start = s->timers;
     timer_clear(&s->timers);
     timer_start(&s->timers, stage);
     run->record.began = run->checkpoint_last = timer_now();

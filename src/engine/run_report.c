@@ -160,7 +160,9 @@ void run_report_fill(const struct simulation *s, const struct run_record *run, s
     report->dimensionless = s->scene->units == SCENE_UNITS_NONE;
     if (run->stopped)
         snprintf(report->stopped, sizeof report->stopped, "signal %d", run->stopped);
+    physics_solvers(&s->physics, report);
     struct report_mine mine = {.timers = &s->timers,
+                               .timers_setup = &run->start,
                                .ghosts = ghosts.ghosts,
                                .messages = ghosts.messages - run->before.messages,
                                .bytes = ghosts.bytes - run->before.bytes,

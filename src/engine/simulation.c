@@ -32,7 +32,7 @@ static bool taken(void *context, const double x[3], double radius) {
 
 /* Adds particles of other kinds than grains. */
 static bool particles_fill(struct simulation *s, struct error *error) {
-    const struct physics_share share = {.first_id = s->sources.next_id, .mine = mine, .context = s};
+    const struct physics_share share = {.first_id = s->sources.next_id};
     if (kinds_of(s->particles) == NULL)
         return true;
     physics_fill(&s->physics, &share, error);
@@ -120,6 +120,7 @@ static void physics_start(struct simulation *s) {
                                       .walls = s->grains.walls,
                                       .contact = &s->grains.contact,
                                       .clock = &s->clock,
+                                      .timers = &s->timers,
                                       .threads = s->threads,
                                       .speed = s->grains.speed,
                                       .ordered = s->scene->reproducible};

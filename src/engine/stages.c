@@ -54,6 +54,15 @@ static void physics_register(struct timers *timers, const struct physics *const 
         }
 }
 
+/* Registers what physics adds to the stages of passes. */
+static void further_register(struct timers *timers, const struct physics *const *physics, int count) {
+    for (int k = 0; k < count; k++)
+        for (int p = 0; p < physics[k]->stages; p++) {
+            const struct timer_stage *stage = &physics[k]->stage[p];
+            timer_register(timers, stage->name, stage->help, stage->use);
+        }
+}
+
 int stages_begin(struct timers *timers) {
     own_register(timers, 0, SWEEP);
     return 0;
@@ -66,6 +75,7 @@ void stages_register(struct timers *timers, const struct physics *const *physics
     own_register(timers, SWEEP, LATER);
     for (size_t k = 0; k < sizeof then / sizeof then[0]; k++)
         physics_register(timers, physics, count, then[k]);
+    further_register(timers, physics, count);
     own_register(timers, LATER, OWN);
 }
 

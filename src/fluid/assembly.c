@@ -2,6 +2,7 @@
 /* Patterns and values of the fluid's matrices. Read assembly.h first. */
 #include "fluid/assembly.h"
 #include "core/memory.h"
+#include "core/timer.h"
 
 #include <omp.h>
 #include <string.h>
@@ -80,7 +81,10 @@ static void scan_rows(struct assembly *assembly, const struct flow *flow, size_t
     }
 }
 
-bool assembly_make(struct assembly *assembly, const struct flow *flow, struct error *error) {
+/* The stage of the report that gets the time of this file. */
+static const char stage[] = "assembly";
+
+static bool make(struct assembly *assembly, const struct flow *flow, struct error *error) {
     const struct weights *weights = flow->weights;
     int64_t rows = (int64_t)weights->rows, entries = (int64_t)(weights->start[weights->rows] + weights->rows);
     comm_sum_int(flow->comm, &rows, 1);
@@ -105,6 +109,13 @@ bool assembly_make(struct assembly *assembly, const struct flow *flow, struct er
     assembly->value = memory_resize(assembly->value, used, sizeof *assembly->value, "matrix");
     scan_rows(assembly, flow, longest, true);
     return true;
+}
+
+bool assembly_make(struct assembly *assembly, const struct flow *flow, struct error *error) {
+    timer_enter(assembly->timers = flow->timers, stage);
+    bool good = make(assembly, flow, error);
+    timer_leave(flow->timers, stage);
+    return good;
 }
 
 void assembly_free(struct assembly *assembly) {
@@ -156,6 +167,7 @@ static void add_image(struct assembly *assembly, const struct weights *weights, 
 
 void assembly_momentum(struct assembly *assembly, const struct weights *weights, double inertia,
                        double viscous, int component) {
+    timer_enter(assembly->timers, stage);
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++) {
         double sum = 0;
@@ -167,9 +179,11 @@ void assembly_momentum(struct assembly *assembly, const struct weights *weights,
         }
         assembly->value[assembly->diagonal[row]] += inertia + viscous * sum;
     }
+    timer_leave(assembly->timers, stage);
 }
 
 void assembly_pressure(struct assembly *assembly, const struct weights *weights) {
+    timer_enter(assembly->timers, stage);
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++) {
         size_t e = weights_walls(weights, row);
@@ -184,4 +198,5 @@ void assembly_pressure(struct assembly *assembly, const struct weights *weights)
                                                 : 0);
         }
     }
+    timer_leave(assembly->timers, stage);
 }

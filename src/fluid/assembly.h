@@ -16,6 +16,7 @@ struct assembly {
         *place; /* by entry of the weights: where the value of a fluid neighbour, or of an image, is added */
     int32_t *diagonal; /* by row: where the diagonal stands */
     double *value;     /* scratch for one matrix at a time */
+    struct timers *timers; /* of the flow, borrowed */
 };
 
 /* Makes the pattern of a flow whose rows are numbered. False, with a user's error, if the numbers do not fit

@@ -22,6 +22,7 @@ enum flow_array {
 /* All borrowed. Values of fluid particles alone are used. */
 struct flow {
     const struct comm *comm;
+    struct timers *timers; /* gets the stage "assembly"; NULL: none */
     const struct weights *weights;
     double *velocity; /* u, length/time: 3 components, velocity_stride doubles from one to the next */
     size_t velocity_stride;

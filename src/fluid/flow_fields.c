@@ -31,6 +31,7 @@ static void *values(const struct physics_context *context, enum flow_array array
 void flow_fields_take(struct flow *flow, const struct physics_context *context, const struct weights *weights,
                       int regions) {
     *flow = (struct flow){.comm = context->comm,
+                          .timers = context->timers,
                           .weights = weights,
                           .velocity = context->particles->state[0].v,
                           .velocity_stride = sizeof *context->particles->state / sizeof(double),

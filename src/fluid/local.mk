@@ -72,6 +72,8 @@ libfluid_la_SOURCES = \
 	src/fluid/steady.h \
 	src/fluid/tensors.c \
 	src/fluid/tensors.h \
+	src/fluid/watch.c \
+	src/fluid/watch.h \
 	src/fluid/weights.c \
 	src/fluid/weights.h
 libfluid_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)

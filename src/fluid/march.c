@@ -14,6 +14,7 @@
 #include "fluid/path.h"
 #include "fluid/ride.h"
 #include "fluid/state.h"
+#include "fluid/watch.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
 #include "walls/wall.h"
@@ -72,11 +73,13 @@ static void weights_of(const struct physics_context *context, struct fluid *flui
                                         .spacing = fluid->options->spacing,
                                         .wall = feet_on,
                                         .context = &feet};
+    timer_enter(context->timers, "operators");
     size_t without = fluid->riding ? ride_settle(context, fluid) : 0;
     weights_rows(&fluid->weights, &fluid->input, &fluid->weigh);
     volumes_share(context, fluid);
     weights_weigh(&fluid->weights, &fluid->input, &fluid->weigh);
     fluid->lost = without + mirror_make(&fluid->weights, &mirror);
+    timer_leave(context->timers, "operators");
     fluid->rows[0] = (double)fluid->weights.rows;
     fluid->rows[1] = (double)fluid->weights.poor;
     fluid->rows[2] = (double)fluid->weights.behind;
@@ -138,13 +141,6 @@ static double tolerance_of(const struct fluid_options *options, double usual) {
     return isnan(options->solver.tolerance) ? usual : options->solver.tolerance;
 }
 
-static bool begin(const struct physics_context *context, struct fluid *fluid) {
-    fluid->first = context->comm->rank == 0;
-    if (fluid->solve == NULL)
-        fluid->solve = solve_begin(context->comm, fluid->options->solver.petsc, &fluid->error);
-    return fluid->solve != NULL;
-}
-
 /* The largest speed of the fluid. Collective. */
 static double speed_largest(const struct physics_context *context) {
     const uint8_t *kind = kinds_of(context->particles);
@@ -168,7 +164,8 @@ static void step_transient(const struct physics_context *context, struct fluid *
                                               .advection = options->equations == FLUID_NAVIER_STOKES,
                                               .preconditioner = preconditioner_of(options),
                                               .tolerance_velocity = 1e-8,
-                                              .tolerance_pressure = tolerance_of(options, 1e-5)};
+                                              .tolerance_pressure = tolerance_of(options, 1e-5),
+                                              .reuse = options->solver.reuse};
     bool old = fluid->projection != NULL, moves = motion_moves(options);
     if (!old)
         fluid->projection = projection_create(fluid->solve, &fluid->flow, &wanted, &fluid->error);
@@ -272,12 +269,13 @@ void march_step(const struct physics_context *context) {
         walls_at_end(context->walls, context->clock->time,
                      context->clock->dt); /* the scheme stands at the end of the step */
     walls_follow(context, fluid);
-    if (fluid->error.kind != ERROR_NONE || !begin(context, fluid))
+    if (fluid->error.kind != ERROR_NONE || !watch_begin(context))
         return;
     if (fluid->options->time == FLUID_STEADY)
         step_steady(context, fluid);
     else
         step_transient(context, fluid);
+    watch_step(context);
     if (fluid->error.kind == ERROR_NONE && fluid->options->equations == FLUID_NAVIER_STOKES)
         check_speed(context, fluid);
 }

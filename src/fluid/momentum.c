@@ -3,6 +3,7 @@
 #include "fluid/momentum.h"
 #include "core/memory.h"
 #include "fluid/residual.h"
+#include <math.h>
 
 #include <math.h>
 
@@ -69,6 +70,7 @@ static void refill(struct momentum *momentum, struct assembly *assembly, const s
     for (int s = 0; s < momentum->systems; s++) {
         assembly_momentum(assembly, flow->weights, 1, implicit, s);
         solve_values(momentum->system[s], assembly->value);
+        solve_renew(momentum->system[s]); /* a run that is resumed begins with this matrix */
     }
 }
 
@@ -76,6 +78,7 @@ bool momentum_solve(struct momentum *momentum, struct assembly *assembly, const 
                     double implicit, const double (*side)[3], struct error *error) {
     const struct weights *weights = flow->weights;
     bool good = true;
+    momentum->residual = 0;
     refill(momentum, assembly, flow, implicit);
     for (int sweep = 0; sweep < (momentum->systems > 1 ? SWEEPS : 1); sweep++)
         for (int c = 0; c < weights->dimension; c++) {
@@ -83,6 +86,7 @@ bool momentum_solve(struct momentum *momentum, struct assembly *assembly, const 
             fill_side(momentum, flow, side, sweep > 0 ? flow_predicted(flow) : flow_velocity(flow), c);
             solve_solve(system, momentum->side, momentum->guess, true);
             good = residual_check(solve_report(system), "velocity", error) && good;
+            momentum->residual = fmax(momentum->residual, solve_report(system)->residual);
             for (size_t row = 0; row < weights->rows; row++)
                 flow->predicted[3 * (weights->first + row) + (size_t)c] = momentum->guess[row];
         }

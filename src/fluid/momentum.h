@@ -11,6 +11,7 @@ struct momentum {
     int systems; /* 1, or one a component */
     struct solve_system *system[3];
     double implicit;      /* a of the present values */
+    double residual;      /* the largest true one of the last step's solves */
     double *side, *guess; /* [rows]: scratch */
 };
 

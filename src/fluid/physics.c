@@ -9,6 +9,7 @@
 #include "fluid/nodes.h"
 #include "fluid/ride.h"
 #include "fluid/state.h"
+#include "fluid/watch.h"
 #include "particles/kinds.h"
 #include <math.h>
 
@@ -136,11 +137,21 @@ static const struct physics_pass passes[] = {{.name = "follow",
                                               .writes = "divergence drag",
                                               .whole = march_look}};
 
+static const struct timer_stage stages[] = {
+    {.name = "operators",
+     .help = "weights of the operators of a fluid, and its walls",
+     .use = TIMER_REBUILD | TIMER_WORK},
+    {.name = "assembly", .help = "matrices of a fluid: filled, and handed to the solver", .use = TIMER_WORK},
+    {.name = "preconditioner", .help = "preconditioners of these matrices made", .use = TIMER_WORK},
+    {.name = "solve", .help = "solves for velocity and pressure of a fluid", .use = TIMER_WORK}};
+
 const struct physics fluid_physics = {.name = "fluid",
                                       .interactions = 1,
                                       .interaction = {{.name = "fluid", .range = range}},
                                       .passes = sizeof passes / sizeof passes[0],
                                       .pass = passes,
+                                      .stage = stages,
+                                      .stages = sizeof stages / sizeof stages[0],
                                       .create = create,
                                       .destroy = march_end,
                                       .moving = motion_kinds,
@@ -151,4 +162,5 @@ const struct physics fluid_physics = {.name = "fluid",
                                           "advection: the fluid may move by half a spacing in a step",
                                       .guard = guard,
                                       .print = print,
+                                      .solvers = watch_solvers,
                                       .restart = restart};

@@ -20,7 +20,8 @@ static bool make_systems(struct projection *projection, struct solve *solve, con
     velocity.tolerance = options->tolerance_velocity;
     pressure.preconditioner = options->preconditioner;
     pressure.tolerance = options->tolerance_pressure;
-    velocity.reuse = pressure.reuse = options->reuse;
+    pressure.reuse = options->reuse;
+    velocity.reuse = velocity.preconditioner == options->preconditioner ? options->reuse : 0;
     return assembly_make(&projection->assembly, flow, error) &&
            momentum_make(&projection->momentum, solve, &projection->assembly, flow, implicit, &velocity,
                          error) &&
@@ -151,7 +152,9 @@ bool projection_step(struct projection *projection, const struct flow *flow, str
 }
 
 struct projection_report projection_report(const struct projection *projection) {
-    return (struct projection_report){.velocity = solve_report(projection->momentum.system[0]),
-                                      .pressure = solve_report(projection->pressure.system),
-                                      .divergence = projection->divergence_size};
+    return (struct projection_report){
+        .velocity = solve_report(projection->momentum.system[0]),
+        .pressure = solve_report(projection->pressure.system),
+        .residual = fmax(projection->momentum.residual, solve_report(projection->pressure.system)->residual),
+        .divergence = projection->divergence_size};
 }

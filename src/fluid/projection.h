@@ -23,7 +23,7 @@ struct projection_options {
     bool advection;             /* false: Stokes */
     const char *preconditioner; /* of the pressure, and of the velocity where dt is long (solve.h) */
     double tolerance_velocity, tolerance_pressure; /* relative residuals */
-    int reuse;
+    int reuse;                                     /* of multigrid preconditioners, as in solve.h */
 };
 
 /* What the next step must know of the ones before; a restart keeps it, beside flow->advection_before. */
@@ -48,10 +48,11 @@ void projection_refill(struct projection *projection, const struct flow *flow);
 bool projection_step(struct projection *projection, const struct flow *flow, struct projection_past *past,
                      double dt, const double force[3], struct error *error);
 
-/* The course of the solvers; the divergence of u* that the last step removed: root mean square over rows of
+/* The course of the solvers (of one component of the velocity); the divergence of u* that the last step removed: root mean square over rows of
  * all ranks, as computed before the correction. */
 struct projection_report {
     const struct solve_report *velocity, *pressure;
+    double residual;   /* the largest true one of the last step's solves */
     double divergence; /* 1/time */
 };
 struct projection_report projection_report(const struct projection *projection);

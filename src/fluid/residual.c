@@ -3,12 +3,14 @@
 #include "fluid/residual.h"
 
 bool residual_check(const struct solve_report *report, const char *system, struct error *error) {
-    if (report->residual <= RESIDUAL_MOST) /* false for NaN */
+    bool converged = report->converged || report->residual <= SOLVE_DOUBT * report->tolerance;
+    if (converged && report->residual <= RESIDUAL_MOST) /* false for NaN */
         return true;
-    return error_set(
-        error, ERROR_PHYSICS,
-        "the solver for the %s of the fluid ended with a residual of %.2g of its right-hand side after "
-        "%d iterations (%s): a shorter step, another fluid.solver.preconditioner or a finer "
-        "spacing may help",
-        system, report->residual, report->iterations, report->reason);
+    return error_set(error, ERROR_PHYSICS,
+                     "the solver for the %s of the fluid did not converge: after %d iterations (%s) the "
+                     "residual is %.2g of the "
+                     "right-hand side, and the tolerance %.2g; a shorter step, another "
+                     "fluid.solver.preconditioner or a finer "
+                     "spacing may help",
+                     system, report->iterations, report->reason, report->residual, report->tolerance);
 }

@@ -77,6 +77,5 @@ void shown_residual(const struct observable_context *context, struct observable_
         return;
     part[0] = fluid->report.residual;
     if (fluid->projection != NULL)
-        part[0] = fmax(projection_report(fluid->projection).pressure->residual,
-                       projection_report(fluid->projection).velocity->residual);
+        part[0] = projection_report(fluid->projection).residual;
 }

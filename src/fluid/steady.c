@@ -273,6 +273,8 @@ bool steady_solve(struct steady *steady, const struct flow *flow, const double f
     double mean[3], divergence;
     steady->flow = flow;
     memset(steady->flow_before, 0, sizeof steady->flow_before);
+    for (int s = 0; s < steady->systems; s++)
+        solve_prepare(steady->velocity[s]);
     fill_side(steady, force);
     bool converged = solve_solve(steady->coupled, steady->side, steady->solution, true);
     const struct solve_report *coupled = solve_report(steady->coupled),

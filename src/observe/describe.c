@@ -109,6 +109,7 @@ static void print_entry(FILE *out, const char *prefix, const struct report_row *
 }
 
 static void print_report(const struct timers *stages, FILE *out) {
+    bool told = false; /* the stages, once */
     fprintf(out, "| key | unit | meaning |\n|---|---|---|\n");
     for (const struct report_row *row = report_rows; row->name; row++) {
         char prefix[64];
@@ -120,11 +121,12 @@ static void print_report(const struct timers *stages, FILE *out) {
              below++)
             if (!below->terminal)
                 print_entry(out, prefix, below);
-        for (int s = 0; row->type == REPORT_STAGES && s < stages->stages; s++) {
+        for (int s = 0; row->type == REPORT_STAGES && !told && s < stages->stages; s++) {
             const struct report_row stage = {
                 .name = stages->stage[s].name, .unit = row->unit, .help = stages->stage[s].help};
             print_entry(out, prefix, &stage);
         }
+        told = told || row->type == REPORT_STAGES;
     }
 }
 

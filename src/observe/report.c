@@ -20,16 +20,16 @@ void report_destroy(struct report *report) {
 }
 
 /* All ranks have the same stages. */
-static void stages_gather(struct report *report, const struct comm *comm, const struct timers *timers) {
+static void stages_gather(struct report_stage *into, const struct comm *comm, const struct timers *timers) {
     double low[TIMER_STAGES_MAX], mean[TIMER_STAGES_MAX], high[TIMER_STAGES_MAX];
-    int stages = report->stages = timers->stages;
+    int stages = timers->stages;
     for (int s = 0; s < stages; s++)
         low[s] = mean[s] = high[s] = timers->stage[s].seconds;
     comm_min(comm, low, stages);
     comm_sum(comm, mean, stages);
     comm_max(comm, high, stages);
     for (int s = 0; s < stages; s++) {
-        struct report_stage *stage = &report->stage[s];
+        struct report_stage *stage = &into[s];
         *stage = (struct report_stage){
             .use = timers->stage[s].use, .min = low[s], .mean = mean[s] / comm->size, .max = high[s]};
         snprintf(stage->name, sizeof stage->name, "%s", timers->stage[s].name);
@@ -45,7 +45,9 @@ double report_stages(const struct report *report, unsigned with, unsigned withou
 }
 
 void report_gather(struct report *report, const struct comm *comm, const struct report_mine *mine) {
-    stages_gather(report, comm, mine->timers);
+    report->stages = mine->timers->stages;
+    stages_gather(report->stage, comm, mine->timers);
+    stages_gather(report->setup_stage, comm, mine->timers_setup);
     double largest[3] = {mine->seconds, mine->seconds_setup, (double)memory_peak_resident()};
     comm_max(comm, largest, 3);
     report->seconds = largest[0];

@@ -9,7 +9,12 @@
 #include "particles/classes.h"
 #include <stdbool.h>
 
-enum { REPORT_LEVELS_MAX = CLASS_MAX, REPORT_NAME_MAX = 64, REPORT_INSERTIONS_MAX = 32 };
+enum {
+    REPORT_LEVELS_MAX = CLASS_MAX,
+    REPORT_NAME_MAX = 64,
+    REPORT_INSERTIONS_MAX = 32,
+    REPORT_SOLVERS_MAX = 4
+};
 
 struct report_level {
     double cell;    /* cell size, length unit; 0: no cells */
@@ -28,6 +33,19 @@ struct report_class {
 struct report_insertion {
     char name[REPORT_NAME_MAX];
     uint64_t asked, placed;
+};
+
+/* The linear systems of one kind; seconds are the largest of a rank. */
+struct report_solver {
+    char name[REPORT_NAME_MAX];
+    uint64_t rows, entries; /* of the matrix, over all ranks; 0 entries: without a matrix */
+    uint64_t solves, iterations;
+    uint64_t set_ups, kept; /* preconditioners made; solves of a new matrix with an old preconditioner */
+    uint64_t doubtful;      /* solves with a true residual far above the tolerance */
+    uint64_t products;      /* of the matrix with a vector, those that are timed */
+    double residual;        /* true, relative, of the last solve */
+    double residual_worst;
+    double seconds_matrix, seconds_set_up, seconds_solve, seconds_products;
 };
 
 struct report_stage {
@@ -68,6 +86,9 @@ struct report {
     uint64_t divisions; /* times that the box was divided again */
     int stages;
     struct report_stage stage[TIMER_STAGES_MAX];
+    struct report_stage setup_stage[TIMER_STAGES_MAX]; /* before the first step */
+    int solvers;
+    struct report_solver solver[REPORT_SOLVERS_MAX];
     double seconds; /* wall clock without set-up, largest over ranks */
     double seconds_setup;
     uint64_t pairs;    /* in the last list */
@@ -89,10 +110,11 @@ struct report {
 void report_create(struct report *report, int ranks);
 void report_destroy(struct report *report);
 
-/* Fills the values of single ranks (ghosts, messages, bytes, stage, seconds, memory_peak, imbalance,
+/* Fills the values of single ranks (ghosts, messages, bytes, stage, setup_stage, seconds, memory_peak, imbalance,
  * sync_share), each rank giving its own. Collective. */
 struct report_mine {
     const struct timers *timers;
+    const struct timers *timers_setup; /* the same stages before the first step */
     uint64_t ghosts, messages, bytes;
     double work, waiting; /* seconds */
     double seconds, seconds_setup;

@@ -88,10 +88,11 @@ static void put_list(FILE *file, const struct report *report, const struct repor
 }
 
 static void put_stages(FILE *file, const struct report *report, const struct report_row *row) {
+    const struct report_stage *stage = (const void *)((const char *)report + row->offset);
     fprintf(file, "{");
     for (int s = 0; s < report->stages; s++) {
-        fprintf(file, "%s\n    \"%s\": ", s ? "," : "", report->stage[s].name);
-        put_object(file, report, row->rows, &report->stage[s]);
+        fprintf(file, "%s\n    \"%s\": ", s ? "," : "", stage[s].name);
+        put_object(file, report, row->rows, &stage[s]);
     }
     fprintf(file, "\n  }");
 }

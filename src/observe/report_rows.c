@@ -155,6 +155,43 @@ static const struct report_row stage_rows[] = {
      .help = "most over ranks"},
     {0}};
 
+static const struct report_row solver_rows[] = {
+    {.name = "name", .unit = "", .type = REPORT_TEXT, AT(struct report_solver, name),
+     .help = "the unknown: `velocity`, `pressure`, or `steady` for both at once"},
+    {.name = "rows", .unit = "1", .type = REPORT_COUNT, AT(struct report_solver, rows),
+     .help = "unknowns, all ranks together"},
+    {.name = "entries", .unit = "1", .type = REPORT_COUNT, AT(struct report_solver, entries),
+     .help = "numbers that the matrix holds; 0 without a matrix"},
+    {.name = "solves", .unit = "1", .type = REPORT_COUNT, AT(struct report_solver, solves),
+     .help = "systems solved"},
+    {.name = "iterations", .unit = "1", .type = REPORT_COUNT, AT(struct report_solver, iterations),
+     .help = "iterations of all solves"},
+    {.name = "set_ups", .unit = "1", .type = REPORT_COUNT, AT(struct report_solver, set_ups),
+     .help = "preconditioners made"},
+    {.name = "kept", .unit = "1", .type = REPORT_COUNT, AT(struct report_solver, kept),
+     .help = "solves of a matrix with new values for which the old preconditioner was kept"},
+    {.name = "doubtful", .unit = "1", .type = REPORT_COUNT, AT(struct report_solver, doubtful),
+     .help = "solves whose true residual was above ten times the tolerance (`guards.residual`)"},
+    {.name = "residual", .unit = "1", .type = REPORT_REAL, AT(struct report_solver, residual), .print = "%.2g",
+     .help = "true residual of the last solve, |b - A x| / |b|"},
+    {.name = "residual_worst", .unit = "1", .type = REPORT_REAL, AT(struct report_solver, residual_worst), .print = "%.2g",
+     .help = "the largest true residual of a solve"},
+    {.name = "seconds_matrix", .unit = "s", .type = REPORT_REAL, AT(struct report_solver, seconds_matrix), .print = "%.3f",
+     .help = "wall clock for handing over the matrix and its values; slowest rank"},
+    {.name = "seconds_set_up", .unit = "s", .type = REPORT_REAL, AT(struct report_solver, seconds_set_up), .print = "%.3f",
+     .help = "wall clock of the preconditioners made; slowest rank"},
+    {.name = "seconds_solve", .unit = "s", .type = REPORT_REAL, AT(struct report_solver, seconds_solve), .print = "%.3f",
+     .help = "wall clock of the solves, without that of preconditioners made; slowest rank"},
+    {.name = "products", .unit = "1", .type = REPORT_COUNT, AT(struct report_solver, products),
+     .help = "products of the matrix with a vector for the true residuals"},
+    {.name = "seconds_products", .unit = "s", .type = REPORT_REAL, AT(struct report_solver, seconds_products),
+     .help = "wall clock of these products; slowest rank"},
+    {0}};
+
+static bool has_solvers(const struct report *report) {
+    return report->solvers > 0;
+}
+
 const struct report_row report_rows[] = {
     {.name = "steps", .unit = "1", .type = REPORT_COUNT, AT(struct report, steps),
      .help = "steps done by this program"},
@@ -260,6 +297,10 @@ const struct report_row report_rows[] = {
      .help = "regions of the scene's `insertions`, in the order of the scene"},
     {.name = "stages", .unit = "s", .type = REPORT_STAGES, AT(struct report, stage), .rows = stage_rows,
      .help = "wall clock of each stage, exclusive of the others: `min`, `mean` and `max` over ranks"},
+    {.name = "setup_stages", .unit = "s", .type = REPORT_STAGES, AT(struct report, setup_stage), .rows = stage_rows,
+     .help = "the same of the time before the first step, stage by stage"},
+    {.name = "solvers", .unit = "", .type = REPORT_LIST, LIST(solver, solvers), .rows = solver_rows, .shown = has_solvers,
+     .help = "linear solvers of a fluid; absent without a fluid"},
     {0}};
 
 /* clang-format on */

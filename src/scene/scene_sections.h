@@ -69,9 +69,10 @@ enum scene_guard { SCENE_GUARD_STOP, SCENE_GUARD_WARN, SCENE_GUARD_OFF, SCENE_GU
 
 struct scene_guards {
     enum scene_guard overlap, nan, speed, step;
-    enum scene_guard energy; /* AUTO: stop, with a cheaper and coarser look, where there can be one */
-    double overlap_bound;    /* largest overlap / smaller radius */
-    double energy_bound;     /* largest growth without cause / energy in play */
+    enum scene_guard energy;   /* AUTO: stop, with a cheaper and coarser look, where there can be one */
+    enum scene_guard residual; /* of linear solves */
+    double overlap_bound;      /* largest overlap / smaller radius */
+    double energy_bound;       /* largest growth without cause / energy in play */
 };
 
 /* One entry of material_pairs as the user wrote it. */

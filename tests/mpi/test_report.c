@@ -30,7 +30,10 @@ static void gather(struct report *report, const struct comm *comm) {
     struct timers timers = {0};
     for (int s = 0; s < STAGES; s++)
         timers.stage[timer_register(&timers, names[s], "", 0)].seconds = s + comm->rank;
+    struct timers before = timers;
+    before.stage[0].seconds = 10 + comm->rank;
     struct report_mine mine = {.timers = &timers,
+                               .timers_setup = &before,
                                .ghosts = (uint64_t)(10 + comm->rank),
                                .messages = (uint64_t)(3 * comm->rank),
                                .bytes = (uint64_t)(1000 * comm->rank),
@@ -77,6 +80,7 @@ static void ranks_are_gathered(void **state) {
         team_expect(team, stage->min == s && stage->max == s + size - 1, "stage %d", s);
         team_expect(team, fabs(stage->mean - (s + (size - 1) / 2.0)) < 1e-12, "mean of %d", s);
     }
+    team_expect(team, report.setup_stage[0].min == 10 && report.setup_stage[0].max == 9 + size, "the set-up");
     team_expect(team, report.seconds == 4 && report.seconds_setup == size - 1, "seconds %g", report.seconds);
     team_expect(team, fabs(report.imbalance - 2.0 * size / (size + 1)) < 1e-12, "imbalance %g",
                 report.imbalance);
