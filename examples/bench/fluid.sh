@@ -62,7 +62,7 @@ particles:
 groups: [{name: bed, motion: frozen}]
 fluid: {spacing: 1, density: 1, viscosity: 0.1, equations: stokes, fill: {jitter: 0.2}, kernel: {support: 2.2}, drive: {body_force: [1e-3, 0, 0]}}
 step: {dt: 1, count: $steps}
-observables: {every: {step: 1000000}, list: [{name: fluid_speed}]}
+observables: {every: 1000000, list: [{name: fluid_speed}]}
 output: {checkpoint: {at_end: false}}
 YAML
 }
@@ -85,11 +85,11 @@ line() {
     tr -d '\n' <"$work/fluid.run/report.json" | awk -v scheme="$1" -v ranks="$2" -v series="$3" -v steps="$steps" -v base="$base" \
         -v triad="$bandwidth" -v complexity="$(sed -n 's/.*operator = *\([0-9.]*\).*/\1/p' "$work/fluid.said" | head -n 1)" '
         # the object behind a key, up to its closing bracket
-        function part(text, key, open, close, at, depth, from) {
-            from = index(text, "\"" key "\": " open)
+        function part(text, key, first, last, at, depth, from) {
+            from = index(text, "\"" key "\": " first)
             for (at = from; from && at <= length(text); at++) {
-                if (substr(text, at, 1) == open) depth++
-                if (substr(text, at, 1) == close && --depth == 0) return substr(text, from, at - from + 1)
+                if (substr(text, at, 1) == first) depth++
+                if (substr(text, at, 1) == last && --depth == 0) return substr(text, from, at - from + 1)
             }
             return ""
         }
@@ -165,7 +165,7 @@ flow_base() {
 }
 
 cells_of() { # N: boxes along an edge
-    awk -v n="$1" 'BEGIN { k = int((n / 4096) ^ (1 / 3) + 0.5); print k > 1 ? k : 1 }'
+    awk -v n="$1" 'BEGIN { k = int((n / 4096) ^ (1 / 3) + 0.5); print (k > 1 ? k : 1) }'
 }
 
 series() {
@@ -235,18 +235,18 @@ counted() {
             phase["petsc_matrix_values"] = "assembly"
             phase["petsc_solver_set_up"] = "preconditioner"
             phase["petsc_solver_solve"] = "solve"
-            count = split("neighbours operators assembly preconditioner solve", order, " ")
+            phases = split("neighbours operators assembly preconditioner solve", order, " ")
         }
-        match($0, /:[A-Za-z_0-9.]+ /) {
-            name = substr($0, RSTART + 1, RLENGTH - 2)
-            sub(/\..*/, "", name)
-            count_text = $1
-            gsub(",", "", count_text)
-            if (name in phase && !(name in seen)) { sum[phase[name]] += count_text; seen[name] = 1 }
+        match($0, /:[A-Za-z_0-9.]+( |$)/) {
+            name = substr($0, RSTART + 1, RLENGTH - 1)
+            sub(/[. ].*/, "", name)
+            instructions = $1
+            gsub(",", "", instructions)
+            if (name in phase && !(name in seen)) { sum[phase[name]] += instructions; seen[name] = 1 }
         }
         END {
             printf "{\"particles\": %d, \"instructions_per_particle\": {", n
-            for (k = 1; k <= count; k++) printf "%s\"%s\": %.0f", k > 1 ? ", " : "", order[k], sum[order[k]] / n
+            for (k = 1; k <= phases; k++) printf "%s\"%s\": %.0f", (k > 1 ? ", " : ""), order[k], sum[order[k]] / n
             printf "}, \"before_solve\": %.3g}\n", (sum["neighbours"] + sum["operators"] + sum["assembly"]) / (sum["preconditioner"] + sum["solve"])
         }'
 }

@@ -61,7 +61,7 @@ struct fluid_solver {
     double
         tolerance; /* STEADY: change of the mean flow; TRANSIENT: relative residual of the pressure; NAN: the
                          scheme's own */
-    int reuse;     /* matrices with new values that one preconditioner of multigrid may serve */
+    int reuse;     /* matrices with new values that one preconditioner of the pressure may serve */
     char petsc[FLUID_PETSC_MAX]; /* options handed on to PETSc */
 };
 

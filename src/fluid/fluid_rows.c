@@ -155,7 +155,7 @@ static const struct schema_row solver_rows[] = {
      .help = "steady: change of the mean flow at which the solver ends, 1e-3 if left out; transient: relative residual of the "
              "pressure, else 1e-5"},
     {.key = "reuse", .type = SCHEMA_INT, .range = "[0, 1000]", .fallback = "5", AT(struct fluid_solver, reuse),
-     .help = "how often a multigrid preconditioner is kept when the matrix has new values, for particles that move; it is made "
+     .help = "how often the preconditioner of the pressure is kept for a matrix with new values, as particles that move make them; it is made "
              "again sooner if a solve takes more than half as many iterations again as the first one with it"},
     {.key = "petsc", .type = SCHEMA_TEXT, .fallback = "", AT(struct fluid_solver, petsc),
      .help = "options for PETSc, as on a command line; prefixes fluid_u_, fluid_p_, fluid_s_",

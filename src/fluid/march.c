@@ -173,6 +173,9 @@ static void step_transient(const struct physics_context *context, struct fluid *
         return;
     if (old && moves)
         projection_refill(fluid->projection, &fluid->flow);
+    if (old && fluid->renew)
+        projection_renew(fluid->projection);
+    fluid->renew = false;
     drive_adjust(&fluid->drive, options, context->box, &fluid->flow, context->clock->dt);
     if (!moves)
         projection_step(fluid->projection, &fluid->flow, &fluid->past, context->clock->dt, fluid->drive.force,

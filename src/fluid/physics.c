@@ -109,6 +109,8 @@ static void print(const struct physics_context *context, FILE *file) {
 
 static void restart(const struct physics_context *context, struct restart *list) {
     struct fluid *fluid = context->self;
+    fluid->renew = motion_moves(
+        fluid->options); /* matrices that stay keep their preconditioners, which follow from them */
     restart_add(list, RESTART_INTEGER, false, &fluid->past.steps, "fluid: steps");
     restart_add(list, RESTART_REAL, false, &fluid->past.dt, "fluid: last time step");
     for (int d = 0; d < 3; d++)

@@ -21,7 +21,6 @@ static bool make_systems(struct projection *projection, struct solve *solve, con
     pressure.preconditioner = options->preconditioner;
     pressure.tolerance = options->tolerance_pressure;
     pressure.reuse = options->reuse;
-    velocity.reuse = velocity.preconditioner == options->preconditioner ? options->reuse : 0;
     return assembly_make(&projection->assembly, flow, error) &&
            momentum_make(&projection->momentum, solve, &projection->assembly, flow, implicit, &velocity,
                          error) &&
@@ -65,6 +64,10 @@ void projection_refill(struct projection *projection, const struct flow *flow) {
     assembly_pressure(&projection->assembly, flow->weights);
     solve_values(projection->pressure.system, projection->assembly.value);
     momentum_refill(&projection->momentum);
+}
+
+void projection_renew(struct projection *projection) {
+    solve_renew(projection->pressure.system);
 }
 
 /* (u . grad) u at the middle of the step, extrapolated from this step and the one before; keeps that of this

@@ -23,7 +23,7 @@ struct projection_options {
     bool advection;             /* false: Stokes */
     const char *preconditioner; /* of the pressure, and of the velocity where dt is long (solve.h) */
     double tolerance_velocity, tolerance_pressure; /* relative residuals */
-    int reuse;                                     /* of multigrid preconditioners, as in solve.h */
+    int reuse;                                     /* of the pressure's preconditioner, as in solve.h */
 };
 
 /* What the next step must know of the ones before; a restart keeps it, beside flow->advection_before. */
@@ -42,6 +42,10 @@ void projection_destroy(struct projection **projection);
 
 /* The weights have new values on the old pattern: particles have moved. */
 void projection_refill(struct projection *projection, const struct flow *flow);
+
+/* The next solve for the pressure makes its preconditioner: after a checkpoint, as a run that is resumed from it does.
+ * Not collective, but alike on all ranks. */
+void projection_renew(struct projection *projection);
 
 /* Makes a step under a force per volume; copies of velocity and pressure are up to date before and after.
  * False, with an error (ERROR_PHYSICS), if a solver failed. */

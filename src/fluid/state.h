@@ -27,6 +27,7 @@ struct fluid {
     struct flow flow;
     struct solve *solve;           /* NULL: not begun */
     bool first;                    /* this is rank 0 */
+    bool renew;                    /* a checkpoint was written since the last step */
     int64_t doubtful;              /* solves so far with a residual far above the tolerance */
     struct projection *projection; /* NULL: no matrices yet */
     struct projection_past past;
