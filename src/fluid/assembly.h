@@ -14,8 +14,8 @@ struct assembly {
     int32_t *start, *column; /* as in struct solve_rows */
     int32_t
         *place; /* by entry of the weights: where the value of a fluid neighbour, or of an image, is added */
-    int32_t *diagonal; /* by row: where the diagonal stands */
-    double *value;     /* scratch for one matrix at a time */
+    int32_t *diagonal;     /* by row: where the diagonal stands */
+    double *value;         /* scratch for one matrix at a time */
     struct timers *timers; /* of the flow, borrowed */
 };
 
