@@ -64,6 +64,11 @@ nobase_dist_pkgdata_DATA += \
 nobase_dist_pkgdata_SCRIPTS += \
 	$(penetration)/check $(penetration)/lammps/run.sh $(penetration)/layouts $(penetration)/run.sh
 
+dumbbells = examples/dumbbells
+nobase_dist_pkgdata_DATA += \
+	$(dumbbells)/README.md $(dumbbells)/members.awk $(dumbbells)/picture.gp $(dumbbells)/scene.yaml
+nobase_dist_pkgdata_SCRIPTS += $(dumbbells)/check $(dumbbells)/run.sh
+
 pupcs = examples/pupcs
 nobase_dist_pkgdata_DATA += \
 	$(pupcs)/README.md $(pupcs)/dense/scene.yaml $(pupcs)/large/scene.yaml $(pupcs)/sizes.gp \

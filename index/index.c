@@ -76,10 +76,29 @@ void index_build(struct index *index, const struct index_view *view) {
     index->builds++;
 }
 
+/* Drops the pairs of one body among those from `first` on. */
+static void bodies_drop(const struct index_view *view, size_t first, struct index_sink *sink) {
+    const uint32_t partner = (1u << INDEX_IMAGE_SHIFT) - 1;
+    size_t kept = first;
+    for (size_t k = first; k < sink->count; k++) {
+        int64_t body = view->body[sink->i[k]];
+        if (body >= 0 && body == view->body[sink->j[k] & partner]) {
+            continue;
+        }
+        sink->i[kept] = sink->i[k];
+        sink->j[kept++] = sink->j[k];
+    }
+    sink->count = kept;
+}
+
 void index_visit(const struct index *index, const struct index_view *view, size_t first, size_t last,
                  struct index_sink *sink) {
     assert(index->builds > 0 && first <= last && last <= view->owned);
+    size_t before = sink->count;
     index->ops->visit(index, view, first, last, sink);
+    if (view->body && sink->count <= sink->capacity) {
+        bodies_drop(view, before, sink);
+    }
 }
 
 bool index_check(const struct index *index, const struct index_view *view, char why[INDEX_WHY_MAX]) {

@@ -5,7 +5,8 @@
  *     | x_j + shift(image) - x_i |  <=  r_i + r_j + margin(class i, class j)       (index_view.margin)
  * Particles of two classes whose margin is INDEX_NOT_WANTED never meet, however near: no index emits such a
  * pair, and none searches for it, as far as its cells keep the classes apart (index_wanted). A class may be
- * unwanted with itself; a class without any partner class costs an index nothing.
+ * unwanted with itself; a class without any partner class costs an index nothing. Particles of one rigid body
+ * (index_view.body) never meet either: index_visit drops their pairs, so that no index need know of bodies.
  * The index itself wraps directions that are periodic *in the view*, and then names the image of j; in all
  * other directions the image is 0, and the view has the copies (ghosts) that are needed. Because the image is
  * explicit, boxes thinner than two cut-offs and particles larger than half a box work: the same i and j may
@@ -76,6 +77,7 @@ struct index_view {
     const double *radius;      /* radius of particle k at radius[k * stride] */
     size_t stride;             /* doubles from one particle to the next */
     const uint8_t *size_class; /* class of particle k, 0 ... classes-1, from small to large */
+    const int64_t *body;       /* particles of one body, a number >= 0, never meet; NULL: no bodies */
     const int64_t *id;         /* global ids; only ghost pairs of equal radius need them (index_pair_home) */
     int dimension;             /* 2 or 3; in 2D all z are equal */
     double edge[3];            /* box edges; the box's lower corner is the origin */

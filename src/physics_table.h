@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The physics that a scene may ask for beside its grains: one row each, with NAME, the key of the physics'
  * section in a scene, and a summary. engine/physics.h has the contract and the recipe. A row stands for these
- * objects of src/NAME/. PARTICLES is OWN if the physics makes
- * particles of its own, and needs all pairs of each on its rank (newton is then off); GRAINS if not:
+ * objects of src/NAME/. PARTICLES is OWN if the physics makes particles of its own, and needs all pairs of each on
+ * its rank (newton is then off); BODIES if its own particles meet nobody; GRAINS if it makes none:
  *
  *   NAME_physics      struct physics              engine/physics.h
  *   NAME_schema       struct schema_table         the rows of its section (scene/schema.h)
@@ -18,6 +18,7 @@
         "the SPH number density of each particle, sum of W(|x_ij|, support)")                                \
     ROW(heat, heat, GRAINS, "heat that grains conduct through contacts, with walls and through gas")         \
     ROW(bonds, bonds, GRAINS, "parallel bonds that hold grains together until they break")                   \
+    ROW(bodies, bodies, BODIES, "rigid bodies of spheres, which may overlap")                                \
     ROW(fluid, fluid, OWN, "an incompressible fluid around grains and between walls (implicit SPH)")
 
 #define PHYSICS_ENUMERATOR(name, key, whose, summary) PHYSICS_##name,
@@ -34,16 +35,21 @@ struct particles;
 PHYSICS_TABLE(PHYSICS_DECLARE)
 #undef PHYSICS_DECLARE
 
+/* The particles that a physics makes. */
+enum physics_particles { PHYSICS_GRAINS, PHYSICS_OWN, PHYSICS_BODIES };
+static inline enum physics_particles physics_particles(int k) {
+#define PHYSICS_PARTICLES(name, key, whose, summary) PHYSICS_##whose,
+    static const enum physics_particles of[] = {PHYSICS_TABLE(PHYSICS_PARTICLES)};
+#undef PHYSICS_PARTICLES
+    return of[k];
+}
+
 /* True if physics k makes particles of its own. */
 static inline bool physics_has_particles(int k) {
-    enum { PHYSICS_GRAINS, PHYSICS_OWN };
-#define PHYSICS_PARTICLES(name, key, whose, summary) PHYSICS_##whose == PHYSICS_OWN,
-    static const bool own[] = {PHYSICS_TABLE(PHYSICS_PARTICLES)};
-#undef PHYSICS_PARTICLES
-    return own[k];
+    return physics_particles(k) != PHYSICS_GRAINS;
 }
 
 /* Doubles that the options of one physics may take in a scene. */
-enum { PHYSICS_OPTIONS_MAX = 512 };
+enum { PHYSICS_OPTIONS_MAX = 2048 };
 
 #endif

@@ -250,6 +250,10 @@ tests_checkpoint_lines_SOURCES = tests/checkpoint_lines.c
 tests_checkpoint_lines_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
 tests_checkpoint_lines_LDADD = $(OBSERVE_LIBS)
 
+check_PROGRAMS += tests/test_bodies
+tests_test_bodies_SOURCES = tests/test_bodies.c
+tests_test_bodies_LDADD = libbodies.la $(CORE_LIBS) $(TEST_LIBS)
+
 check_PROGRAMS += tests/test_fluid_operators
 tests_test_fluid_operators_SOURCES = tests/test_fluid_operators.c
 tests_test_fluid_operators_LDADD = $(FLUID_LIBS) $(TEST_LIBS)

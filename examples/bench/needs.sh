@@ -16,7 +16,7 @@ trap 'rm -rf "$out"' EXIT
 smooth='material_pairs=[{restitution: 0.9}]'
 hooke='materials=[{name: a, density: 1}]'
 discs=(--set 'box={dimension: 2, lower: [0, 0, -2], upper: [180, 180, 2], periodic: [true, true, false]}' --set particles.lattice=square)
-names=(bonds heat jkr capillary luding full no_rolling no_friction no_walls hooke no_periodic discs)
+names=(bodies bonds heat jkr capillary luding full no_rolling no_friction no_walls hooke no_periodic discs)
 flags_of() {
     local rolling=(--set contact.rolling=none --set 'material_pairs=[{restitution: 0.9, friction: 0.5}]')
     local friction=(--set 'contact={law: hertz, tangential: none}' --set "$smooth") walls=(--set 'walls=[]')
@@ -24,6 +24,7 @@ flags_of() {
     local pair='restitution: 0.9, friction: 0.5'
     case $1 in
     bonds) flags=(--set 'bonds={gap: 0.01, laws: [{modulus: 1e5, stiffness_ratio: 2}]}') ;;
+    bodies) flags=(--set 'bodies={clumps: [{spheres: [{centre: [-1, 0, 0], radius: 1}, {centre: [1, 0, 0], radius: 1}]}]}') ;;
     heat) flags=(--set 'heat={materials: [{conductivity: 1, capacity: 1}]}') ;;
     jkr) flags=(--set 'contact={law: hertz, cohesion: {law: jkr}}' --set "material_pairs=[{$pair, surface_energy: 10}]") ;;
     capillary) flags=(--set 'contact={law: hertz, cohesion: {law: capillary}}' --set "material_pairs=[{$pair, surface_tension: 10, contact_angle: 0.5, bridge_volume: 0.01}]") ;;

@@ -99,6 +99,7 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/turning-wall/disc.txt \
 	examples/verify/turning-wall/hertz.yaml \
 	examples/verify/turning-wall/plane.yaml \
+	examples/verify/tumbling-clump/scene.yaml \
 	examples/verify/turning-wall/scene.yaml \
 	examples/verify/vyas/plot.gp \
 	examples/verify/vyas/ratio-100.txt \
@@ -160,6 +161,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/slide-to-roll/check \
 	examples/verify/stack/check \
 	examples/verify/sticking-velocity/check \
+	examples/verify/tumbling-clump/check \
 	examples/verify/turning-wall/check \
 	examples/verify/vyas/check \
 	examples/verify/wall-edge/check

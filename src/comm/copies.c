@@ -4,6 +4,7 @@
 
 #include "core/memory.h"
 #include "particles/fields.h"
+#include "particles/kinds.h"
 
 #include <assert.h>
 #include <float.h>
@@ -17,6 +18,8 @@ void copies_reach(const struct size_classes *classes, bool reduced, double reach
         for (int c = 0; c <= last; c++)
             if (classes_meet(classes, a, c))
                 reach[a] = fmax(fmax(reach[a], 0), classes->radius_max[c] + classes->margin[a][c]);
+        if (classes->kind[a] == KIND_BODY) /* known wherever it may have members */
+            reach[a] = fmax(reach[a], 0);
     }
 }
 

@@ -7,7 +7,14 @@
 #include <stdint.h>
 
 /* The uses of streams: one stream for each use, so that no two uses share numbers. */
-enum random_stream { RANDOM_POSITION, RANDOM_RADIUS, RANDOM_VELOCITY, RANDOM_INSERTION, RANDOM_TEST };
+enum random_stream {
+    RANDOM_POSITION,
+    RANDOM_RADIUS,
+    RANDOM_VELOCITY,
+    RANDOM_INSERTION,
+    RANDOM_TEST,
+    RANDOM_ORIENTATION
+};
 
 /* A reader of one sequence: (seed, stream, item) fixes the sequence, and each draw advances `draw`. Plain
  * data; may be copied. */

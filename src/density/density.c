@@ -4,6 +4,7 @@
 #include "core/memory.h"
 #include "engine/physics.h"
 #include "pairs/walk.h"
+#include "particles/kinds.h"
 #include <math.h>
 
 static double weight(const struct physics_context *context) {
@@ -28,7 +29,8 @@ static const struct walk_client client = {.name = "number density",
                                           .compute = compute};
 
 static double range(const void *options, int kind_a, double radius_a, int kind_b, double radius_b) {
-    (void)kind_a, (void)kind_b;
+    if (kind_a == KIND_BODY || kind_b == KIND_BODY)
+        return -INFINITY;
     return ((const struct density_options *)options)->support - radius_a - radius_b;
 }
 

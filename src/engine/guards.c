@@ -278,6 +278,7 @@ void guards_check_energy(struct simulation *s) {
     struct guard_energy *energy = &s->guards.energy;
     double balance, in_play, speed;
     uint64_t changes = s->sources.inserted + s->sources.deleted;
+    physics_full_step(&s->physics);
     energy_measure(s, &balance, &in_play);
     energy->in_play = fmax(energy->in_play, in_play);
     if (!energy->begun || changes != energy->changes || s->sources.last_step > energy->step) {

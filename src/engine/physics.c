@@ -198,7 +198,14 @@ bool physics_table_write(const struct physics_set *set, struct error *error) {
     return good;
 }
 
+void physics_full_step(const struct physics_set *set) {
+    for (int k = 0; k < set->count; k++)
+        if (set->active[k].row->full_step)
+            set->active[k].row->full_step(&set->active[k].context);
+}
+
 void physics_look(const struct physics_set *set) {
+    physics_full_step(set);
     for (int k = 0; k < set->count; k++) {
         const struct physics_active *active = &set->active[k];
         for (int p = 0; p < active->row->passes; p++) {

@@ -35,6 +35,7 @@
 #include "contact/force.h"
 #include "engine/clock.h"
 #include "formats/restart.h"
+#include "integrate/integrator.h"
 #include "observe/report.h"
 #include "pairs/interaction.h"
 #include "particles/fields.h"
@@ -56,7 +57,8 @@ struct physics_context {
     const struct size_classes *classes;
     const struct pairlist *list[PHYSICS_INTERACTIONS_MAX]; /* lists of the interactions, in their order */
     struct walls *walls;                                   /* NULL: none */
-    struct force_context *contact; /* of grains; a physics may ask for the work of contacts in `create` */
+    struct force_context *contact;     /* of grains; a physics may ask for the work of contacts in `create` */
+    struct integrator_context *motion; /* of grains; a physics that carries grains sets motion->carried */
     const struct clock *clock; /* number, time and length of the step; the length may change between steps */
     struct timers *timers;     /* of the run, for the stages of the physics; only the main thread uses them */
     int threads;
@@ -168,6 +170,9 @@ struct physics {
     bool (*table_open)(const struct physics_context *context, const char *directory, int64_t step,
                        struct error *error);
     bool (*table_write)(const struct physics_context *context, struct error *error);
+    /* Brings velocities that integrator_full_step reads up to date, before they are observed. NULL: nothing to
+     * do. Collective. */
+    void (*full_step)(const struct physics_context *context);
     /* The largest time step, up to `most`, that is stable for the present state. NULL: any. Collective. */
     double (*limit)(const struct physics_context *context, double most);
     const char *limit_why; /* the cause of the limit, for messages: "advection of the fluid ..." */
@@ -248,7 +253,10 @@ bool physics_table_open(const struct physics_set *set, const char *directory, in
                         struct error *error);
 bool physics_table_write(const struct physics_set *set, struct error *error);
 
-/* Runs the passes before output. Collective. */
+/* Calls `full_step` of all physics. Collective. */
+void physics_full_step(const struct physics_set *set);
+
+/* Runs the passes before output, after physics_full_step. Collective. */
 void physics_look(const struct physics_set *set);
 
 /* The smallest limit of all physics; the guards of all; the restart numbers of all. */

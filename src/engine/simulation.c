@@ -119,6 +119,7 @@ static void physics_start(struct simulation *s) {
                                       .classes = &s->classes,
                                       .walls = s->grains.walls,
                                       .contact = &s->grains.contact,
+                                      .motion = &s->grains.motion,
                                       .clock = &s->clock,
                                       .timers = &s->timers,
                                       .threads = s->threads,

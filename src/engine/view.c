@@ -7,6 +7,7 @@ void simulation_index_view(struct simulation *s, struct index_view *view) {
     pairlist_view(view, s->particles, &s->classes, &s->box, s->ranks.wrap);
     view->newton = s->scene->ghosts.newton;
     view->threads = s->team.size;
+    view->body = carried_by(s->particles);
 }
 
 struct output_view simulation_view(const struct simulation *s) {

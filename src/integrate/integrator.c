@@ -39,6 +39,7 @@ struct integrator_pass {
     double *force;
     double (*omega)[4];   /* NULL without spin */
     const uint8_t *group; /* NULL where all are free */
+    const int64_t *body;  /* of carried grains, else -1; NULL without bodies */
 };
 
 static inline __attribute__((always_inline)) struct integrator_pass
@@ -53,7 +54,8 @@ integrator_pass_of(const struct particles *particles, const struct integrator_co
                                     .state = particles->state,
                                     .force = particles->force,
                                     .omega = spin ? spin_of(particles) : NULL,
-                                    .group = context->groups > 1 ? groups_of(particles) : NULL};
+                                    .group = context->groups > 1 ? groups_of(particles) : NULL,
+                                    .body = context->carried ? carried_by(particles) : NULL};
 }
 
 /* The prescribed motion of particle i, or NULL if it is free. */
@@ -62,6 +64,11 @@ static inline const struct integrator_motion *integrator_motion_of(const struct 
     if (pass->group == NULL || !pass->motion[pass->group[i]].prescribed)
         return NULL;
     return &pass->motion[pass->group[i]];
+}
+
+/* True if a body carries particle i. */
+static inline bool integrator_carries(const struct integrator_pass *pass, size_t i) {
+    return pass->body && pass->body[i] >= 0;
 }
 
 /* 1 / moment of inertia of a solid sphere: 5 / (2 m r^2). */
@@ -118,7 +125,7 @@ void integrator_prescribe(struct particles *particles, const struct integrator_c
         return;
 #pragma omp parallel for schedule(static)
     for (size_t i = 0; i < particles->owned; i++)
-        if (integrator_motion_of(&pass, i))
+        if (integrator_motion_of(&pass, i) && !integrator_carries(&pass, i))
             integrator_kick(pass, i);
 }
 
@@ -129,7 +136,10 @@ double integrator_advance(struct particles *particles, const struct integrator_c
     for (size_t i = first; i < last; i++) {
         struct particle_state *state = &pass.state[i];
         double *force = pass.force + i * pass.stride, square = 0.0;
-        if (integrator_motion_of(&pass, i)) {
+        if (integrator_carries(&pass, i)) {
+            square = carried_move(context->carried, i, context->dt, context->dimension == 2, state,
+                                  pass.omega ? pass.omega[i] : NULL);
+        } else if (integrator_motion_of(&pass, i)) {
             integrator_kick(pass, i);
             for (int c = 0; c < 3; c++) {
                 state->x[c] += pass.dt[c] * state->v[c];
@@ -151,7 +161,8 @@ void integrator_stagger(struct particles *particles, const struct integrator_con
                         size_t last) {
     const struct integrator_pass pass = integrator_pass_of(particles, context, -0.5 * context->dt, true);
     for (size_t i = first; i < last; i++)
-        integrator_kick(pass, i);
+        if (!integrator_carries(&pass, i))
+            integrator_kick(pass, i);
 }
 
 /* As integrator_full_step, of a particle that moves by itself if `grain`; omega may be NULL. */
@@ -175,7 +186,10 @@ void integrator_full_step(const struct particles *particles, const struct integr
     const struct integrator_pass pass =
         integrator_pass_of(particles, context, 0.5 * context->dt, omega != NULL);
     const uint8_t *kind = kinds_of(particles);
-    full_step(&pass, i, kind == NULL || kind[i] == KIND_GRAIN, velocity, omega);
+    if (integrator_carries(&pass, i))
+        carried_full_step(context->carried, i, velocity, omega);
+    else
+        full_step(&pass, i, kind == NULL || kind[i] == KIND_GRAIN, velocity, omega);
 }
 
 void integrator_energies(const struct particles *particles, const struct integrator_context *context,
@@ -185,9 +199,14 @@ void integrator_energies(const struct particles *particles, const struct integra
     for (size_t i = first; i < last; i++) {
         const struct particle_state *state = &pass.state[i];
         double v[3], w[3] = {0.0, 0.0, 0.0};
+        if (context->carried && kind[i] == KIND_BODY)
+            energy[1] += context->carried->pose[context->carried->pose_of[i]].energy;
         if (!(state->inverse_mass > 0.0) || (kind && kind[i] != KIND_GRAIN))
             continue;
-        full_step(&pass, i, true, v, pass.omega ? w : NULL);
+        if (integrator_carries(&pass, i))
+            carried_full_step(context->carried, i, v, w);
+        else
+            full_step(&pass, i, true, v, pass.omega ? w : NULL);
         double mass = 1.0 / state->inverse_mass;
         energy[0] += 0.5 * mass * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
         energy[1] += 0.2 * mass * state->radius * state->radius * (w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);

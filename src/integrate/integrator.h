@@ -11,7 +11,7 @@
 #ifndef SCREE_INTEGRATE_INTEGRATOR_H
 #define SCREE_INTEGRATE_INTEGRATOR_H
 
-#include "particles/particles.h"
+#include "integrate/carried.h"
 
 struct integrator {
     const char *name;
@@ -37,7 +37,8 @@ struct integrator_context {
     double dt;
     double gravity[3];
     int dimension;
-    int groups; /* 1: only "free" */
+    const struct carried *carried; /* grains that bodies carry; NULL: none */
+    int groups;                    /* 1: only "free" */
     struct integrator_motion motion[INTEGRATOR_GROUPS_MAX];
 };
 
@@ -46,13 +47,13 @@ struct integrator_context {
 void integrator_prescribe(struct particles *particles, const struct integrator_context *context);
 
 /* Kicks and drifts the owned particles [first, last): v += dt (f/m + g), omega += dt torque/I, x += dt v;
- * sets their force record to zero; sets prescribed motion. In 2D z stays. Returns the largest |v|^2 of the
+ * sets their force record to zero; sets prescribed motion, and that of carried grains. In 2D z stays. Returns the largest |v|^2 of the
  * range (speed for the skin), NaN if one is not finite. Any thread, disjoint ranges. */
 double integrator_advance(struct particles *particles, const struct integrator_context *context, size_t first,
                           size_t last);
 
 /* Turns the initial full-step velocities into v(-1/2), once the forces at the start are known: v -= dt/2 (f/m
- * + g), omega likewise. */
+ * + g), omega likewise. Leaves carried grains alone. */
 void integrator_stagger(struct particles *particles, const struct integrator_context *context, size_t first,
                         size_t last);
 
@@ -62,7 +63,8 @@ void integrator_full_step(const struct particles *particles, const struct integr
                           size_t i, double velocity[3], double omega[3]);
 
 /* Adds the kinetic energy, and the energy of rotation, of the free grains among the owned particles [first, last)
- * to energy[0] and energy[1]; at the full step. Any thread. */
+ * to energy[0] and energy[1]; at the full step. Of bodies: the part that the masses of their members do not
+ * account for. Any thread. */
 void integrator_energies(const struct particles *particles, const struct integrator_context *context,
                          size_t first, size_t last, double energy[2]);
 

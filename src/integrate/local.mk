@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libintegrate.la
 libintegrate_la_SOURCES = \
+	src/integrate/carried.c \
+	src/integrate/carried.h \
 	src/integrate/groups.c \
 	src/integrate/groups.h \
 	src/integrate/integrator.c \

@@ -3,6 +3,7 @@
 #include "observe/observables_kinds.h"
 #include "contact/spin.h"
 #include "integrate/groups.h"
+#include "particles/kinds.h"
 
 #include <math.h>
 #include <string.h>
@@ -26,6 +27,13 @@ static bool is_free(const struct particles *particles, size_t i) {
     return particles->state[i].inverse_mass > 0;
 }
 
+/* The pose of a body, which has what the masses of its members do not account for; NULL: particle i is none. */
+static const struct carried_pose *body_of(const struct output_view *view, size_t i) {
+    const struct carried *carried = view->motion->carried;
+    const uint8_t *kind = kinds_of(view->particles);
+    return carried && kind && kind[i] == KIND_BODY ? &carried->pose[carried->pose_of[i]] : NULL;
+}
+
 static void add_kinetic(const struct output_view *view, const struct observable_item *item, size_t i,
                         double *part) {
     (void)item;
@@ -39,7 +47,10 @@ static void add_rotational(const struct output_view *view, const struct observab
                            double *part) {
     (void)item;
     const struct particle_state *state = &view->particles->state[i];
+    const struct carried_pose *body = body_of(view, i);
     double v[3], w[3];
+    if (body)
+        part[0] += body->energy;
     if (!spin_of(view->particles) || !is_free(view->particles, i))
         return;
     integrator_full_step(view->particles, view->motion, i, v, w);
@@ -68,7 +79,10 @@ static void add_angular_momentum(const struct output_view *view, const struct ob
                                  double *part) {
     (void)item;
     const struct particle_state *state = &view->particles->state[i];
+    const struct carried_pose *body = body_of(view, i);
     double x[3], v[3], w[3] = {0};
+    for (int d = 0; body && d < 3; d++)
+        part[d] += body->rest[d];
     if (!is_free(view->particles, i))
         return;
     unwrapped(view, i, x);
@@ -228,6 +242,7 @@ static const struct observable_kind kinds[] = {
      .of_particle = add_kinetic},
     {.info = ALL("energy_rotational", "energy", "J", 1, "rotational energy of the free particles"),
      .parts = 1,
+     .of_all_kinds = true,
      .of_particle = add_rotational,
      .relevant = has_spin},
     {.info = ALL("energy_gravity", "energy", "J", 1, "potential energy -m g x of the free particles"),
@@ -259,6 +274,7 @@ static const struct observable_kind kinds[] = {
                  "for errors of the time step"),
      .parts = 1,
      .needs_sums = true,
+     .of_all_kinds = true,
      .of_particle = add_total,
      .needs_work = true,
      .of_rank = total_of_rank},
@@ -268,6 +284,7 @@ static const struct observable_kind kinds[] = {
     {.info = ALL("angular_momentum", "", "kg m2/s", 3,
                  "angular momentum of the free particles about the origin, spin included"),
      .parts = 3,
+     .of_all_kinds = true,
      .of_particle = add_angular_momentum},
     {.info = ALL("centre", "", "m", 3, "centre of mass of all particles"),
      .parts = 4,

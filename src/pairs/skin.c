@@ -2,6 +2,7 @@
 /* Measures displacements and compares them with the skins. Read skin.h first. */
 #include "pairs/skin.h"
 #include "core/memory.h"
+#include "particles/kinds.h"
 #include <math.h>
 #include <string.h>
 
@@ -134,9 +135,10 @@ void skin_measure(struct skin *skin, const struct particles *particles, int clas
     }
 }
 
-/* Class pairs that are not wanted have no skin to use up; walls (b = count) always count. */
+/* Class pairs that are not wanted have no skin to use up; walls (b = count) always count, but for bodies, which
+ * meet no wall: their members do. */
 static bool counts(const struct size_classes *classes, int a, int b) {
-    return b == classes->count || classes_meet(classes, a, b);
+    return b == classes->count ? classes->kind[a] != KIND_BODY : classes_meet(classes, a, b);
 }
 
 /* True if the bounds, each grown by `more` x its last growth, exceed a skin. */

@@ -11,15 +11,15 @@ static const struct field kind_field = {.name = "kind",
                                         .components = 1,
                                         .use = FIELD_GHOST | FIELD_TRAVELS | FIELD_OUTPUT | FIELD_FIXED,
                                         .needed_for = "more than one kind of particles",
-                                        .help = "0: grain, 1: fluid, 2: boundary"};
+                                        .help = "0: grain, 1: fluid, 2: boundary, 3: body"};
 
 const char *kinds_name(enum kind kind) {
     static const char *const names[KINDS] = {
-        [KIND_GRAIN] = "grain", [KIND_FLUID] = "fluid", [KIND_BOUNDARY] = "boundary"};
+        [KIND_GRAIN] = "grain", [KIND_FLUID] = "fluid", [KIND_BOUNDARY] = "boundary", [KIND_BODY] = "body"};
     return names[kind];
 }
 
-static const enum kind order_of_kinds[KINDS] = {KIND_FLUID, KIND_BOUNDARY, KIND_GRAIN};
+static const enum kind order_of_kinds[KINDS] = {KIND_FLUID, KIND_BOUNDARY, KIND_GRAIN, KIND_BODY};
 
 int kinds_place(enum kind kind) {
     int place = 0;

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Kinds: the physical sort of a particle: grains, or the points at which a fluid is computed, or the points
- * behind its boundaries.
+ * behind its boundaries, or the centres of rigid bodies.
  *
  * Particles lie kind by kind, and class by class inside a kind: a size class is (kind, interval of radii),
  * numbered kind after kind and from small to large in each, and a rebuild orders particles by class
  * (kinds_sort). So the particles of a kind are one range (kinds_span), and a pass of a physics visits its
  * kind alone. A set with one kind has no field of kinds and pays nothing.
  *
- * The order of the kinds (kinds_place) is fluid, boundary, grain: an index wants classes from small to large
- * (index.h), and grains are larger than the spacing of a fluid that resolves the flow around them.
+ * The order of the kinds (kinds_place) is fluid, boundary, grain, body: an index wants classes from small to
+ * large (index.h), and grains are larger than the spacing of a fluid that resolves the flow around them. Bodies
+ * meet nobody (their members do), so their sizes do not matter to an index.
  *
  * How to add a kind, in three steps:
  *   1. Add it to enum kind and its name to kinds.c.
@@ -21,9 +22,9 @@
 
 #include "particles/particles.h"
 
-enum kind { KIND_GRAIN, KIND_FLUID, KIND_BOUNDARY, KINDS };
+enum kind { KIND_GRAIN, KIND_FLUID, KIND_BOUNDARY, KIND_BODY, KINDS };
 
-/* "grain", "fluid", "boundary". */
+/* "grain", "fluid", "boundary", "body". */
 const char *kinds_name(enum kind kind);
 
 /* The place of a kind in memory, 0 ... KINDS - 1, and the kind of a place. */

@@ -108,7 +108,7 @@ static void finish_motion(struct scene *scene) {
 
 static void finish_newton(struct scene *scene) {
     for (int k = 0; k < PHYSICS_COUNT; k++)
-        if (scene->physics_given[k] && physics_has_particles(k))
+        if (scene->physics_given[k] && physics_particles(k) == PHYSICS_OWN)
             scene->ghosts.newton = false;
 }
 

@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Volume, centre and inertia of spheres together, and principal axes. */
+#ifndef SCREE_BODIES_MOMENTS_H
+#define SCREE_BODIES_MOMENTS_H
+
+/* A sphere of a body, in the frame of the body. Lengths. */
+struct clump_sphere {
+    double centre[3], radius;
+};
+
+struct moments {
+    double volume, centre[3];
+    double gyration[9]; /* inertia about the centre over mass, row by row, of a uniform density */
+};
+
+/* Of spheres that do not overlap, by formula: 2/5 m r^2 each, and parallel axes. */
+void moments_sum(const struct clump_sphere *sphere, int spheres, struct moments *moments);
+
+/* Of the union of spheres, by quadrature: columns along z on a square grid, exact in z. The relative error is about
+ * 1e-5 (a test has it for two spheres). One thread. */
+void moments_union(const struct clump_sphere *sphere, int spheres, struct moments *moments);
+
+/* Eigenvalues, from small to large, of a symmetric matrix, and its axes as the columns of a rotation (Jacobi). */
+void moments_axes(const double matrix[9], double value[3], double turn[9]);
+
+/* The unit quaternion (w, x, y, z) of a rotation matrix. */
+void moments_quaternion(const double turn[9], double q[4]);
+
+#endif
