@@ -2,6 +2,7 @@
 /* Start and end of MPI, and collective sums, maxima and gathers, each checked. Read comm.h first. */
 #include "comm/comm.h"
 
+#include "comm/alone.h"
 #include "core/memory.h"
 
 #include <limits.h>
@@ -23,36 +24,11 @@ void comm_check(int code, const char *call) {
     error_fatal("%s failed: %s", call, text);
 }
 
-/* True if something that starts ranks (mpirun, srun) has started this process. */
-static bool is_launched(void) {
-    return getenv("OMPI_COMM_WORLD_SIZE") || getenv("PMIX_RANK") || getenv("PMI_RANK");
-}
-
-/* Settings of Open MPI for a process without others: no daemon and no search for networks, which take 0.4 s
- * of each start. */
-static const char *const alone[][2] = {
-    {"OMPI_MCA_ess_singleton_isolated", "1"}, {"OMPI_MCA_pml", "ob1"}, {"OMPI_MCA_btl", "self"}};
-enum { ALONE = sizeof alone / sizeof *alone };
-
-/* MPI_Init_thread with these settings, if the process is alone. The settings that the user has made hold, and
- * programs that this one starts see none of ours. */
-static int start_mpi(int *argc, char ***argv, int *provided) {
-    bool set[ALONE] = {false}, launched = is_launched();
-    for (int i = 0; i < ALONE; i++) {
-        set[i] = !launched && !getenv(alone[i][0]);
-        if (set[i])
-            setenv(alone[i][0], alone[i][1], 0);
-    }
-    int code = MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, provided);
-    for (int i = 0; i < ALONE; i++)
-        if (set[i])
-            unsetenv(alone[i][0]);
-    return code;
-}
-
 void comm_start(struct comm *comm, int *argc, char ***argv) {
     int provided = MPI_THREAD_SINGLE;
-    comm_check(start_mpi(argc, argv, &provided), "MPI_Init_thread");
+    comm->alone = alone_begin();
+    comm_check(MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided), "MPI_Init_thread");
+    alone_started(comm->alone);
     comm_check(MPI_Comm_set_errhandler(MPI_COMM_WORLD, MPI_ERRORS_RETURN), "MPI_Comm_set_errhandler");
     comm_check(MPI_Comm_dup(MPI_COMM_WORLD, &comm->handle), "MPI_Comm_dup");
     comm_check(MPI_Comm_set_errhandler(comm->handle, MPI_ERRORS_RETURN), "MPI_Comm_set_errhandler");
@@ -67,6 +43,7 @@ void comm_stop(struct comm *comm) {
     comm_check(MPI_Comm_free(&comm->handle), "MPI_Comm_free");
     error_set_abort(comm->rank, NULL);
     comm_check(MPI_Finalize(), "MPI_Finalize");
+    alone_end(&comm->alone);
 }
 
 void comm_abort(int status) {

@@ -16,6 +16,7 @@
 struct comm {
     MPI_Comm handle; /* a duplicate of MPI_COMM_WORLD, errors returned */
     int rank, size;
+    struct alone *alone; /* of comm_start; NULL on several ranks */
 };
 
 /* The tags of the communicator, one for each use. */
@@ -28,7 +29,7 @@ enum comm_tag {
 };
 
 /* Starts MPI (thread level FUNNELED), duplicates the communicator, sets the abort hook. comm_stop finalises.
- * A process that no mpirun or srun started starts without Open MPI's daemon and networks. Collective. */
+ * A process that no mpirun or srun started does without Open MPI's daemon and networks (alone.h). Collective. */
 void comm_start(struct comm *comm, int *argc, char ***argv);
 void comm_stop(struct comm *comm);
 

@@ -2,6 +2,7 @@
 noinst_LTLIBRARIES += libcomm.la
 libcomm_la_SOURCES = \
 	src/comm/balance.h \
+	src/comm/alone.c src/comm/alone.h \
 	src/comm/comm.c src/comm/comm.h \
 	src/comm/copies.c src/comm/copies.h \
 	src/comm/cores.c src/comm/cores.h \
