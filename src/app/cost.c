@@ -96,7 +96,8 @@ static void files_print(const struct simulation *s, uint64_t steps) {
         file_line("dump.lammpstrj", count, "frame", count * line);
     }
     if (output_interval_set(&output->observables.every))
-        printf("    %-28s %.0f rows\n", "observables.csv", times(s, &output->observables.every, steps));
+        printf("    %-28s %.0f row%s\n", "observables.csv", times(s, &output->observables.every, steps),
+               times(s, &output->observables.every, steps) == 1 ? "" : "s");
     double checkpoints = output->checkpoint.at_end ? 1 : 0;
     if (output->checkpoint.every_steps > 0)
         checkpoints += floor((double)steps / (double)output->checkpoint.every_steps);

@@ -4,6 +4,8 @@
 #include "engine/view.h"
 #include "formats/contact_list.h"
 #include "formats/frame.h"
+#include <stdio.h>
+#include <string.h>
 
 bool outputs_want_sums(const struct outputs *o, const struct simulation *s, uint64_t step) {
     double time = s->clock.time_base + (double)(step - s->clock.step_base) * s->clock.dt;
@@ -18,12 +20,30 @@ bool outputs_sum_each_step(const struct outputs *o) {
 static bool row_write(struct outputs *o, const struct output_view *view, struct error *error) {
     if (!observables_write(o->observables, view, error))
         return false;
+    o->row_written = true;
     if (o->h5md) {
         struct h5md_observables row;
         observables_row(o->observables, view, &row);
         h5md_add_observables(o->h5md, &row);
     }
     return true;
+}
+
+void outputs_last_values(const void *outputs, char *text, size_t room) {
+    enum { SHOWN = 3 };
+    const struct outputs *o = outputs;
+    size_t used = 0;
+    text[0] = '\0';
+    if (o == NULL || !o->row_written)
+        return;
+    int columns = observables_columns(o->observables);
+    for (int c = 0; c < columns && c < SHOWN && used < room; c++) {
+        const char *unit = observables_column_unit(o->observables, c);
+        unit = strcmp(unit, "1") == 0 ? "" : unit;
+        used += (size_t)snprintf(text + used, room - used, ", %s %.4g%s%s",
+                                 observables_column_name(o->observables, c),
+                                 observables_values(o->observables)[c], unit[0] ? " " : "", unit);
+    }
 }
 
 static bool frame_write(struct outputs *o, const struct output_view *view, bool trajectory,

@@ -41,6 +41,10 @@ bool outputs_tables(const struct simulation *simulation, struct error *error);
 /* Writes the data that wait for the next frame, and the tables. Collective. */
 bool outputs_flush(struct outputs *outputs, const struct simulation *simulation, struct error *error);
 
+/* Writes the first observables of the last row as ", energy_kinetic 0.3 J, ..." to `text`; "" before the first
+ * row. `outputs` is a struct outputs *, or NULL. */
+void outputs_last_values(const void *outputs, char *text, size_t room);
+
 /* Writes the data that wait for the next frame, unless `error` is of kind ERROR_SYSTEM, closes all files, and
  * frees. Collective. */
 bool outputs_close(struct outputs **outputs, const struct comm *comm, struct error *error);

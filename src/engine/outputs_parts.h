@@ -11,6 +11,7 @@ struct outputs {
     const struct output_options *options; /* borrowed from the scene */
     const struct output_run *run;         /* borrowed */
     struct observables *observables;      /* NULL: not asked for */
+    bool row_written;                     /* of the observables */
     struct h5md *h5md;
     struct dump *dump;
 };

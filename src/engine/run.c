@@ -276,6 +276,8 @@ static void run_loop(struct run *run, struct error *error) {
     if ((run->options->quiet && run->options->series == NULL) || s->comm->rank != 0)
         progress.mode = PROGRESS_OFF;
     progress_start(&run->progress, &progress, run->options->series, stderr, run->record.first, run->last);
+    run->progress.last_values = outputs_last_values;
+    run->progress.context = run->outputs;
     steps(run, error);
     progress_finish(&run->progress);
     timer_stop(&s->timers, stage);

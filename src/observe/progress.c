@@ -2,6 +2,7 @@
 /* Draws the bar, or prints lines. Read progress.h first. */
 #include "observe/progress.h"
 
+#include "core/memory.h"
 #include "core/timer.h"
 
 #include <inttypes.h>
@@ -10,7 +11,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-enum { BAR_WIDTH = 30, BAR_LEAST = 8, LEFT_WIDTH = 20, PARTS = 5, PART_MAX = 64 };
+enum { BAR_WIDTH = 30, BAR_LEAST = 8, LEFT_WIDTH = 20, PARTS = 7, PART_MAX = 160 };
 
 /* Seconds between two drawings, and between two lines. */
 static const double draw_pause = 0.2, line_pause = 5, line_pause_most = 60;
@@ -63,7 +64,7 @@ static double fraction_done(const struct progress *progress) {
 }
 
 /* The parts of a line, the most important part first: percentage and time left, the run of a series, the
- * step, the simulated time, particle-steps per second. */
+ * step, the simulated time, particle-steps per second, memory of rank 0, the last observables. */
 static void describe(const struct progress *progress, double now, double time, char part[PARTS][PART_MAX]) {
     double seconds = now - progress->began, done = fraction_done(progress), left = -1;
     const struct progress_series *series = progress->series;
@@ -80,6 +81,10 @@ static void describe(const struct progress *progress, double now, double time, c
     snprintf(part[2], PART_MAX, ", step %" PRIu64 " of %" PRIu64, progress->step, progress->last);
     snprintf(part[3], PART_MAX, ", t = %.4g", time);
     snprintf(part[4], PART_MAX, ", %.3g particle-steps/s", seconds > 0 ? progress->work / seconds : 0);
+    snprintf(part[5], PART_MAX, ", %.0f MiB", (double)memory_in_use() / 1048576);
+    part[6][0] = '\0';
+    if (progress->last_values)
+        progress->last_values(progress->context, part[6], PART_MAX);
 }
 
 /* Joins the parts as far as they fit into `room` columns; the first part is always there. Returns the

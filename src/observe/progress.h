@@ -27,6 +27,10 @@ struct progress {
     double work;                          /* particle-steps so far */
     uint64_t step;                        /* last step reported */
     int tenths;                           /* lines: tenths already printed */
+    /* Writes the last observables to `text`, "" if there are none; called for a drawing or line only. NULL: none.
+     * Set after progress_start. */
+    void (*last_values)(const void *context, char *text, size_t room);
+    const void *context; /* of last_values */
 };
 
 /* Starts at step `first` of `last`, of a run by itself (series NULL) or of one of several. AUTO becomes BAR

@@ -52,20 +52,38 @@ if script -qc true /dev/null </dev/null >/dev/null 2>&1; then
     check '40 columns: how much is done, and the time left' fits 40 '^\[[#.]{8,}\]  *[0-9]+ % [-0-9:]+ left$'
     check '80 columns: the step, too' fits 80 '% [-0-9:]+ left, step [0-9]+ of 1000000000'
     check '108 columns: the time, too' fits 108 ' left, step [0-9]+ of 1000000000, t = '
-    check '200 columns: all' fits 200 ' left, step [0-9]+ of 1000000000, t = .*, [0-9.e+]+ particle-steps/s$'
+    check '200 columns: memory and observables, too' fits 200 ' left, step [0-9]+ of 1000000000, t = .*, [0-9.e+]+ particle-steps/s, [0-9]+ MiB'
     check '20 columns: no bar' fits 20 '^ *[0-9]+ % [-0-9:]+ left$'
 else
     skip 'terminals: no script (bsdutils) here'
 fi
 piped() { # a line after five seconds
     timeout -s INT 8 "$scree" run scene.yaml -o piped >said 2>told
-    grep -c '^ *0 % .* left, step [0-9]* of 1000000000, t = .* particle-steps/s$' told | grep -qx 1 && lacks told '[K' || { cat told; return 1; }
+    grep -c '^ *0 % .* left, step [0-9]* of 1000000000, t = .* particle-steps/s, [0-9]* MiB, energy_kinetic [-+.e0-9]*, ' told | grep -qx 1 && lacks told '[K' || { cat told; return 1; }
 }
 check 'a line after some seconds where there is no terminal' piped
 tenths() { "$scree" run scene.yaml -o tenths --set step.count=100 --set output.progress=lines >said 2>told; [ "$(grep -c ' % .* left, step ' told)" = 10 ] || { cat told; return 1; }; }
 check 'at each tenth where lines are asked for' tenths
 silent() { timeout -s INT 7 "$scree" run scene.yaml -o silent --quiet >said 2>told; lacks told left; }
 check 'none where it is to be quiet' silent
+
+echo '== what a run will cost'
+costs() { # COUNT WORDS FLAG...: check prints so many such lines
+    local count=$1 words=$2
+    shift 2
+    "$scree" check scene.yaml "$@" >said 2>&1
+    sed -n '/^what a run will cost/,/^$/p' said >cost
+    [ "$(grep -cE "$words" cost)" = "$count" ] || { cat said; return 1; }
+}
+check 'steps, time and files' costs 6 '^  steps +100 of 0.001$|^    trajectory.h5 +11 frames, about [0-9.]+ kB$|^    dump.lammpstrj +3 frames|^    observables.csv +1 row$|^  time +about [0-9.e-]+ s, by the 100 first steps|^    checkpoint-STEP.h5 +1 file' \
+    --set step.count=100 --set output.trajectory.every=10 --set output.trajectory.xdmf=off --set output.dump.every=50
+check 'nothing is written' costs 1 '^    nothing else will be written' --set 'observables=~' --set step.count=1
+check 'no end' costs 1 '^  steps +without end' --set duration=1e300
+sized() { # the size that check tells is that of the file, within a tenth
+    "$scree" run scene.yaml -o sized --quiet --set step.count=100 --set output.trajectory.every=1 && "$scree" check scene.yaml --set step.count=100 --set output.trajectory.every=1 >said 2>&1
+    awk -v size="$(stat -c %s sized/trajectory.h5)" '$1 == "trajectory.h5" { told = $5 * ($6 == "MB" ? 1e6 : 1e3); print told, size; good = told > 0.9 * size && told < 1.1 * size } END { exit !good }' said
+}
+check 'the size of a trajectory' sized
 
 echo '== notes'
 printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 0\nendloop\nendfacet\nendsolid\n' >far.stl
