@@ -18,8 +18,8 @@ void trial_step(struct simulation *s) {
     int64_t every = s->scene->step.rebuild_every;
     s->agree.signals =
         (struct step_signals){.stop = run_signalled() != 0, .error = s->error.kind != ERROR_NONE};
-    s->grains.contact.want_virial = false;
-    s->grains.contact.want_sums = s->grains.sums_each_step || s->grains.contact.want_work;
+    s->grains.contact.want_virial = s->servo.on;
+    s->grains.contact.want_sums = s->grains.sums_each_step || s->grains.contact.want_work || s->servo.on;
     step_run(s, every > 0 && (s->clock.step + 1) % (uint64_t)every == 0);
 }
 

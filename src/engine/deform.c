@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Moves the box, and tells the other parts. Read deform.h first. */
 #include "engine/deform.h"
+#include <math.h>
 #include <string.h>
 
 static const char offset_name[] = "box: offset of the shear";
@@ -11,19 +12,124 @@ void deform_prepare(struct simulation *s) {
 }
 
 void deform_start(struct simulation *s) {
-    if (!s->box.motion.moves || !s->scene->shear.profile)
+    struct box box = s->box;
+    if (!s->box.motion.moves)
         return;
+    if (!s->scene->shear.profile)
+        box.motion.slide = 0;
+    if (!s->scene->strain.profile)
+        memset(box.motion.speed, 0, sizeof box.motion.speed);
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < s->particles->owned; k++) {
         double flow[3];
-        box_flow(&s->box, s->particles->state[k].x, flow);
+        box_flow(&box, s->particles->state[k].x, flow);
         for (int d = 0; d < 3; d++)
             s->particles->state[k].v[d] += flow[d];
     }
 }
 
+void deform_begin(struct simulation *s) {
+    double sum[3] = {0};
+    s->servo.on = s->scene->stress_given;
+    if (!s->servo.on || s->servo.mass > 0) /* of a checkpoint: sums depend on the order */
+        return;
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        const struct particle_state *state = &s->particles->state[k];
+        sum[0] += state->inverse_mass > 0 ? 1 / state->inverse_mass : 0;
+        sum[1] += 4.0 / 3 * M_PI * state->radius * state->radius * state->radius;
+        sum[2] += 1;
+    }
+    comm_sum(s->comm, sum, 3);
+    s->servo.mass = sum[0];
+    double diameter = cbrt(6 / M_PI * sum[1] / fmax(sum[2], 1)), density = sum[0] / sum[1];
+    if (s->box.dimension == 2) /* mass over area */
+        density *= 2.0 / 3 * diameter;
+    s->servo.bound = s->scene->stress.inertia / (diameter * sqrt(density));
+}
+
+static double volume_of(const struct box *box) {
+    return box->edge[0] * box->edge[1] * (box->dimension == 2 ? 1 : box->edge[2]);
+}
+
+/* Sums over all ranks: stress times volume (6), and the elastic energy. */
+static void stress_sum(const struct simulation *s, double sum[7]) {
+    static const int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
+    for (int c = 0; c < 6; c++)
+        sum[c] = s->grains.sums.virial[c];
+    sum[6] = s->grains.sums.elastic_normal;
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        const struct particle_state *state = &s->particles->state[k];
+        double flow[3], v[3];
+        box_flow(&s->box, state->x, flow);
+        for (int d = 0; d < 3; d++)
+            v[d] = state->v[d] - flow[d];
+        for (int c = 0; c < 6 && state->inverse_mass > 0; c++)
+            sum[c] += v[row[c]] * v[column[c]] / state->inverse_mass;
+    }
+    comm_sum(s->comm, sum, 7);
+}
+
+/* The rate of an edge at which the stress is `excess` above its target. */
+static double rate_of(const struct simulation *s, double excess, double target, double modulus, double edge) {
+    double impedance = sqrt(s->servo.mass / volume_of(&s->box) * fmax(modulus, target));
+    double rate = excess / impedance / edge, bound = s->servo.bound * sqrt(target);
+    return fmin(fmax(rate, -bound), bound);
+}
+
+void deform_flow(struct simulation *s) {
+    double change[4];
+    if (!box_follow(&s->box, change))
+        return;
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < s->particles->owned; k++) {
+        double more[3];
+        box_accelerate(&s->box, change, s->particles->state[k].x, more);
+        for (int d = 0; d < 3; d++)
+            s->particles->state[k].v[d] += more[d];
+    }
+}
+
+void deform_control(struct simulation *s) {
+    const struct scene_stress *wanted = &s->scene->stress;
+    int n = s->box.dimension;
+    double sum[7], *stretch = s->box.motion.stretch, work = 0, longest = 0, volume = volume_of(&s->box);
+    stress_sum(s, sum);
+    for (int d = 0; d < n; d++) {
+        work += sum[d];
+        longest = fmax(longest, s->box.edge[d]);
+    }
+    double modulus = sum[6] > 0 ? 0.3 * work * work / (sum[6] * volume) : 0, mean = work / volume / n;
+    for (int d = 0; d < n; d++) {
+        double target = wanted->normal[d];
+        if (!isnan(wanted->pressure))
+            stretch[d] = rate_of(s, mean - wanted->pressure, wanted->pressure, modulus, longest);
+        else if (!isnan(target))
+            stretch[d] = rate_of(s, sum[d] / volume - target, target, modulus, s->box.edge[d]);
+    }
+}
+
+/* Stops the run before an edge is too short for its particles. */
+static void check_edges(struct simulation *s) {
+    const struct size_classes *classes = &s->classes;
+    double reach = 0;
+    for (int a = 0; a < classes->count; a++)
+        for (int b = 0; b <= a; b++)
+            if (classes_meet(classes, a, b))
+                reach = fmax(reach, classes->radius_max[a] + classes->radius_max[b] + classes->margin[a][b]);
+    for (int d = 0; d < s->box.dimension; d++) {
+        double least = 1.01 * reach * (s->box.motion.shears && d == s->box.motion.flow ? 2 : 1);
+        if (s->box.periodic[d] && s->box.motion.stretch[d] < 0 && s->box.edge[d] <= least)
+            error_set(
+                &s->error, ERROR_PHYSICS,
+                "box: the %c edge has shrunk to %.6g, too short for the particles, which need more than "
+                "%.6g, at step %llu, t = %.9g",
+                'x' + d, s->box.edge[d], least, (unsigned long long)s->clock.step, s->clock.time);
+    }
+}
+
 void deform_advance(struct simulation *s) {
     box_advance(&s->box, s->clock.dt);
+    check_edges(s);
     interactions_follow(&s->search.interactions, &s->box);
 }
 
@@ -37,14 +143,45 @@ void deform_restart(struct simulation *s, struct restart *restart) {
         return;
     restart_add(restart, RESTART_REAL, true, &s->box.motion.offset, "%s", offset_name);
     restart_add(restart, RESTART_REAL, true, &s->box.motion.turns, "box: turns of the shear");
+    for (int d = 0; d < 3; d++)
+        restart_add(restart, RESTART_REAL, true, &s->box.edge[d], "box: edge %c", 'x' + d);
+    restart_add(restart, RESTART_REAL, true, &s->box.motion.slide, "box: speed of the shear");
+    for (int d = 0; d < 3; d++)
+        restart_add(restart, RESTART_REAL, true, &s->box.motion.speed[d], "box: speed of edge %c", 'x' + d);
+    if (!s->scene->stress_given)
+        return;
+    for (int d = 0; d < 3; d++)
+        restart_add(restart, RESTART_REAL, true, &s->box.motion.stretch[d], "box: rate of edge %c", 'x' + d);
+    restart_add(restart, RESTART_REAL, true, &s->servo.mass, "box: mass of the particles");
+    restart_add(restart, RESTART_REAL, true, &s->servo.bound, "box: bound of the rates");
+}
+
+void deform_resume(struct simulation *s, bool moved) {
+    if (s->box.motion.moves)
+        domain_follow(s->ranks.domain, &s->box);
+    if (!moved)
+        deform_start(s);
+}
+
+bool deform_moved(const struct restart_values *values) {
+    for (size_t k = 0; k < values->count[RESTART_REAL]; k++)
+        if (strcmp(values->name[RESTART_REAL][k], offset_name) == 0)
+            return true;
+    return false;
 }
 
 bool deform_check(const struct simulation *s, const struct restart_values *values, const char *path,
                   struct error *error) {
-    for (size_t k = 0; k < values->count[RESTART_REAL]; k++)
-        if (!s->box.motion.shears && strcmp(values->name[RESTART_REAL][k], offset_name) == 0)
-            return error_set(
-                error, ERROR_USER,
-                "%s: it was written for a sheared box: box.shear must stay; rate: 0 stops the shear", path);
+    for (size_t k = 0; k < values->count[RESTART_REAL]; k++) {
+        double offset;
+        if (strcmp(values->name[RESTART_REAL][k], offset_name) != 0)
+            continue;
+        memcpy(&offset, &values->value[RESTART_REAL][k], sizeof offset);
+        if (!s->box.motion.moves || (!s->box.motion.shears && offset != 0))
+            return error_set(error, ERROR_USER,
+                             "%s: it was written for a box that moves: box.shear, box.strain or box.stress "
+                             "must stay; a rate of 0 holds the box",
+                             path);
+    }
     return true;
 }

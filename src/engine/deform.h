@@ -14,11 +14,31 @@ void deform_prepare(struct simulation *simulation);
 /* Adds the mean flow to the velocities of the owned particles, if the scene asks for this: at the start. */
 void deform_start(struct simulation *simulation);
 
+/* Prepares the servo of the stress, once the particles are known. Collective. */
+void deform_begin(struct simulation *simulation);
+
+/* After the forces of a step: sets the rates of the edges that follow the stress. The edge along d moves at the speed (stress - target) / Z, where Z = sqrt(rho K) is
+ * the acoustic impedance of the packing, so that the face of the box takes up sound as more of the packing would.
+ * K is found from the work W = sum f l and the energy E = sum k overlap^2 / 2 of the contacts: K = 0.3 W^2 / (E V),
+ * an upper estimate (docs/physics.md), so that the servo is overdamped for soft and for hard grains. Collective. */
+void deform_control(struct simulation *simulation);
+
+/* After the numbers of a checkpoint have been taken over; `moved`: the checkpoint's box moved (deform_moved), else
+ * the particles start with the mean flow if the scene asks for this. */
+void deform_resume(struct simulation *simulation, bool moved);
+
+/* Before a step: gives the particles the change of the mean flow, if the rates of the box have changed, or if its
+ * edges have. */
+void deform_flow(struct simulation *simulation);
+
 /* Moves the box by a step. */
 void deform_advance(struct simulation *simulation);
 
 /* Prepares the box for a rebuild: before positions are wrapped. */
 void deform_settle(struct simulation *simulation);
+
+/* True if these numbers of a checkpoint are of a box that has moved. */
+bool deform_moved(const struct restart_values *values);
 
 /* Adds the numbers that a resume needs. */
 void deform_restart(struct simulation *simulation, struct restart *restart);

@@ -49,8 +49,16 @@ static void move_walls(const struct physics_context *context) {
                   walls_have_servo(s->grains.walls) ? s->grains.servo_force : NULL);
 }
 
+static void move_flow(const struct physics_context *context) {
+    deform_flow(context->self);
+}
+
 static void move_box(const struct physics_context *context) {
     deform_advance(context->self);
+}
+
+static void follow_stress(const struct physics_context *context) {
+    deform_control(context->self);
 }
 
 static void contact(const struct physics_context *context, int thread, int block) {
@@ -108,6 +116,10 @@ static bool needs_motion(const struct physics_context *context) {
     return s->grains.walls && walls_move(s->grains.walls);
 }
 
+static bool needs_stress(const struct physics_context *context) {
+    return context->scene->stress_given;
+}
+
 static bool needs_box(const struct physics_context *context) {
     return context->box->motion.moves;
 }
@@ -119,6 +131,13 @@ static const struct physics_pass passes[] = {
      .timer = "comm",
      .needed = needs_servo,
      .whole = servo},
+    {.name = "flow",
+     .why = "a box that moves",
+     .stage = PASS_FIRST,
+     .timer = "advance",
+     .writes = "velocity",
+     .needed = needs_box,
+     .whole = move_flow},
     {.name = "advance",
      .does = "kick and drift",
      .stage = PASS_MOVE,
@@ -161,6 +180,12 @@ static const struct physics_pass passes[] = {
      .writes = "force",
      .needed = needs_contacts,
      .whole = finish},
+    {.name = "stress",
+     .why = "a box that follows its stress",
+     .stage = PASS_CLOSE,
+     .timer = "comm",
+     .needed = needs_stress,
+     .whole = follow_stress},
 };
 
 static double range(const void *context, int kind_a, double radius_a, int kind_b, double radius_b) {

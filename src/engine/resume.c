@@ -182,6 +182,7 @@ static bool take(struct simulation *s, const char *path, struct checkpoint_loade
     struct resume_numbers own = {0};
     if (!numbers_take(s, path, loaded, &own, error))
         return false;
+    deform_resume(s, deform_moved(&loaded->restart));
     s->total = loaded->total;
     walls_restore(s, loaded);
     wall_rows_rename(s, loaded);

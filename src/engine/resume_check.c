@@ -24,8 +24,8 @@ static bool check_box(const struct simulation *s, const char *path, const struct
                          "%s: it was written in %d dimensions, the scene has %d: box.dimension must stay",
                          path, then->dimension, now->dimension);
     for (int d = 0; d < 3; d++)
-        if (now->edge[d] != then->edge[d] || now->periodic[d] != then->periodic[d] ||
-            now->origin[d] != then->origin[d])
+        if ((now->edge[d] != then->edge[d] && !deform_moved(&loaded->restart)) ||
+            now->periodic[d] != then->periodic[d] || now->origin[d] != then->origin[d])
             return error_set(error, ERROR_USER,
                              "%s: it was written for a box with %c from %.9g, edge %.9g, %s; the scene's is "
                              "from %.9g, edge %.9g, %s: "

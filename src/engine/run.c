@@ -163,7 +163,7 @@ static bool step_once(struct run *run, struct error *error) {
     bool watched = watch && watch->due(watch->context, s->clock.step + 1);
     signals_ask(run);
     s->grains.contact.want_virial =
-        watched || (run->outputs && outputs_want_sums(run->outputs, s, s->clock.step + 1));
+        watched || s->servo.on || (run->outputs && outputs_want_sums(run->outputs, s, s->clock.step + 1));
     s->grains.contact.want_sums = s->grains.contact.want_virial || s->grains.sums_each_step ||
                                   s->grains.contact.want_work || guards_energy_due(s, s->clock.step + 1);
     step_run(s, rebuild);

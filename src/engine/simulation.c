@@ -103,6 +103,7 @@ static bool particles_suit(struct simulation *s, struct error *error) {
     physics_lists(&s->physics, &s->search.interactions);
     s->grains.list = s->grains.contact.list = interaction_list(&s->search.interactions, 0);
     step_plan(s);
+    deform_begin(s);
     load_lay(s, s->resumed.grid);
     simulation_parts_index(s, error);
     return comm_agree(s->comm, error); /* each rank looks at its own particles */

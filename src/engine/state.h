@@ -74,6 +74,13 @@ struct grains {
     double servo_force[WALLS_MAX][3];
 };
 
+/* Edges of the box that follow the stress (deform.c). */
+struct box_servo {
+    bool on;
+    double mass;  /* of all particles */
+    double bound; /* largest rate of an edge, 1/time, for a target of 1 */
+};
+
 /* The search for pairs, and when it is due again. */
 struct search {
     struct index *index;
@@ -136,6 +143,7 @@ struct simulation {
     const struct comm *comm;   /* borrowed */
     const struct scene *scene; /* borrowed */
     struct box box;            /* as it is now: that of the scene may move */
+    struct box_servo servo;    /* of the box */
     int threads;               /* threads to which work is dealt out */
     struct team team;          /* threads that work at a time */
     struct particles *particles;

@@ -54,14 +54,17 @@ double skin_speed2(const struct box *box, const struct particle_state *state, do
  * the rates of the box times the displacement; and the middle of a box that strains, where the flow of a shear is
  * 0, moves in the step. */
 static void skin_strain(struct skin *skin, int classes, double dt) {
-    const struct box_motion *motion = &skin->box->motion;
-    double rate = fabs(motion->shear), nearing = box_nearing(skin->box, &skin->then);
-    for (int d = 0; d < 3; d++)
-        rate += fabs(motion->stretch[d]);
-    double growth = 1 / fmax(1 - rate * dt, 0.5), middle = 0;
+    const struct box *box = skin->box;
+    const struct box_motion *motion = &box->motion;
+    double nearing = box_nearing(box, &skin->then);
+    double rate = box_rate(box), growth = 1 / fmax(1 - rate * dt, 0.5);
+    /* of second order: the flow changes in the step, and the point at which it is 0 moves */
+    double middle = rate * rate * dt * (box->edge[0] + box->edge[1] + box->edge[2]);
     if (motion->shears)
-        middle = fabs(motion->shear * motion->stretch[motion->gradient]) * skin->box->edge[motion->gradient] *
-                 dt * dt;
+        middle += 0.5 * fabs(motion->speed[motion->flow] *
+                             (motion->offset / box->edge[motion->flow] -
+                              skin->then.motion.offset / skin->then.edge[motion->flow]));
+    middle *= dt;
     for (int c = 0; c < classes; c++) {
         skin->bound[c] = skin->bound[c] * growth + middle;
         skin->second[c] = skin->second[c] * growth + middle;

@@ -28,18 +28,12 @@ void box_image_shifts(const struct box *box, double shift[IMAGE_CODES][4]) {
     images_fill(vector, shift);
 }
 
-/* The velocity of the image one edge up the gradient, along the flow. */
-static double offset_rate(const struct box *box) {
-    const struct box_motion *motion = &box->motion;
-    return motion->shear * box->edge[motion->gradient] + motion->stretch[motion->flow] * motion->offset;
-}
-
 void box_image_velocities(const struct box *box, double velocity[IMAGE_CODES][4]) {
     double vector[3][3] = {{0}};
     for (int d = 0; d < 3; d++)
-        vector[d][d] = box->motion.stretch[d] * box->edge[d];
+        vector[d][d] = box->motion.speed[d];
     if (box->motion.shears)
-        vector[box->motion.gradient][box->motion.flow] = offset_rate(box);
+        vector[box->motion.gradient][box->motion.flow] = box->motion.slide;
     images_fill(vector, velocity);
 }
 
@@ -64,20 +58,53 @@ void box_wrap(const struct box *box, double x[3]) {
     }
 }
 
-void box_flow(const struct box *box, const double x[3], double velocity[3]) {
+bool box_follow(struct box *box, double change[4]) {
+    struct box_motion *motion = &box->motion;
+    double slide = motion->shears ? motion->shear * box->edge[motion->gradient] +
+                                        motion->stretch[motion->flow] * motion->offset
+                                  : 0;
+    change[3] = slide - motion->slide;
+    motion->slide = slide;
+    bool changes = change[3] != 0;
+    for (int d = 0; d < 3; d++) {
+        double speed = motion->stretch[d] * box->edge[d];
+        change[d] = speed - motion->speed[d];
+        motion->speed[d] = speed;
+        changes = changes || change[d] != 0;
+    }
+    return changes;
+}
+
+void box_accelerate(const struct box *box, const double change[4], const double x[3], double velocity[3]) {
     const struct box_motion *motion = &box->motion;
     for (int d = 0; d < 3; d++)
-        velocity[d] = motion->stretch[d] * x[d];
+        velocity[d] = change[d] * (x[d] / box->edge[d]);
+    if (!motion->shears)
+        return;
+    double slide = change[3] - change[motion->flow] * motion->offset / box->edge[motion->flow];
+    velocity[motion->flow] += slide * (x[motion->gradient] / box->edge[motion->gradient] - 0.5);
+}
+
+void box_flow(const struct box *box, const double x[3], double velocity[3]) {
+    const double *speed = box->motion.speed;
+    box_accelerate(box, (double[4]){speed[0], speed[1], speed[2], box->motion.slide}, x, velocity);
+}
+
+double box_rate(const struct box *box) {
+    const struct box_motion *motion = &box->motion;
+    double rate = 0;
+    for (int d = 0; d < 3; d++)
+        rate += fabs(motion->speed[d] / box->edge[d]);
     if (motion->shears)
-        velocity[motion->flow] += motion->shear * (x[motion->gradient] - 0.5 * box->edge[motion->gradient]);
+        rate += fabs(motion->slide - motion->speed[motion->flow] * motion->offset / box->edge[motion->flow]) /
+                box->edge[motion->gradient];
+    return rate;
 }
 
 void box_advance(struct box *box, double dt) {
-    struct box_motion *motion = &box->motion;
-    if (motion->shears)
-        motion->offset += dt * offset_rate(box);
+    box->motion.offset += dt * box->motion.slide;
     for (int d = 0; d < 3; d++)
-        box->edge[d] += dt * (motion->stretch[d] * box->edge[d]);
+        box->edge[d] += dt * box->motion.speed[d];
 }
 
 void box_settle(struct box *box) {
@@ -86,6 +113,7 @@ void box_settle(struct box *box) {
         return;
     double turns = floor(motion->offset / box->edge[motion->flow] + 0.5);
     motion->offset -= turns * box->edge[motion->flow];
+    motion->slide -= turns * motion->speed[motion->flow];
     motion->turns += turns;
 }
 

@@ -13,17 +13,20 @@
 enum box_leave { BOX_KEEP, BOX_DELETE, BOX_ERROR };
 
 /* The motion of a periodic box. Images of a particle lie at x + n_d (edge of d), and an image one edge up the
- * gradient of a shear also at `offset` along the flow (Lees and Edwards, J. Phys. C 5 (1972) 1921). The edges
- * of a box that strains grow at `stretch` times their length; the lower corner stays. Images move with the
- * box, so that an image has a velocity of its own. */
+ * gradient of a shear also at `offset` along the flow (Lees and Edwards, J. Phys. C 5 (1972) 1921). The lower
+ * corner stays. Images move with the box: they have velocities of their own, `speed` and `slide`. If these
+ * velocities change, each particle gets the change of the mean flow at its place (box_accelerate), so that a
+ * particle and its image go on as images of each other. */
 struct box_motion {
     bool moves; /* the box shears or strains; else all members are 0 */
     bool shears;
     int flow, gradient; /* directions of the shear, unlike */
-    double shear;       /* rate, 1/time */
+    double shear;       /* wanted rate, 1/time */
     double offset;      /* length; within half an edge of the flow after box_settle */
     double turns;       /* edges that box_settle has taken off the offset since the start */
-    double stretch[3];  /* rate of each edge, 1/time */
+    double stretch[3];  /* wanted rate of each edge, 1/time */
+    double speed[3];    /* change of each edge, length/time */
+    double slide;       /* change of the offset, length/time */
 };
 
 struct box {
@@ -72,6 +75,16 @@ void box_wrap(const struct box *box, double x[3]);
 /* The velocity (length/time) of the mean flow at a box-relative position: that of a shear is 0 in the middle
  * of the box, that of a strain at the lower corner. Any thread. */
 void box_flow(const struct box *box, const double x[3], double velocity[3]);
+
+/* Sets the velocities of the images to the wanted rates. `change` gets the changes of speed (0..2) and slide (3);
+ * false if all are 0. */
+bool box_follow(struct box *box, double change[4]);
+
+/* The change of velocity of a particle at x where the velocities of the images change. */
+void box_accelerate(const struct box *box, const double change[4], const double x[3], double velocity[3]);
+
+/* The rates of the mean flow, added up: no difference of velocities is larger than this times the distance. */
+double box_rate(const struct box *box);
 
 /* Moves the box by dt. */
 void box_advance(struct box *box, double dt);

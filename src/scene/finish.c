@@ -95,15 +95,18 @@ static bool finish_box(struct scene *scene, struct error *error) {
 
 static void finish_motion(struct scene *scene) {
     struct box_motion *motion = &scene->box.motion;
-    if (!scene->shear_given)
+    if (!scene->shear_given && !scene->strain_given && !scene->stress_given)
         return;
-    *motion = (struct box_motion){.moves = true,
-                                  .shears = true,
-                                  .flow = scene->shear.flow,
-                                  .gradient = scene->shear.gradient,
-                                  .shear = scene->shear.rate,
-                                  .offset = scene->shear.offset};
-    scene->ghosts.in_place = true;
+    if (scene->shear_given)
+        *motion = (struct box_motion){.shears = true,
+                                      .flow = scene->shear.flow,
+                                      .gradient = scene->shear.gradient,
+                                      .shear = scene->shear.rate,
+                                      .offset = scene->shear.offset};
+    for (int d = 0; d < 3 && scene->strain_given; d++)
+        motion->stretch[d] = scene->strain.rate[d];
+    motion->moves = scene->ghosts.in_place = true;
+    box_follow(&scene->box, (double[4]){0});
 }
 
 static void finish_newton(struct scene *scene) {

@@ -39,6 +39,10 @@ struct scene {
     double box_lower[3], box_upper[3];
     int shear_given;
     struct scene_shear shear;
+    int strain_given;
+    struct scene_strain strain;
+    int stress_given;
+    struct scene_stress stress;
     int leave_all;
     int leave_side[3][2];
     double gravity[3];

@@ -2,6 +2,8 @@
 /* Refuses what a box in motion cannot have. Read scene_check_box.h first. */
 #include "scene/scene_check_box.h"
 
+#include <math.h>
+
 /* Sections that a box in motion does not go together with. */
 static bool check_alone(const struct scene *scene, const char *key, struct error *error) {
     static const char why[] = "does not go with %s: allowed are free grains alone";
@@ -20,10 +22,40 @@ static bool check_alone(const struct scene *scene, const char *key, struct error
     return true;
 }
 
-bool scene_check_box(const struct scene *scene, struct error *error) {
+static bool check_strain(const struct scene *scene, struct error *error) {
+    for (int d = 0; d < 3; d++)
+        if (scene->strain.rate[d] != 0 && !scene->box.periodic[d])
+            return scene_fail(scene, error, "box.strain.rate", "%c is not periodic; allowed: 0", "xyz"[d]);
+    return check_alone(scene, "box.strain", error);
+}
+
+static bool check_stress(const struct scene *scene, struct error *error) {
+    static const char *const key[3] = {"box.stress.xx", "box.stress.yy", "box.stress.zz"};
+    const struct scene_stress *stress = &scene->stress;
+    bool given = false, pressure = !isnan(stress->pressure);
+    if (scene->reproducible)
+        return scene_fail(scene, error, "box.stress",
+                          "does not go with reproducible: the sum of the stress depends on the layout");
+    for (int d = 0; d < scene->box.dimension; d++) {
+        bool own = !isnan(stress->normal[d]);
+        given = given || own;
+        if ((own || pressure) && !scene->box.periodic[d])
+            return scene_fail(scene, error, own ? key[d] : "box.stress.pressure",
+                              "%c is not periodic, so that its edge cannot change", "xyz"[d]);
+        if ((own || pressure) && scene->strain_given && scene->strain.rate[d] != 0)
+            return scene_fail(scene, error, own ? key[d] : "box.stress.pressure",
+                              "the edge along %c has a rate by box.strain, too", "xyz"[d]);
+    }
+    if (scene->box.dimension == 2 && !isnan(stress->normal[2]))
+        return scene_fail(scene, error, key[2], "a box of two dimensions has no stress along z");
+    if (given == pressure)
+        return scene_fail(scene, error, "box.stress",
+                          "needed is either pressure, or one or more of xx, yy, zz");
+    return check_alone(scene, "box.stress", error);
+}
+
+static bool check_shear(const struct scene *scene, struct error *error) {
     const struct scene_shear *shear = &scene->shear;
-    if (!scene->shear_given)
-        return true;
     if (shear->flow == shear->gradient)
         return scene_fail(scene, error, "box.shear.gradient", "%c is the direction of the flow, too",
                           "xyz"[shear->flow]);
@@ -36,4 +68,10 @@ bool scene_check_box(const struct scene *scene, struct error *error) {
             return scene_fail(scene, error, "box.shear.offset",
                               "random sources place their particles at offset 0");
     return check_alone(scene, "box.shear", error);
+}
+
+bool scene_check_box(const struct scene *scene, struct error *error) {
+    return (!scene->shear_given || check_shear(scene, error)) &&
+           (!scene->strain_given || check_strain(scene, error)) &&
+           (!scene->stress_given || check_stress(scene, error));
 }

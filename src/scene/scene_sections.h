@@ -38,6 +38,19 @@ struct scene_shear {
     bool profile;       /* particles start with the velocity of the mean flow in addition to their own */
 };
 
+/* Strain of the box. */
+struct scene_strain {
+    double rate[3]; /* of each edge, 1/time */
+    bool profile;   /* as in struct scene_shear */
+};
+
+/* Stress of the box, positive in compression; NAN: not given. */
+struct scene_stress {
+    double pressure;  /* all edges change alike */
+    double normal[3]; /* the edge along each direction changes */
+    double inertia;   /* bound on the rate of an edge, as an inertial number */
+};
+
 /* Vector instructions used at most; the numbers are those of enum index_instructions. */
 enum scene_simd { SCENE_SIMD_AUTO, SCENE_SIMD_BASELINE, SCENE_SIMD_V3, SCENE_SIMD_V4 };
 

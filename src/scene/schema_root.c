@@ -54,6 +54,29 @@ static const struct schema_row shear_rows[] = {
 };
 static const struct schema_table shear_table = TABLE(shear_rows);
 
+static const struct schema_row strain_rows[] = {
+    {.key = "rate", .type = SCHEMA_VECTOR, .unit = "1/s", .required = true, AT(struct scene, strain.rate),
+     .help = "change of each edge over its length: negative in compression, equal for an isotropic strain, one alone for a uniaxial "
+             "strain; the lower corner stays", .example = "[0, 0, -0.1 1/s]"},
+    {.key = "profile", .type = SCHEMA_BOOL, .fallback = "true", AT(struct scene, strain.profile),
+     .help = "particles start with the velocity of the mean flow in addition to their own"},
+};
+static const struct schema_table strain_table = TABLE(strain_rows);
+
+static const struct schema_row stress_rows[] = {
+    {.key = "pressure", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)", AT(struct scene, stress.pressure),
+     .help = "target of the mean normal stress; all edges change alike. In two dimensions a force over a length", .example = "1 kPa"},
+    {.key = "xx", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)", AT(struct scene, stress.normal[0]),
+     .help = "instead of pressure: target of the normal stress along x; the edge along x changes", .example = "1 kPa"},
+    {.key = "yy", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)", AT(struct scene, stress.normal[1]),
+     .help = "the same along y", .example = "1 kPa"},
+    {.key = "zz", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)", AT(struct scene, stress.normal[2]),
+     .help = "the same along z", .example = "1 kPa"},
+    {.key = "inertia", .type = SCHEMA_REAL, .fallback = "0.01", .range = "(0, inf)", AT(struct scene, stress.inertia),
+     .help = "bound on the rate of an edge, times the mean diameter and the root of particle density over target: small numbers are quasi-static"},
+};
+static const struct schema_table stress_table = TABLE(stress_rows);
+
 static const struct schema_row box_rows[] = {
     {.key = "dimension", .type = SCHEMA_INT, .fallback = "3", .range = "[2, 3]",
      AT(struct scene, box.dimension),
@@ -71,6 +94,12 @@ static const struct schema_row box_rows[] = {
     {.key = "shear", .type = SCHEMA_SECTION, .sub = &shear_table, .optional = true, .main = "rate",
      .offset = 0, .count_offset = offsetof(struct scene, shear_given),
      .help = "homogeneous shear across Lees-Edwards boundaries: both directions periodic, no walls, groups, insertions or fluid"},
+    {.key = "strain", .type = SCHEMA_SECTION, .sub = &strain_table, .optional = true,
+     .offset = 0, .count_offset = offsetof(struct scene, strain_given),
+     .help = "edges of periodic directions that grow or shrink at a given rate"},
+    {.key = "stress", .type = SCHEMA_SECTION, .sub = &stress_table, .optional = true, .main = "pressure",
+     .offset = 0, .count_offset = offsetof(struct scene, stress_given),
+     .help = "edges of periodic directions that change until the stress has its target; the program finds the gain"},
 };
 static const struct schema_table box_table = TABLE(box_rows);
 

@@ -30,7 +30,7 @@ dist_check_SCRIPTS += \
 	tests/app/user_law.sh \
 	tests/app/threads.sh
 
-dist_check_SCRIPTS += tests/app/ranks.sh tests/app/stress.sh
+dist_check_SCRIPTS += tests/app/ranks.sh tests/app/shear.sh tests/app/stress.sh
 
 dist_check_SCRIPTS += tests/app/drum.sh tests/app/verify.sh
 

@@ -106,11 +106,11 @@ insertions: [{rate: 500, material: soft, sizes: 0.15, region: {shape: box, lower
 END
 } >flow.yaml
 
-# Sheared fast enough that copies across the gradient come from other ranks at each rebuild; ratio 8, springs
+# Strained, and sheared fast enough that copies across the gradient come from other ranks at each rebuild; ratio 8, springs
 {
     echo "$common"
     cat <<'END'
-box: {lower: [0, 0, 0], upper: [8, 6, 5], periodic: true, shear: {rate: -20, flow: z, gradient: x}}
+box: {lower: [0, 0, 0], upper: [8, 6, 5], periodic: true, shear: {rate: -20, flow: z, gradient: x}, strain: {rate: [0.5, -1.5, 0.8]}}
 step: {dt: 0.0004, count: 120}
 materials: [{name: soft, density: 1}, {name: hard, density: 2}]
 contact: {law: hooke, rolling: spring}

@@ -1,0 +1,116 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# A box that moves: strain at a rate, a stress that the box follows, files, resumes and refusals. Pairs in a sheared box are tested in
+# tests/mpi/test_shear, layouts in reproducible.sh, forces in granular_lammps.sh.
+set -u
+. "$top_srcdir/tests/app/common.sh"
+cd "$out" || exit 1
+
+cat >gas.yaml <<'END'
+units: none
+box: {lower: [0, 0, 0], upper: [8, 7, 6], periodic: true, shear: {rate: 3, flow: x, gradient: y}, strain: {rate: [-0.3, 0.1, 0.2]}}
+step: {dt: 0.001, count: 400}
+contact: {law: hooke}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.7, friction: 0.4, k_n: 500}]
+particles: {from: random, count: 200, sizes: {law: uniform, min: 0.2, max: 0.4}, velocity_sigma: 1}
+observables: {every: 100, list: [{name: box_edges}, {name: shear_strain}, {name: energy_fluctuation}, {name: momentum}]}
+output: {checkpoint: {at_end: true}, dump: {every: 400}, trajectory: {every: 200}}
+END
+# Grains on a lattice that do not touch yet, soft and hard
+cat >press.yaml <<'END'
+units: none
+box: {lower: [0, 0, 0], upper: [4.32, 4.32, 4.32], periodic: true, stress: {pressure: 2, inertia: 0.05}}
+step: {count: 10000}
+contact: {law: hooke}
+materials: [{name: a, density: 1.9}]
+material_pairs: [{restitution: 0.3, friction: 0.3, k_n: 200}]
+particles: {from: lattice, lattice: sc, spacing: 1.08, sizes: 0.5, jitter: 0.5, velocity_sigma: 0.01}
+observables: {every: 100, list: [{name: stress}, {name: box_edges}]}
+output: {checkpoint: {at_end: true}}
+END
+
+column() { # DIR NAME: the last row's value
+    awk -F, -v name="$2" 'NR == 1 { for (k = 1; k <= NF; k++) { sub(/\[.*/, "", $k); if ($k == name) at = k } } END { print $at }' "$1/observables.csv"
+}
+
+strained() { # edges grow by (1 + rate dt) a step, and the offset by rate x edge
+    run_scene 1 gas.yaml gas || return 1
+    local d edge
+    for d in 'x 8 -0.3' 'y 7 0.1' 'z 6 0.2'; do
+        set -- $d
+        edge=$(awk -v e="$2" -v r="$3" 'BEGIN { for (k = 0; k < 400; k++) e *= 1 + r * 0.001; printf "%.14g", e }')
+        within "$(column gas "box_edges_$1")" "$edge" 1e-9 || return 1
+    done
+    # d offset = rate edge_y dt + rate_x offset dt
+    within "$(column gas shear_strain)" "$(awk 'BEGIN { y = 7; for (k = 0; k < 400; k++) { o += 0.001 * (3 * y - 0.3 * o); y *= 1.0001 } printf "%.14g", o / y }')" 1e-9
+}
+
+files() { # LAMMPS's bounds and tilt, and edges in each frame
+    local tilt
+    holds gas/dump.lammpstrj 'ITEM: BOX BOUNDS xy xz yz pp pp pp' || return 1
+    tilt=$(awk '/BOX BOUNDS/ { getline; last = $3 } END { print last }' gas/dump.lammpstrj)
+    awk -v tilt="$tilt" -v x="$(column gas box_edges_x)" -v y="$(column gas box_edges_y)" -v strain="$(column gas shear_strain)" 'BEGIN {
+        turns = (strain * y - tilt) / x; whole = int(turns + 0.5); exit !(turns - whole < 1e-6 && whole - turns < 1e-6) }' || return 1
+    command -v h5dump >/dev/null || return 0
+    h5dump -d /particles/all/box/edges/value gas/trajectory.h5 | grep -q '( 3, 3, 3 )'
+}
+
+# A list that is kept as long as its skin allows gives what a rebuild in each step gives
+rebuilt() {
+    run_scene 1 gas.yaml often --set step.rebuild_every=1 --set reproducible=true && run_scene 1 gas.yaml seldom --set reproducible=true || return 1
+    local a b
+    a=$(column often energy_fluctuation) b=$(column seldom energy_fluctuation)
+    [ "$(number often/report.json rebuilds)" -gt "$(number seldom/report.json rebuilds)" ] && within "$a" "$b" 1e-6
+}
+
+resumed() { # the same bits on the same layout
+    run_scene 2 press.yaml whole --set step.count=2000 --set output.checkpoint.every=1000 --set "$1" &&
+        run_scene 2 press.yaml half --set step.count=1000 --set output.checkpoint.every=1000 --set "$1" &&
+        run_scene 2 press.yaml half --overwrite --resume last --set step.count=2000 --set output.checkpoint.every=1000 --set "$1" || return 1
+    contents whole/checkpoint-2000.h5 | grep -v /runs/ >a && contents half/checkpoint-2000.h5 | grep -v /runs/ >b && cmp a b
+}
+
+reaches() { # DIR FROM: stresses of the last rows, as "name target" lines of the input, within 1 %
+    local name target
+    while read -r name target; do
+        awk -F, -v name="$name" -v target="$target" '
+            NR == 1 { for (k = 1; k <= NF; k++) { sub(/\[.*/, "", $k); at[$k] = k } next } { row[NR] = $0 }
+            END { for (k = NR - 9; k <= NR; k++) { split(row[k], v, ",")
+                    value += name == "pressure" ? (v[at["stress_xx"]] + v[at["stress_yy"]] + v[at["stress_zz"]]) / 30 : v[at[name]] / 10 }
+                printf "  %s: %.5g, target %g\n", name, value, target; exit !(value > 0.99 * target && value < 1.01 * target) }' "$1/observables.csv" || return 1
+    done
+}
+pressed() { # STIFFNESS STEPS
+    run_scene 1 press.yaml press --overwrite --set threads=1 --set "material_pairs[0].k_n=$1" --set "step.count=$2" && echo pressure 2 | reaches press
+}
+sides() { # each edge by itself, on three ranks
+    run_scene 3 press.yaml sides --set box.stress.pressure='~' --set box.stress.xx=1 --set box.stress.yy=2 --set box.stress.zz=1.5 &&
+        printf 'stress_xx 1\nstress_yy 2\nstress_zz 1.5\n' | reaches sides
+}
+
+refused() { # STATUS TEXT COMMAND...
+    local wanted=$1 text=$2 status
+    shift 2
+    "$@" >said 2>&1
+    status=$?
+    [ $status = "$wanted" ] && holds said "$text"
+}
+
+quick_cell() { "$top_srcdir/examples/shear_cell/run.sh" --quick cell >/dev/null && "$top_srcdir/examples/shear_cell/check" cell 0.1; }
+
+check 'edges and offset move at their rates' strained
+check 'dumps have the tilt, trajectories the edges' files
+check 'the skin holds while the box moves' rebuilt
+check 'a resume under a pressure has the same bits' resumed box.stress.pressure=2
+for case in '200 8000' '2000 12000' '20000 125000'; do
+    check "a packing of stiffness ${case% *} comes to its pressure" pressed $case
+done
+check 'three stresses, three edges' sides
+check 'a resume needs the box to go on moving' refused 2 'must stay' "$scree" run gas.yaml -o gas --overwrite --resume last --set box.shear='~' --set box.strain='~'
+check 'an edge that gets too short ends the run' refused 3 'edge has shrunk' \
+    "$scree" run gas.yaml -o short --set box.strain.rate='[0, -5, 0]' --set step.count=600 --set guards.overlap=off --set guards.speed=off
+check 'reproducible and a stress do not go together' refused 2 'depends on the layout' "$scree" check press.yaml --set reproducible=true
+check 'an edge has one master' refused 2 'by box.strain, too' "$scree" check press.yaml --set box.strain.rate='[1, 0, 0]'
+SCREE=$scree check 'the example finds mu(I)' quick_cell
+finish
