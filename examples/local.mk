@@ -37,6 +37,9 @@ nobase_dist_pkgdata_DATA += \
 	$(crushing)/scene.yaml $(crushing)/summary.awk
 nobase_dist_pkgdata_SCRIPTS += $(crushing)/check $(crushing)/run.sh
 
+nobase_dist_pkgdata_DATA += examples/shear_cell/README.md examples/shear_cell/scene.yaml
+nobase_dist_pkgdata_SCRIPTS += examples/shear_cell/check examples/shear_cell/run.sh
+
 drum = examples/drum
 nobase_dist_pkgdata_DATA += \
 	$(drum)/README.md $(drum)/compare.awk $(drum)/lammps-1.csv $(drum)/lammps-2.csv $(drum)/lammps/data.awk \
