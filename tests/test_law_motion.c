@@ -140,12 +140,16 @@ static void test_thornton_sticky(void **state) {
     double yield = a_y * a_y / radius - roughness * sqrt(a_y), h = 1e-6 * yield;
     struct law_past past = {0};
     double a = law_jkr_radius(modulus, gamma, radius, 0.9 * yield);
-    assert_near(law_grip_at(&o, &s, 0.9 * yield, &past).force / law_jkr_at(modulus, gamma, radius, a).force, 1.0, 1e-12);
+    assert_near(law_grip_at(&o, &s, 0.9 * yield, &past).force / law_jkr_at(modulus, gamma, radius, a).force,
+                1.0, 1e-12);
     for (double overlap = 1.5 * yield; overlap < 5.0 * yield; overlap *= 1.3) {
         struct law_past up = past, down = past;
-        double slope = (law_grip_at(&o, &s, overlap + h, &up).force - law_grip_at(&o, &s, overlap - h, &down).force) / (2.0 * h);
+        double slope =
+            (law_grip_at(&o, &s, overlap + h, &up).force - law_grip_at(&o, &s, overlap - h, &down).force) /
+            (2.0 * h);
         a = law_jkr_radius(modulus, gamma, radius, overlap);
-        double hertz = sqrt(4.0 / 3.0 * modulus * a * a * a / radius), pull = sqrt(3.0 * M_PI * gamma * radius);
+        double hertz = sqrt(4.0 / 3.0 * modulus * a * a * a / radius),
+               pull = sqrt(3.0 * M_PI * gamma * radius);
         double want = (3.0 * M_PI * radius * p * hertz - 2.0 * modulus * a_y * pull) / (3.0 * hertz - pull);
         assert_near(slope / want, 1.0, 1e-5);
     }
@@ -171,8 +175,10 @@ static void test_eepa(void **state) {
     o.normal = LAW_EEPA;
     o.tangential = LAW_FRICTIONLESS;
     for (int steep = 0; steep < 2; steep++) {
-        struct law_extra extra = {
-            .plasticity_ratio = 0.7, .adhesion_energy = 100.0, .adhesion_exponent = steep ? 4.0 : 1.5, .pull_off = 2.0};
+        struct law_extra extra = {.plasticity_ratio = 0.7,
+                                  .adhesion_energy = 100.0,
+                                  .adhesion_exponent = steep ? 4.0 : 1.5,
+                                  .pull_off = 2.0};
         struct law law = law_of(o, extra);
         struct law_surfaces s = surfaces_of(&law, 1.0, 1.0);
         const double k1 = law.pair[0][1].k_n * sqrt(0.5), k2 = k1 / 0.3, most = 0.01, f0 = 2.0;
@@ -181,15 +187,18 @@ static void test_eepa(void **state) {
         assert_true(pull < 0.5 * k2 * foot);
         struct law_past past = {0};
         for (int k = 1; k <= 100; k++)
-            assert_near(law_grip_at(&o, &s, most * k / 100.0, &past).force, k1 * pow(most * k / 100.0, 1.5) - f0, 1e-9);
+            assert_near(law_grip_at(&o, &s, most * k / 100.0, &past).force,
+                        k1 * pow(most * k / 100.0, 1.5) - f0, 1e-9);
         for (int k = 99; k >= 0; k--) {
             double overlap = least + (most - least) * k / 100.0;
-            assert_near(law_grip_at(&o, &s, overlap, &past).force, k2 * (pow(overlap, 1.5) - foot) - f0, 1e-8);
+            assert_near(law_grip_at(&o, &s, overlap, &past).force, k2 * (pow(overlap, 1.5) - foot) - f0,
+                        1e-8);
         }
         double force = law_grip_at(&o, &s, 0.9 * least, &past).force + f0;
         assert_near(force, -pull * pow(0.9, steep ? 4.0 : 1.5), 1e-9);
         /* pressed again: along k_2 from there, and back; then along k_1 */
-        assert_near(law_grip_at(&o, &s, least, &past).force, force - f0 + k2 * pow(least, 1.5) * (1.0 - pow(0.9, 1.5)), 1e-8);
+        assert_near(law_grip_at(&o, &s, least, &past).force,
+                    force - f0 + k2 * pow(least, 1.5) * (1.0 - pow(0.9, 1.5)), 1e-8);
         assert_near(law_grip_at(&o, &s, 0.9 * least, &past).force, force - f0, 1e-8);
         assert_near(law_grip_at(&o, &s, most, &past).force, k1 * pow(most, 1.5) - f0, 1e-8);
         assert_balance(&law, 0.005, 0.1);
@@ -256,8 +265,9 @@ static void test_stable(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_viscoelastic), cmocka_unit_test(test_luding),
-                                       cmocka_unit_test(test_thornton), cmocka_unit_test(test_thornton_sticky),
-                                       cmocka_unit_test(test_eepa), cmocka_unit_test(test_stable)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_viscoelastic), cmocka_unit_test(test_luding),
+        cmocka_unit_test(test_thornton),     cmocka_unit_test(test_thornton_sticky),
+        cmocka_unit_test(test_eepa),         cmocka_unit_test(test_stable)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

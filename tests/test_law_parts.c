@@ -103,11 +103,11 @@ static void test_pulls(void **state) {
     law = law_of(o, sticky);
     s = surfaces_of(&law, 0.5, 1.0);
     double distance = 1.48, from = (distance * distance + 0.25 - 1.0) / (2.0 * distance);
-    assert_near(law_cohesion_pull(o.cohesion, &s, 0.02, true).force / (1e4 * M_PI * (0.25 - from * from)), 1.0,
-                1e-11);
+    assert_near(law_cohesion_pull(o.cohesion, &s, 0.02, true).force / (1e4 * M_PI * (0.25 - from * from)),
+                1.0, 1e-11);
     s = surfaces_of(&law, 0.5, INFINITY);
-    assert_near(law_cohesion_pull(o.cohesion, &s, 0.02, true).force / (1e4 * M_PI * (0.25 - 0.48 * 0.48)), 1.0,
-                1e-11);
+    assert_near(law_cohesion_pull(o.cohesion, &s, 0.02, true).force / (1e4 * M_PI * (0.25 - 0.48 * 0.48)),
+                1.0, 1e-11);
 }
 
 static struct law_vector random_vector(struct random_sequence *r) {

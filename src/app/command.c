@@ -19,7 +19,8 @@ static int run_convert(const struct comm *comm, const struct command_line *line,
 
 static const struct command commands[] = {
     {"run", "SCENE.yaml -o DIR", "runs a scene", 1, 1, "output set petsc resume overwrite quiet", run_run},
-    {"check", "SCENE.yaml", "validates a scene and prints what it needs and what a run will cost; writes nothing", 1, 1, "set",
+    {"check", "SCENE.yaml",
+     "validates a scene and prints what it needs and what a run will cost; writes nothing", 1, 1, "set",
      command_check},
     {"ablate", "SCENE.yaml -o DIR",
      "runs a scene over all indexes, threads and newton settings, a table of times; with --error over all "

@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { OUTPUT_NAME_MAX = 64, OUTPUT_FIELDS_MAX = 32, OUTPUT_REGIONS_MAX = 32, OUTPUT_REQUESTS_MAX = 64 };
+enum { OUTPUT_NAME_MAX = 64, OUTPUT_FIELDS_MAX = 64, OUTPUT_REGIONS_MAX = 32, OUTPUT_REQUESTS_MAX = 64 };
 
 /* An interval of output: every so many steps, or the first step at or after each multiple of a time. */
 struct output_interval {

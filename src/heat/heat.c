@@ -28,9 +28,9 @@ struct heat {
     int wall_material[WALLS_MAX];
     double *temperature, *flow, *wall_flow; /* of the fields, since the last rebuild */
     const uint8_t *material;
-    bool conductance; /* sums of H instead of flows */
-    struct heat_work *work;            /* NULL: dissipation makes no heat */
-    double (*wall_power)[WALLS_MAX];   /* [thread][wall]: power into grains in the last step, W */
+    bool conductance;                /* sums of H instead of flows */
+    struct heat_work *work;          /* NULL: dissipation makes no heat */
+    double (*wall_power)[WALLS_MAX]; /* [thread][wall]: power into grains in the last step, W */
 };
 
 /* The power over one kelvin between bodies whose surfaces are `gap` apart (overlap: negative). */
@@ -134,11 +134,11 @@ static void *create(const struct physics_context *context) {
     heat->work = o->dissipation > 0.0 ? heat_work_create(context) : NULL;
     heat->walk = walk_create(&client, context->threads);
     heat->pairs = (struct walk_work){.context = heat,
-                                    .particles = context->particles,
-                                    .stride = 1,
-                                    .radii = true,
-                                    .range = range(o, KIND_GRAIN, 0, KIND_GRAIN, 0),
-                                    .ordered = context->ordered};
+                                     .particles = context->particles,
+                                     .stride = 1,
+                                     .radii = true,
+                                     .range = range(o, KIND_GRAIN, 0, KIND_GRAIN, 0),
+                                     .ordered = context->ordered};
     return heat;
 }
 

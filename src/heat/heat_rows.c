@@ -135,7 +135,8 @@ static void take_wall(const struct observable_context *context, struct observabl
         part[0] = heat_wall_power(heat, item->wall);
 }
 
-static void take_energy(const struct output_view *view, const struct observable_item *item, size_t i, double *part) {
+static void take_energy(const struct output_view *view, const struct observable_item *item, size_t i,
+                        double *part) {
     const struct heat *heat = view->own[PHYSICS_heat];
     (void)item;
     if (heat && heat_has(view->particles, i))
@@ -152,8 +153,11 @@ static const struct observable_kind kinds[] = {
     {INFO("temperature_max", "temperature", "K", "highest temperature of a grain"), .parts = 2,
      .combine = OBSERVABLE_MAX, .of_rank = take_most, .finish = finish_most},
     {INFO("heat_walls", "", "W", "power from walls into grains"), .parts = 1, .of_rank = take_walls},
-    {.info = {"heat_wall", "", "W", "power from one wall into grains", OBSERVABLE_OF_WALL, 1, NULL}, .symbol = "_heat", .parts = 1,
-     .of_rank = take_wall, .relevant = known},
-    {INFO("energy_thermal", "", "J", "m c T of the grains, with the heat that the last step brought"), .parts = 1,
-     .of_particle = take_energy}};
+    {.info = {"heat_wall", "", "W", "power from one wall into grains", OBSERVABLE_OF_WALL, 1, NULL},
+     .symbol = "_heat",
+     .parts = 1,
+     .of_rank = take_wall,
+     .relevant = known},
+    {INFO("energy_thermal", "", "J", "m c T of the grains, with the heat that the last step brought"),
+     .parts = 1, .of_particle = take_energy}};
 const struct observable_table heat_observables = {kinds, sizeof kinds / sizeof kinds[0]};

@@ -198,9 +198,9 @@ void timestep_limits(struct timestep_limits *limits, const struct timestep_input
             if (a != b)
                 timestep_surround(input, &side[b], &side[a], &meeting);
             int p = side[a].kind->material, q = side[b].kind->material;
-            limits->contact_time = fmin(limits->contact_time,
-                                        law_duration_of(&law->options, &law->pair[p][q], &law->extra[p][q],
-                                                        meeting.mass, meeting.radius, meeting.overlap));
+            limits->contact_time =
+                fmin(limits->contact_time, law_duration_of(&law->options, &law->pair[p][q], &law->extra[p][q],
+                                                           meeting.mass, meeting.radius, meeting.overlap));
         }
     for (int a = 0; a < n; a++)
         for (int b = a; b < n; b++)

@@ -56,7 +56,7 @@ struct field {
     const char *help;       /* one line */
 };
 
-enum { FIELDS_MAX = 32, FIELD_COMPONENTS_MAX = 16 };
+enum { FIELDS_MAX = 64, FIELD_COMPONENTS_MAX = 16 };
 
 /* The handles of the fields that each set has from the start. */
 enum field_first {
