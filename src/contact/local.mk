@@ -53,7 +53,7 @@ libcontact_la_LIBADD = libforce_baseline.la
 include_HEADERS += src/contact/scree_law.h
 src/contact/scree_law.text: src/contact/scree_law.h
 	$(AM_V_GEN)$(MKDIR_P) src/contact && sed 's/\\/\\\\/g; s/"/\\"/g; s/^/"/; s/$$/\\n"/' $(srcdir)/src/contact/scree_law.h >$@
-src/contact/libcontact_la-law_user.lo: src/contact/scree_law.text
+$(libcontact_la_OBJECTS): src/contact/scree_law.text
 BUILT_SOURCES += src/contact/scree_law.text
 CLEANFILES += src/contact/scree_law.text
 
