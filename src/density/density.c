@@ -68,6 +68,7 @@ static const struct physics_pass pass = {.name = "number_density",
                                          .writes = "number_density",
                                          .whole = sum};
 const struct physics density_physics = {.name = "density",
+                                        .box_moves = true,
                                         .interactions = 1,
                                         .interaction = {{.name = "number density", .range = range}},
                                         .create = create,

@@ -8,9 +8,10 @@
 struct physics_entry {
     const struct physics *physics;
     void (*fields)(struct particles *particles);
+    const char *key;
 };
 
-#define PHYSICS_ENTRY(name, key, whose, summary) {&name##_physics, name##_fields},
+#define PHYSICS_ENTRY(name, key, whose, summary) {&name##_physics, name##_fields, #key},
 static const struct physics_entry entries[] = {PHYSICS_TABLE(PHYSICS_ENTRY)};
 
 const struct physics *physics_get(enum physics_number number) {
@@ -47,10 +48,23 @@ void physics_begin(struct physics_set *set, const struct physics *grains,
     }
 }
 
+/* Refuses a physics that does not know a box that moves. */
+static bool suits_box(const struct physics_active *active, struct error *error) {
+    if (!active->context.box->motion.moves || active->row->box_moves)
+        return true;
+    for (int k = 0; k < PHYSICS_COUNT; k++)
+        if (entries[k].physics == active->row)
+            return scene_fail(active->context.scene, error, entries[k].key,
+                              "does not go with a box that moves (box.shear, box.strain, box.stress)");
+    return true;
+}
+
 bool physics_create(struct physics_set *set, void *self, struct error *error) {
     set->active[0].context.self = self;
     for (int k = 1; k < set->count; k++) {
         struct physics_active *active = &set->active[k];
+        if (!suits_box(active, error))
+            return false;
         if (active->row->check && !active->row->check(&active->context, error))
             return false;
         active->context.self = active->row->create ? active->row->create(&active->context) : NULL;

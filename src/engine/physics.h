@@ -125,6 +125,7 @@ struct physics {
      * entries. */
     const struct timer_stage *stage;
     int stages;
+    bool box_moves; /* it works in a box that moves (particles/box.h); else such a scene is refused */
     /* Refuses options that do not go together: a user's error. The same on all ranks. NULL: nothing to refuse. */
     bool (*check)(const struct physics_context *context, struct error *error);
     /* Bits 1 << kind (kinds.h) of its own particles that move. NULL: none. */

@@ -335,6 +335,7 @@ static const struct physics_pass passes[] = {
      .whole = dissipate}};
 
 const struct physics heat_physics = {.name = "heat",
+                                     .box_moves = true,
                                      .interactions = 1,
                                      .interaction = {{.name = "heat", .range = range}},
                                      .passes = sizeof passes / sizeof passes[0],

@@ -7,18 +7,12 @@
 /* Sections that a box in motion does not go together with. */
 static bool check_alone(const struct scene *scene, const char *key, struct error *error) {
     static const char why[] = "does not go with %s: allowed are free grains alone";
-#define CHECK_SECTION(name, key, whose, summary) #key,
-    static const char *const section[] = {PHYSICS_TABLE(CHECK_SECTION)};
-#undef CHECK_SECTION
     if (scene->walls > 0)
         return scene_fail(scene, error, key, why, "walls");
     if (scene->groups > 1)
         return scene_fail(scene, error, key, why, "groups");
     if (scene->insertions > 0)
         return scene_fail(scene, error, key, why, "insertions");
-    for (int k = 0; k < PHYSICS_COUNT; k++)
-        if (scene->physics_given[k] && k != PHYSICS_density && k != PHYSICS_heat)
-            return scene_fail(scene, error, key, why, section[k]);
     return true;
 }
 
