@@ -16,7 +16,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { TEXT = 1 << 17, KEYS = 200, KEY = 128 };
+enum { TEXT = 1 << 17, KEYS = 300, KEY = 128 };
 
 static char *read_text(const char *path) {
     char *text = calloc(TEXT, 1);
@@ -144,9 +144,11 @@ static void write_report(char path[]) {
     stages_register_all(&stages, &grains_physics);
     report.stages = stages.stages;
     for (int k = 0; k < stages.stages; k++)
-        snprintf(report.stage[k].name, sizeof report.stage[k].name, "%s", stages.stage[k].name);
+        for (int setup = 0; setup < 2; setup++)
+            snprintf(setup ? report.setup_stage[k].name : report.stage[k].name, sizeof report.stage[k].name,
+                     "%s", stages.stage[k].name);
     snprintf(report.choice, sizeof report.choice, "hgrid");
-    report.levels = report.classes = report.insertions = 2;
+    report.levels = report.classes = report.insertions = report.solvers = 2;
     int file = mkstemp(path);
     assert_true(file >= 0);
     close(file);
@@ -171,6 +173,8 @@ static void read_rows(const char *page, struct keys *rows) {
 }
 
 static bool of_all_stages(const char *key) {
+    if (strncmp(key, "setup_stages.", 13) == 0)
+        return true; /* the page has the names at `stages` */
     return strncmp(key, "stages.", 7) == 0 && strchr(key + 7, '.');
 }
 

@@ -232,7 +232,7 @@ struct bad_data {
 #define HEAD "radius x y z\n.01 .1 .1 .1\n"
 
 static const struct bad_data bad[] = {
-    {"", {NULL}, "test_source.txt:0: ", "holds no particles"},
+    {"", {NULL}, "test_source.txt: ", "holds no particles"},
     {"radius x y z\n", {NULL}, "test_source.txt:1: ", "holds no particles"},
     {".01 .1 .1 .1\n", {NULL}, "test_source.yaml:6: particles.sources[0].columns: ", "no header line"},
     {"radius x y colour\n.01 .1 .1 .1\n",
@@ -284,7 +284,10 @@ static const struct bad_data bad[] = {
      {"particles.columns=[radius, x, y, z, vx]"},
      "test_source.txt:2: ",
      "4 values where there are 5 columns"},
-    {HEAD, {"particles.columns=[radius, x, y, q]"}, "test_source.txt:1: ", "'q' is not a column"},
+    {HEAD,
+     {"particles.columns=[radius, x, y, q]"},
+     "command line: particles.sources[0].columns: ",
+     "'q' is not a column"},
     {"radius[kg] x y z\n.01 .1 .1 .1\n",
      {"particles.columns=[radius, x, y, z]"},
      "test_source.txt:1: ",

@@ -134,7 +134,7 @@ static void refuses(void **state) {
         {"", "m", "is not a number"},
         {"nan", "m", "is not a number"},
         {"0x10", "m", "is not a number"},
-        {"1,5", "m", "is not a unit"},
+        {"1,5", "m", "has a decimal comma"},
         {"1e999", "m", "is not a number"},
         {"5 m^", "m", "is not a unit"},
         {"5 mdeg", "rad", "is not a unit"},
