@@ -29,7 +29,7 @@ static const struct field
     region = {.name = "fluid_region", .type = FIELD_INT32, .components = 1,
               .use = FIELD_TRAVELS | FIELD_OUTPUT | FIELD_ASKED | FIELD_FIXED, OF_FLUID,
               .help = "number of the connected region of fluid, from the largest one, 0, on"},
-    body = {.name = "body", .type = FIELD_INT64, .components = 1,
+    body = {.name = "fluid_body", .type = FIELD_INT64, .components = 1,
             .use = FIELD_GHOST | FIELD_TRAVELS | FIELD_OUTPUT | FIELD_ASKED | FIELD_FIXED,
             .kinds = 1u << KIND_BOUNDARY, .needed_for = "fluid",
             .help = "of a boundary particle: id of its grain, or -1 - number of its wall; 0: a closed pocket"},

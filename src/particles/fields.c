@@ -63,7 +63,8 @@ void *fields_values(const struct particles *particles, const struct field *field
 /* Enters a field into the table. */
 static int enter(struct particles *particles, const struct field *field, int array, size_t offset) {
     struct storage *storage = particles->storage;
-    assert(fields_find(particles, field->name) < 0);
+    if (fields_find(particles, field->name) >= 0)
+        error_fatal("field %s: two physics have a field of this name", field->name);
     assert(field->components >= 1 && field->components <= FIELD_COMPONENTS_MAX);
     assert(!(field->use & FIELD_REVERSE) || field->type == FIELD_DOUBLE);
     assert(!(field->use & FIELD_SPATIAL) || field->components == 3);
