@@ -7,6 +7,11 @@
 
 static const char more[] = "\nand there are more mistakes";
 
+bool mistakes_full(const struct error *error) {
+    size_t used = error->kind == ERROR_NONE ? 0 : strlen(error->text);
+    return used >= sizeof(more) && strcmp(error->text + used - (sizeof(more) - 1), more) == 0;
+}
+
 bool mistakes_add(struct error *error, const char *text) {
     if (error->kind == ERROR_NONE)
         return error_set(error, ERROR_USER, "%s", text);
@@ -14,7 +19,7 @@ bool mistakes_add(struct error *error, const char *text) {
     int lines = 1;
     for (const char *c = error->text; *c; c++)
         lines += *c == '\n';
-    if (used >= sizeof(more) && strcmp(error->text + used - (sizeof(more) - 1), more) == 0)
+    if (mistakes_full(error))
         return false;
     if (lines < MISTAKES_MAX && strlen(text) + 1 + sizeof(more) <= room)
         snprintf(error->text + used, room, "\n%s", text);

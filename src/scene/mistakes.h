@@ -11,4 +11,7 @@ enum { MISTAKES_MAX = 10 };
  * than the text of an error holds, the last line tells that there are more. Returns false. */
 bool mistakes_add(struct error *error, const char *text);
 
+/* True if further mistakes would add nothing, so that nobody need look for them. */
+bool mistakes_full(const struct error *error);
+
 #endif

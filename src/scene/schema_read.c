@@ -3,6 +3,7 @@
  * left as they are (the struct comes zeroed): two keys may share a place. */
 #include "scene/schema_read.h"
 #include "core/memory.h"
+#include "scene/mistakes.h"
 #include "scene/schema_normalise.h"
 #include "scene/schema_root.h"
 #include "scene/schema_unknown.h"
@@ -202,7 +203,7 @@ static bool read_list(struct schema_reader *reader, const struct schema_row *row
         return schema_fail(reader, node, key, "%zu entries; at most %d are possible", node->children,
                            row->max - row->first);
     bool good = true;
-    for (size_t k = 0; k < node->children; k++) {
+    for (size_t k = 0; k < node->children && !mistakes_full(reader->error); k++) {
         char prefix[SCHEMA_KEY_MAX];
         if (node->implied) /* named as the user wrote it: particles.file */
             snprintf(prefix, sizeof(prefix), "%.*s", (int)(strlen(key) - strlen(row->key)), key);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Guesses what an unknown key means. Read schema_unknown.h first. */
 #include "scene/schema_unknown.h"
+#include "scene/mistakes.h"
 #include "scene/schema_root.h"
 #include "scene/synonyms.h"
 
@@ -174,7 +175,7 @@ static bool decimal_comma(const struct tree_node *section, size_t k) {
 bool schema_known_keys(struct schema_reader *reader, const struct schema_table *table,
                        const struct tree_node *section, const char *prefix) {
     bool good = true;
-    for (size_t k = 0; k < section->children; k++) {
+    for (size_t k = 0; k < section->children && !mistakes_full(reader->error); k++) {
         const char *name = section->key[k];
         if (schema_row_find(table, name, strlen(name)))
             continue;
