@@ -131,3 +131,16 @@ checkpoint_lines() {
 contents() {
     head -c 8192 "$1" | grep -a '^dataset ' | awk '{ print $2, $4, $6 } END { exit NR < 20 }'
 }
+
+# scene_refused WORDS SCENE SETTING...: `check` refuses the scene with status 2 and one line that has these words (separated by |)
+scene_refused() {
+    local words=$1 scene=$2 word
+    local -a list
+    shift 2
+    on 1 "$scree" check "$scene" "$@" >/dev/null 2>said
+    [ $? = 2 ] && [ "$(wc -l <said)" = 1 ] || { cat said; return 1; }
+    IFS='|' read -ra list <<<"$words"
+    for word in "${list[@]}"; do
+        grep -qF -e "$word" said || { echo "  no '$word' in: $(cat said)"; return 1; }
+    done
+}
