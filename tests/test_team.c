@@ -112,6 +112,21 @@ static void test_busy_cores(void **state) {
     }
 }
 
+/* A trial of more threads that are many times slower takes a span, not two. */
+static void test_hopeless_trial_is_short(void **state) {
+    (void)state;
+    struct team team = team_of(2, false);
+    spans(&team, &busy, 4);
+    int trials = 0;
+    for (int k = 0; k < 2000; k++) {
+        bool tried = spans(&team, &busy, 1) == 2;
+        trials += tried;
+        if (tried)
+            assert_int_equal(team.size, 1);
+    }
+    assert_in_range(trials, 1, 20);
+}
+
 static void test_threads_come_back(void **state) {
     (void)state;
     struct team team = team_of(2, false);
@@ -185,6 +200,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_cores_of_its_own),
         cmocka_unit_test(test_busy_cores),
+        cmocka_unit_test(test_hopeless_trial_is_short),
         cmocka_unit_test(test_threads_come_back),
         cmocka_unit_test(test_all_threads_where_they_are_faster),
         cmocka_unit_test(test_as_many_as_have_cores),

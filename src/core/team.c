@@ -13,9 +13,10 @@
 
 /* In seconds: the length of a span, and of the probe at the start. In spans: the length of a trial, the pause
  * from a failed trial to the next (doubled after each failed trial), and the crowded spans until a
- * warning. */
+ * warning. A trial whose steps take HOPELESS times as long as usual ends with its first span. */
 #define SPAN 0.025
 #define PROBE 0.01
+#define HOPELESS 2
 enum { SPAN_STEPS = 4, TRIAL = 2, PAUSE_FIRST = 40, PAUSE_MOST = 1200, CROWDED_WARN = 40 };
 
 void team_begin(struct team *team, int threads, bool fixed) {
@@ -88,6 +89,8 @@ bool team_judge(struct team *team, const struct team_sample *sample) {
         return false;
     if (team->trying > 0) {
         remember(&team->trial, sample, 1);
+        if (pace(&team->trial) > HOPELESS * pace(&team->usual))
+            team->trying = 1;
         return --team->trying == 0 && conclude(team);
     }
     bool crowded = is_crowded(team, sample);
@@ -157,7 +160,7 @@ void team_step(struct team *team, double now, double work) {
         return;
     }
     begun->steps++;
-    if (now - begun->seconds < SPAN || begun->steps < SPAN_STEPS)
+    if (now - begun->seconds < SPAN || begun->steps < (team->trying > 0 ? 1 : SPAN_STEPS))
         return;
     struct team_sample sample = clocks(now, work), next = sample;
     sample.seconds -= begun->seconds;
