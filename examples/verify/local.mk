@@ -55,6 +55,7 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/fluid-operators/scene.yaml \
 	examples/verify/fluid-poiseuille/scene.yaml \
 	examples/verify/fluid-sphere-array/scene.yaml \
+	examples/verify/fluid-taylor-aris/scene.yaml \
 	examples/verify/fluid-taylor-green/scene.yaml \
 	examples/verify/free-fall/scene.yaml \
 	examples/verify/heat-chain/scene.yaml \
@@ -137,6 +138,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/fluid-operators/check \
 	examples/verify/fluid-poiseuille/check \
 	examples/verify/fluid-sphere-array/check \
+	examples/verify/fluid-taylor-aris/check \
 	examples/verify/fluid-taylor-green/check \
 	examples/verify/free-fall/check \
 	examples/verify/haff/check \

@@ -33,16 +33,15 @@ static size_t places_make(const struct particles *p, struct place **places) {
     return count;
 }
 
-/* The grain of each foot. */
-static void grains_find(struct forces *forces, const struct particles *p, const struct weights *weights) {
+void drag_grains(size_t **grain, const struct particles *p, const struct weights *weights) {
     struct place *places;
     size_t feet = weights->foot_start[weights->rows], count = places_make(p, &places);
-    forces->grain = memory_resize(forces->grain, feet, sizeof *forces->grain, "forces of the fluid");
+    *grain = memory_resize(*grain, feet, sizeof **grain, "forces of the fluid");
     for (size_t k = 0; k < feet; k++) {
         const struct place key = {weights->foot[k].body, 0};
         const struct place *at =
             key.id > 0 && count > 0 ? bsearch(&key, places, count, sizeof *places, by_id) : NULL;
-        forces->grain[k] = at ? at->number : SIZE_MAX;
+        (*grain)[k] = at ? at->number : SIZE_MAX;
     }
     memory_free(places);
 }
@@ -52,7 +51,7 @@ void drag_look(struct forces *forces, const struct physics_context *context, con
     struct particles *p = context->particles;
     double *force = fluid_drag(p);
     size_t feet = flow->weights->foot_start[flow->weights->rows];
-    grains_find(forces, p, flow->weights);
+    drag_grains(&forces->grain, p, flow->weights);
     forces->part = memory_resize(forces->part, feet, sizeof *forces->part, "forces of the fluid");
     forces_feet(flow, viscosity, forces->part);
     memset(force, 0, 3 * (p->owned + p->ghosts) * sizeof *force);

@@ -233,6 +233,32 @@ static const struct observable_component drag_components[] = {
 #define INFO(word, unit, text, components)                                                                   \
     .info = {"fluid_" word, "fluid", unit, text, OBSERVABLE_OF_ALL, components, unit}, .parts = components,  \
     .relevant = known
+#define SCALAR(number, is)                                                                                   \
+    {.info = {"scalar_" number "_mean", "scalar", "1", "mean of scalar " number " over the fluid",           \
+              OBSERVABLE_OF_ALL_OR_REGION, 1, "1"},                                                          \
+     .parts = 2,                                                                                             \
+     .relevant = is,                                                                                         \
+     .of_rank = shown_scalar_mean,                                                                           \
+     .finish = shown_scalar_mean_finish},                                                                    \
+        {.info = {"scalar_" number "_flux", "scalar", "m3/s",                                                \
+                  "flux of scalar " number                                                                   \
+                  " along each direction, by flow and diffusion, through a section of the box; of a region " \
+                  "that is a box, through a section of it",                                                  \
+                  OBSERVABLE_OF_ALL_OR_REGION, 3, "m2/s"},                                                   \
+         .parts = 3,                                                                                         \
+         .relevant = is,                                                                                     \
+         .of_rank = shown_scalar_flux},                                                                      \
+    {                                                                                                        \
+        .info = {"scalar_" number "_carried",                                                                \
+                 "scalar",                                                                                   \
+                 "1",                                                                                        \
+                 "mean of scalar " number                                                                    \
+                 " weighted by the flow along its mean: at an outlet the breakthrough curve",                \
+                 OBSERVABLE_OF_ALL_OR_REGION,                                                                \
+                 1,                                                                                          \
+                 "1"},                                                                                       \
+        .parts = 6, .relevant = is, .of_rank = shown_scalar_carried, .finish = shown_scalar_carried_finish   \
+    }
 static const struct observable_kind kinds[] = {
     {INFO("velocity", "m/s",
           "superficial velocity: sum of velocity x volume of the fluid over the volume of the box", 3),
@@ -274,5 +300,8 @@ static const struct observable_kind kinds[] = {
     {INFO("residual", "1", "true relative residual of the last solves", 1), .of_rank = shown_residual},
     {INFO("speed", "m/s", "largest speed", 1), .of_rank = take_speed, .combine = OBSERVABLE_MAX},
     {INFO("divergence", "1/s", "largest divergence of the velocity", 1), .of_rank = take_divergence,
-     .combine = OBSERVABLE_MAX}};
+     .combine = OBSERVABLE_MAX},
+    SCALAR("1", shown_scalar_1),
+    SCALAR("2", shown_scalar_2),
+    SCALAR("3", shown_scalar_3)};
 const struct observable_table fluid_observables = {kinds, sizeof kinds / sizeof kinds[0]};

@@ -9,6 +9,7 @@
 #include "fluid/motion.h"
 #include "fluid/open.h"
 #include "fluid/regions.h"
+#include "fluid/scalars.h"
 #include "fluid/state.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
@@ -59,6 +60,7 @@ static void append(const struct nodes *nodes, const struct physics_context *cont
     if (fluid) {
         fluid_pressure(p)[i] = flow_at(nodes, context->options, state->x, state->v);
         fluid_region(p)[i] = nodes->owner[node];
+        scalars_begin(context, i);
     } else {
         fluid_body(p)[i] = body_at(nodes, node);
     }
@@ -142,7 +144,7 @@ static bool options_suit(const struct physics_context *context, struct error *er
             context->scene, error, "fluid.time",
             "steady goes with equations: stokes alone; for the steady flow of navier_stokes run a "
             "transient one until it no longer changes");
-    return drive_suits(context, error) && motion_suits(context, error);
+    return drive_suits(context, error) && motion_suits(context, error) && scalars_suit(context, error);
 }
 
 /* Tells of gaps that the spacing does not resolve. In a packing grains touch, so a run goes on. */

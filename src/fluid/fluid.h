@@ -83,6 +83,34 @@ struct fluid_operators {
     int order; /* of moving least squares */
 };
 
+/* The surface for which a value is given: one of three numbers, the others are -1. */
+struct fluid_surface {
+    int wall;  /* of a wall */
+    int group; /* of a group of grains */
+    int side;  /* of an open side of the box: 2 x direction, 1 more for the upper side */
+};
+enum { FLUID_SURFACES_MAX = 16 };
+
+/* A scalar that the fluid carries. */
+enum fluid_advection { FLUID_CENTRAL, FLUID_UPWIND };
+enum { FLUID_SCALARS_MAX = 3, FLUID_NAME_MAX = 32 };
+struct fluid_value {
+    struct fluid_surface at;
+    double value;
+};
+struct fluid_scalar_initial {
+    double value, elsewhere; /* in the region, and outside of it */
+    struct region region;    /* the user's coordinates */
+};
+struct fluid_scalar {
+    char name[FLUID_NAME_MAX];
+    double diffusivity; /* length^2/time */
+    enum fluid_advection advection;
+    struct fluid_scalar_initial initial;
+    int givens;
+    struct fluid_value given[FLUID_SURFACES_MAX];
+};
+
 /* Lengths, times and masses in the units of the scene. */
 struct fluid_options {
     double spacing, density, viscosity; /* dynamic viscosity */
@@ -98,6 +126,8 @@ struct fluid_options {
     struct fluid_open open[FLUID_OPENS_MAX];
     struct fluid_initial initial;
     struct fluid_solver solver;
+    int scalars;
+    struct fluid_scalar scalar[FLUID_SCALARS_MAX];
 };
 
 /* The support radius, length. */

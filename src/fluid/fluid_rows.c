@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The section of a fluid in a scene. */
 #include "fluid/fluid.h"
+#include "fluid/scalars_rows.h"
 #include "physics_table.h"
 #include "scene/scene.h"
 #include "scene/schema_rows.h"
@@ -118,16 +119,13 @@ static const struct schema_row walls_rows[] = {
 };
 static const struct schema_table walls_table = TABLE(walls_rows);
 
-static const struct schema_name side_names[] = {
-    {"x_lower", 0, NULL}, {"x_upper", 1, NULL}, {"y_lower", 2, NULL}, {"y_upper", 3, NULL}, {"z_lower", 4, NULL},
-    {"z_upper", 5, NULL}, {0}};
 static const struct schema_name open_profile_names[] = {
     {"plug", FLUID_PLUG, "the same all over the side"},
     {"parabolic", FLUID_PARABOLIC, "that of a channel as wide as the box: times 4 s (1 - s) along each direction of the side that "
                                    "is not periodic, s = 0 ... 1 from face to face"},
     {0}};
 static const struct schema_row open_rows[] = {
-    {.key = "side", .type = SCHEMA_NAME, .names = side_names, .required = true, AT(struct fluid_open, side),
+    {.key = "side", .type = SCHEMA_NAME, .names = scalars_sides, .required = true, AT(struct fluid_open, side),
      .help = "side of the box", .example = "x_lower"},
     {.key = "velocity", .type = SCHEMA_VECTOR, .unit = "m/s", AT(struct fluid_open, velocity),
      .help = "velocity that is given there", .example = "[1, 0, 0]"},
@@ -158,7 +156,7 @@ static const struct schema_row solver_rows[] = {
      .help = "how often the preconditioner of the pressure is kept for a matrix with new values, as particles that move make them; it is made "
              "again sooner if a solve takes more than half as many iterations again as the first one with it"},
     {.key = "petsc", .type = SCHEMA_TEXT, .fallback = "", AT(struct fluid_solver, petsc),
-     .help = "options for PETSc, as on a command line; prefixes fluid_u_, fluid_p_, fluid_s_",
+     .help = "options for PETSc, as on a command line; prefixes fluid_u_, fluid_p_, fluid_s_, of scalars fluid_c_, fluid_f_",
      .example = "-fluid_p_ksp_monitor"},
 };
 static const struct schema_table solver_table = TABLE(solver_rows);

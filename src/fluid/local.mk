@@ -24,10 +24,16 @@ libfluid_la_SOURCES = \
 	src/fluid/fluid.c \
 	src/fluid/fluid.h \
 	src/fluid/fluid_rows.c \
+	src/fluid/fluxes.c \
+	src/fluid/fluxes.h \
 	src/fluid/forces.c \
 	src/fluid/forces.h \
+	src/fluid/given.c \
+	src/fluid/given.h \
 	src/fluid/kernel.c \
 	src/fluid/kernel.h \
+	src/fluid/links.c \
+	src/fluid/links.h \
 	src/fluid/look.c \
 	src/fluid/look.h \
 	src/fluid/march.c \
@@ -62,11 +68,18 @@ libfluid_la_SOURCES = \
 	src/fluid/residual.h \
 	src/fluid/ride.c \
 	src/fluid/ride.h \
+	src/fluid/scalars.c \
+	src/fluid/scalars.h \
+	src/fluid/scalars_fields.c \
+	src/fluid/scalars_fields.h \
+	src/fluid/scalars_rows.c \
+	src/fluid/scalars_rows.h \
 	src/fluid/shift.c \
 	src/fluid/shift.h \
 	src/fluid/shown.c \
 	src/fluid/shown.h \
 	src/fluid/shown_drag.c \
+	src/fluid/shown_scalars.c \
 	src/fluid/state.h \
 	src/fluid/steady.c \
 	src/fluid/steady.h \

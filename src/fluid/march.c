@@ -13,6 +13,7 @@
 #include "fluid/motion.h"
 #include "fluid/path.h"
 #include "fluid/ride.h"
+#include "fluid/scalars.h"
 #include "fluid/state.h"
 #include "fluid/watch.h"
 #include "particles/fields.h"
@@ -112,6 +113,7 @@ void march_rebuilt(const struct physics_context *context) {
     if (changed) {
         projection_destroy(&fluid->projection);
         steady_destroy(&fluid->steady);
+        scalars_forget(fluid->scalars);
         input_of(context, fluid);
         weights_of(context, fluid);
         if (!motion_moves(fluid->options))
@@ -242,7 +244,7 @@ static void walls_follow(const struct physics_context *context, struct fluid *fl
 double march_limit(const struct physics_context *context, double most) {
     const struct fluid *fluid = context->self;
     if (fluid->options->time == FLUID_STEADY)
-        return fmin(most, STEADY_STEP);
+        return fluid->scalars != NULL ? most : fmin(most, STEADY_STEP);
     if (fluid->options->equations == FLUID_STOKES)
         return most;
     double speed = fmax(speed_largest(context), open_speed(fluid->options));
@@ -278,6 +280,8 @@ void march_step(const struct physics_context *context) {
         step_steady(context, fluid);
     else
         step_transient(context, fluid);
+    if (fluid->error.kind == ERROR_NONE && fluid->scalars != NULL)
+        scalars_step(context, fluid->options->time == FLUID_TRANSIENT);
     watch_step(context);
     if (fluid->error.kind == ERROR_NONE && fluid->options->equations == FLUID_NAVIER_STOKES)
         check_speed(context, fluid);
@@ -294,6 +298,8 @@ void march_look(const struct physics_context *context) {
                  fluid->options->viscosity * kernel_power(fluid->options->spacing, context->box->dimension),
                  fluid_drag(context->particles));
     look_vorticity(&fluid->flow);
+    if (fluid->scalars != NULL)
+        scalars_look(context);
 }
 
 void march_end(void *self) {
@@ -301,6 +307,7 @@ void march_end(void *self) {
     char unused[256] = "";
     projection_destroy(&fluid->projection);
     steady_destroy(&fluid->steady);
+    scalars_destroy(&fluid->scalars);
     if (fluid->solve) {
         solve_end(&fluid->solve, unused, sizeof unused);
         if (fluid->first && unused[0])

@@ -15,8 +15,7 @@ static size_t open_from(const struct weights *weights, size_t row) {
     return weights->wall_start[row + (weights->opens == 0)];
 }
 
-/* p_j - p_i of a wall entry: 0, but for an open side. */
-static double step_of_pressure(const struct weights *weights, size_t wall, struct operators_values p,
+double operators_pressure_step(const struct weights *weights, size_t wall, struct operators_values p,
                                double own) {
     const struct weights_foot *foot = weights_foot_of(weights, wall);
     const struct weights_image *image = weights_image_of(weights, wall);
@@ -38,7 +37,7 @@ void operators_gradient(const struct weights *weights, struct operators_values p
         }
         size_t e = weights_walls(weights, row);
         for (size_t k = open_from(weights, row); k < weights->wall_start[row + 1]; k++, e++) {
-            double difference = step_of_pressure(weights, k, p, own);
+            double difference = operators_pressure_step(weights, k, p, own);
             for (size_t d = 0; d < dimension; d++)
                 sum[d] += weights->vector[e * dimension + d] * difference;
         }
@@ -55,7 +54,7 @@ void operators_laplacian(const struct weights *weights, struct operators_values 
             sum += weights->scalar[e] * (*partner_at(weights, p, e) - own);
         size_t e = weights_walls(weights, row);
         for (size_t k = open_from(weights, row); k < weights->wall_start[row + 1]; k++, e++)
-            sum += weights->scalar[e] * step_of_pressure(weights, k, p, own);
+            sum += weights->scalar[e] * operators_pressure_step(weights, k, p, own);
         out[row] = sum;
     }
 }

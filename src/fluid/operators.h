@@ -20,6 +20,10 @@ struct operators_values {
 /* out[row] = grad p; in two dimensions the third component is 0. */
 void operators_gradient(const struct weights *weights, struct operators_values p, double (*out)[3]);
 
+/* p_j - p_i of a wall entry: 0, but for an open side. Any thread. */
+double operators_pressure_step(const struct weights *weights, size_t wall, struct operators_values p,
+                               double own);
+
 /* out[row] = div grad p. */
 void operators_laplacian(const struct weights *weights, struct operators_values p, double *out);
 

@@ -8,6 +8,7 @@
 #include "fluid/motion.h"
 #include "fluid/nodes.h"
 #include "fluid/ride.h"
+#include "fluid/scalars.h"
 #include "fluid/state.h"
 #include "fluid/watch.h"
 #include "particles/kinds.h"
@@ -44,6 +45,7 @@ static void *create(const struct physics_context *context) {
     fluid->riding = ride_wanted(context);
     if (fluid->riding)
         fluid_fields_riding(context->particles);
+    fluid->scalars = scalars_create(context);
     return fluid;
 }
 
@@ -103,6 +105,7 @@ static void print(const struct physics_context *context, FILE *file) {
             "  gaps         %s%lld between grains are below %g spacings; the narrowest is %.3g spacings\n",
             fluid->narrow > 0 ? "NOTE: " : "", (long long)fluid->narrow, NODES_GAP,
             fluid->narrowest / fluid->options->spacing);
+    scalars_print(context, file);
     if (!steady && fluid->options->equations == FLUID_NAVIER_STOKES)
         fprintf(file, "  time step    up to half a spacing over the largest speed\n");
 }
@@ -117,6 +120,10 @@ static void restart(const struct physics_context *context, struct restart *list)
         restart_add(list, RESTART_REAL, true, &fluid->drive.force[d], "fluid: driving force %c", 'x' + d);
     restart_add(list, RESTART_REAL, true, &fluid->drive.mean_before, "fluid: mean velocity before");
     restart_add(list, RESTART_INTEGER, true, &fluid->drive.steps, "fluid: steps of the drive");
+    if (fluid->scalars == NULL)
+        return;
+    scalars_restart(fluid->scalars, list);
+    restart_add(list, RESTART_INTEGER, true, &fluid->solved, "fluid: the steady flow is there");
 }
 
 static const struct physics_pass passes[] = {{.name = "follow",

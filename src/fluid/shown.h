@@ -24,6 +24,22 @@ void shown_drag(const struct observable_context *context, struct observable_item
 /* Iterations of the last solve for the pressure, or for the steady flow. */
 void shown_iterations(const struct observable_context *context, struct observable_item *item, double *part);
 
+/* Of the scalar whose number the row's name has ("scalar_1_mean"): the mean over the fluid; the flux along x, y and z; the mean
+ * weighted by the flow. In two, three and six parts. */
+void shown_scalar_mean(const struct observable_context *context, struct observable_item *item, double *part);
+void shown_scalar_mean_finish(const struct output_view *view, const struct observable_item *item,
+                              double *part);
+void shown_scalar_flux(const struct observable_context *context, struct observable_item *item, double *part);
+void shown_scalar_carried(const struct observable_context *context, struct observable_item *item,
+                          double *part);
+void shown_scalar_carried_finish(const struct output_view *view, const struct observable_item *item,
+                                 double *part);
+
+/* True if the scene has scalar 1, 2 or 3. */
+bool shown_scalar_1(const struct output_view *view);
+bool shown_scalar_2(const struct output_view *view);
+bool shown_scalar_3(const struct output_view *view);
+
 /* The larger of the true relative residuals of velocity and pressure; of a steady flow that of the momentum. */
 void shown_residual(const struct observable_context *context, struct observable_item *item, double *part);
 

@@ -9,6 +9,8 @@
 #include "fluid/projection.h"
 #include "fluid/steady.h"
 
+struct scalars;
+
 struct fluid {
     const struct fluid_options *options; /* borrowed */
     double support;                      /* radius, length */
@@ -35,11 +37,12 @@ struct fluid {
     struct forces forces;  /* of the last look */
     struct steady *steady; /* of a steady flow; NULL: no matrices yet */
     struct steady_report report;
-    bool solved;        /* the steady flow is there */
-    uint64_t done;      /* the last step that was made */
-    int64_t narrow;     /* gaps between grains that the spacing does not resolve (nodes.h) */
-    double narrowest;   /* length */
-    struct error error; /* until the guard takes it */
+    int64_t solved;          /* 1: the steady flow is there */
+    struct scalars *scalars; /* scalars.h; NULL: none */
+    uint64_t done;           /* the last step that was made */
+    int64_t narrow;          /* gaps between grains that the spacing does not resolve (nodes.h) */
+    double narrowest;        /* length */
+    struct error error;      /* until the guard takes it */
 };
 
 #endif

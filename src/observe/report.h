@@ -13,7 +13,7 @@ enum {
     REPORT_LEVELS_MAX = CLASS_MAX,
     REPORT_NAME_MAX = 64,
     REPORT_INSERTIONS_MAX = 32,
-    REPORT_SOLVERS_MAX = 4
+    REPORT_SOLVERS_MAX = 8
 };
 
 struct report_level {

@@ -344,6 +344,60 @@ rigid() {
 }
 check "boundary particles ride on a grain that turns" rigid
 
+# Scalars: nothing of one is lost, one that is the same everywhere stays so, one is given by the grain; the same on other ranks and indexes, and
+# after a resume
+cat >dye.yaml <<'YAML'
+units: none
+box: {lower: [-1, 0, 2], upper: [0, 1, 3], periodic: true}
+particles: {from: single, position: [-0.9, 0.1, 2.05], radius: 0.31, density: 1, group: bed}
+groups: [{name: bed, motion: frozen}]
+fluid:
+  spacing: 0.1
+  density: 1
+  viscosity: 1
+  drive: {body_force: [100, 0, 0]}
+  solver: {tolerance: 1e-9}
+  scalars:
+    - {name: dye, diffusivity: 0.05, initial: {value: 1, region: {shape: box, lower: [-1, 0, 2], upper: [-0.5, 1, 3]}}}
+    - {diffusivity: 0, initial: 1}
+    - {diffusivity: 0.2, advection: upwind, given: [{group: bed, value: 1}]}
+step: {dt: 0.01, count: 4}
+observables: {every: 1, list: [{name: scalar}]}
+output: {checkpoint: {every: 2}, dump: {every: 4, fields: [id, scalar_1, scalar_2, scalar_3]}}
+YAML
+dyes() { # DIR: id and scalars of the last frame
+    awk '/^ITEM: TIMESTEP/ { n = 0 } !/^ITEM/ && NF == 5 { line[++n] = $1 " " $3 " " $4 " " $5 } END { for (k = 1; k <= n; k++) print line[k] }' "$1/dump.lammpstrj" | sort -n
+}
+dyed() {
+    run_scene 1 dye.yaml one --set threads=1 && dyes one >one.frame && awk '
+        $3 != 0 { n++; d = $3 - 1; d = d < 0 ? -d : d; if (d > gap) gap = d; if ($2 > least) moved = 1; if ($4 < -1e-12 || $4 > 1 + 1e-12) beyond++; sum += $4 }
+        END { printf "  %d particles; 1 stays to %.1e; the grain has given %.3g\n", n, gap, sum; exit !(n > 700 && gap < 1e-8 && sum > 10 && !beyond) }' one.frame &&
+        awk -F, 'NR == 2 { first = $2 } NR > 1 { last = $2; flux = $3 } END { printf "  %.12g of %.12g left, flux %g\n", last, first, flux; d = last / first - 1
+            exit !(first > 0.4 && d * d < 1e-20 && flux > 0.1) }' one/observables.csv
+}
+rm -rf one
+check "scalars: conserved, constant, and bounded" dyed
+dyed_on() { # RANKS THREADS FLAG...
+    local ranks=$1 threads=$2
+    shift 2
+    rm -rf other
+    run_scene "$ranks" dye.yaml other --set threads="$threads" "$@" && dyes other >other.frame && paste -d ' ' one.frame other.frame | awk '
+        { for (k = 1; k <= 4; k++) { d = $k - $(k + 4); d = d < 0 ? -d : d; if (!(d <= gap)) gap = d } } END { printf "  %d particles, apart by %.1e\n", NR, gap; exit !(NR > 700 && gap < 1e-7) }'
+}
+check "scalars on 2 ranks x 2 threads" dyed_on 2 2
+check "scalars on 4 ranks, hgrid" dyed_on 4 1 --set index=hgrid
+dye_resumes() {
+    rm -rf other
+    run_scene 1 dye.yaml other --set threads=1 --resume one/checkpoint-2.h5 && dyes other | cmp - one.frame
+}
+check "scalars: a resume gives the same bits" dye_resumes
+check "scalars in particles that move" scene_refused 'fluid.scalars|fixed' dye.yaml --set fluid.motion=lagrangian
+check "a scalar given nowhere" scene_refused 'dye.yaml:14|fluid.scalars[2].given[0]|one of wall, group and side' dye.yaml --set 'fluid.scalars[2].given=[{value: 1}]'
+check "a scalar given at a side that is not open" scene_refused 'fluid.scalars[2].given[0].side|x_lower is no open side' dye.yaml --set 'fluid.scalars[2].given=[{side: x_lower, value: 1}]'
+check "a scalar given twice" scene_refused 'fluid.scalars[2].given[1]|twice' dye.yaml --set 'fluid.scalars[2].given=[{group: bed, value: 1}, {group: bed, value: 2}]'
+check "a scalar without diffusivity" scene_refused 'fluid.scalars[0].diffusivity|missing' dye.yaml --set 'fluid.scalars=[{name: dye}]'
+check "a dump of a scalar that is not there" scene_refused 'scalar_1|no such field' sphere.yaml --set 'output.dump.fields=[id, scalar_1]'
+
 check "a support below the diagonal" scene_refused 'fluid.kernel.support|from 1.42' sphere.yaml --set fluid.kernel.support=1.2
 check "two drives" scene_refused 'fluid.drive.mass_flow|exclude each other' sphere.yaml --set fluid.drive.mass_flow=1
 check "a drive towards a wall" scene_refused 'fluid.drive.pressure_drop|periodic' channel.yaml --set 'fluid.drive={pressure_drop: 1, axis: y}'

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Surfaces for which a scene gives values: walls, groups of grains, open sides. */
+#ifndef SCREE_FLUID_GIVEN_H
+#define SCREE_FLUID_GIVEN_H
+
+#include "engine/physics.h"
+#include "fluid/fluid.h"
+
+/* True if each of the surfaces of the list `key` ("fluid.scalars[0].given") names one wall, one group or one open side, and
+ * no two name the same one; else a user's error with the key. */
+bool given_suits(const struct physics_context *context, const char *key, const struct fluid_surface *surface,
+                 int surfaces, struct error *error);
+
+/* number[foot] = the number in the list of the surface on which a foot of the weights lies; -1: none. Sends the groups
+ * of grains to their copies. Collective. */
+void given_find(const struct physics_context *context, const struct weights *weights,
+                const struct fluid_surface *surface, int surfaces, int *number);
+
+#endif
