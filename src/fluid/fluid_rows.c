@@ -190,6 +190,8 @@ static const struct schema_row section[] = {
      .offset = offsetof(struct fluid_options, initial), .help = "the fluid at the start"},
     {.key = "solver", .type = SCHEMA_SECTION, .sub = &solver_table, .offset = offsetof(struct fluid_options, solver),
      .help = "linear algebra, by PETSc"},
+    {.key = "scalars", .type = SCHEMA_LIST, .sub = &scalars_table, ARRAY_AT(struct fluid_options, scalar, scalars),
+     .help = "concentrations or temperatures that the fluid carries, and that do not act on the flow"},
 };
 const struct schema_table fluid_schema = TABLE(section);
 

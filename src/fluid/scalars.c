@@ -25,6 +25,7 @@ struct scalar {
     struct solve_system *system; /* NULL: not made yet */
     double factor;               /* g dt of its values; NAN: none */
     double *given;               /* by foot: the value there; NAN: none */
+    double *share;               /* by particle number: of links.h */
     double (*flux)[3];           /* by row, of the last look; NULL: none yet */
 };
 
@@ -94,6 +95,7 @@ void scalars_forget(struct scalars *scalars) {
         struct scalar *scalar = &scalars->scalar[k];
         solve_destroy(&scalar->system);
         memory_free(scalar->given);
+        memory_free(scalar->share);
         memory_free(scalar->flux);
         *scalar = (struct scalar){0};
     }
@@ -109,6 +111,17 @@ void scalars_destroy(struct scalars **scalars) {
     scalars_forget(*scalars);
     memory_free(*scalars);
     *scalars = NULL;
+}
+
+static struct links links_of(const struct fluid *fluid, int k) {
+    const struct fluid_scalar *options = &fluid->options->scalar[k];
+    return (struct links){.weights = &fluid->weights,
+                          .diffusivity = options->diffusivity,
+                          .carry = fluid->scalars->fluxes.carry,
+                          .upwind = options->advection == FLUID_UPWIND,
+                          .given = fluid->scalars->scalar[k].given,
+                          .share = fluid->scalars->scalar[k].share,
+                          .input = &fluid->input};
 }
 
 /* The values that are given at the feet. */
@@ -127,6 +140,28 @@ static void given_make(const struct physics_context *context, const struct fluid
     memory_free(number);
 }
 
+/* The shares of scalar k, by way of an array whose copies can be brought up to date. */
+static void share_make(const struct physics_context *context, int k) {
+    struct fluid *fluid = context->self;
+    const struct particles *p = context->particles;
+    struct scalar *scalar = &fluid->scalars->scalar[k];
+    struct links links = links_of(fluid, k);
+    size_t all = p->owned + p->ghosts;
+    links_share(&links, fluid->flow.increment + fluid->weights.first);
+    flow_forward(&fluid->flow, FLOW_INCREMENT);
+    scalar->share = memory_resize(scalar->share, all, sizeof *scalar->share, "scalars of a fluid");
+    memcpy(scalar->share, fluid->flow.increment, all * sizeof *scalar->share);
+}
+
+/* Values that are given, and shares. */
+static void surfaces_make(const struct physics_context *context) {
+    const struct fluid *fluid = context->self;
+    for (int k = 0; k < fluid->scalars->options->scalars; k++) {
+        given_make(context, &fluid->options->scalar[k], &fluid->scalars->scalar[k].given);
+        share_make(context, k);
+    }
+}
+
 /* What does not change with the step. */
 static bool prepare(const struct physics_context *context, struct fluid *fluid) {
     struct scalars *scalars = fluid->scalars;
@@ -137,19 +172,9 @@ static bool prepare(const struct physics_context *context, struct fluid *fluid) 
         return false;
     scalars->side = memory_allocate(rows, sizeof(double), "scalars of a fluid");
     scalars->solution = memory_allocate(rows, sizeof(double), "scalars of a fluid");
-    for (int k = 0; k < scalars->options->scalars; k++)
-        given_make(context, &scalars->options->scalar[k], &scalars->scalar[k].given);
+    surfaces_make(context);
     scalars->made = true;
     return true;
-}
-
-static struct links links_of(const struct fluid *fluid, int k) {
-    const struct fluid_scalar *options = &fluid->options->scalar[k];
-    return (struct links){.weights = &fluid->weights,
-                          .diffusivity = options->diffusivity,
-                          .carry = fluid->scalars->fluxes.carry,
-                          .upwind = options->advection == FLUID_UPWIND,
-                          .given = fluid->scalars->scalar[k].given};
 }
 
 /* Makes the matrix of scalar k for g dt, or gives it new values. */
@@ -225,15 +250,14 @@ void scalars_look(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     struct scalars *scalars = fluid->scalars;
     size_t rows = fluid->weights.rows;
-    if (!scalars->made) /* an output of the start needs what is given */
-        for (int k = 0; k < scalars->options->scalars; k++)
-            given_make(context, &scalars->options->scalar[k], &scalars->scalar[k].given);
+    if (!scalars->made) /* an output of the start */
+        surfaces_make(context);
     for (int k = 0; k < scalars->options->scalars; k++) {
         struct scalar *scalar = &scalars->scalar[k];
         struct links links = links_of(fluid, k);
         scalars_fields_forward(context, k);
         scalar->flux = memory_resize(scalar->flux, rows, sizeof *scalar->flux, "scalars of a fluid");
-        links_flux(&links, &fluid->flow, scalars_value(context->particles, k), scalar->flux);
+        links_flux(&links, scalars_value(context->particles, k), scalar->flux);
     }
 }
 

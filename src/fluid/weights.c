@@ -229,6 +229,15 @@ void weights_make(struct weights *weights, const struct weights_input *input,
     weights_weigh(weights, input, options);
 }
 
+void weights_apart(const struct weights *weights, const struct weights_input *input, size_t row, size_t entry,
+                   double apart[3]) {
+    uint32_t partner = weights->partner[entry];
+    const struct particle_state *state = input->particles->state;
+    for (int d = 0; d < 3; d++)
+        apart[d] = state[pair_partner(partner)].x[d] - state[weights->first + row].x[d] +
+                   input->shift[pair_image(partner)][d];
+}
+
 void weights_free(struct weights *weights) {
     memory_free(weights->start);
     memory_free(weights->wall_start);

@@ -160,6 +160,10 @@ void weights_weigh(struct weights *weights, const struct weights_input *input,
 void weights_neighbour(const struct weights *weights, const struct weights_input *input,
                        const struct weights_options *options, size_t entry, size_t row,
                        struct tensors_neighbour *to);
+
+/* x_j - x_i of an entry of a row. Any thread. */
+void weights_apart(const struct weights *weights, const struct weights_input *input, size_t row, size_t entry,
+                   double apart[3]);
 void weights_free(struct weights *weights);
 
 /* Bytes held. */

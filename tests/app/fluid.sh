@@ -392,7 +392,8 @@ dye_resumes() {
 }
 check "scalars: a resume gives the same bits" dye_resumes
 check "scalars in particles that move" scene_refused 'fluid.scalars|fixed' dye.yaml --set fluid.motion=lagrangian
-check "a scalar given nowhere" scene_refused 'dye.yaml:14|fluid.scalars[2].given[0]|one of wall, group and side' dye.yaml --set 'fluid.scalars[2].given=[{value: 1}]'
+sed 's/group: bed, value: 1/value: 1/' dye.yaml >nowhere.yaml
+check "a scalar given nowhere" scene_refused 'nowhere.yaml:14|fluid.scalars[2].given[0]|one of wall, group and side' nowhere.yaml
 check "a scalar given at a side that is not open" scene_refused 'fluid.scalars[2].given[0].side|x_lower is no open side' dye.yaml --set 'fluid.scalars[2].given=[{side: x_lower, value: 1}]'
 check "a scalar given twice" scene_refused 'fluid.scalars[2].given[1]|twice' dye.yaml --set 'fluid.scalars[2].given=[{group: bed, value: 1}, {group: bed, value: 2}]'
 check "a scalar without diffusivity" scene_refused 'fluid.scalars[0].diffusivity|missing' dye.yaml --set 'fluid.scalars=[{name: dye}]'
