@@ -50,6 +50,10 @@ heated_drum = examples/heated_drum
 nobase_dist_pkgdata_DATA += $(heated_drum)/README.md $(heated_drum)/picture.gp $(heated_drum)/scene.yaml
 nobase_dist_pkgdata_SCRIPTS += $(heated_drum)/check $(heated_drum)/run.sh
 
+fluidised = examples/fluidised_bed
+nobase_dist_pkgdata_DATA += $(fluidised)/README.md $(fluidised)/picture.gp $(fluidised)/scene.yaml
+nobase_dist_pkgdata_SCRIPTS += $(fluidised)/check $(fluidised)/run.sh
+
 hard = examples/hard
 nobase_dist_pkgdata_DATA += \
 	$(hard)/boulder.yaml $(hard)/coincide.yaml $(hard)/denormal.yaml $(hard)/edge.yaml $(hard)/faces.yaml \

@@ -16,6 +16,7 @@
 #define PHYSICS_TABLE(ROW)                                                                                   \
     ROW(density, number_density, GRAINS,                                                                     \
         "the SPH number density of each particle, sum of W(|x_ij|, support)")                                \
+    ROW(drag, drag, GRAINS, "drag and buoyancy of grains in a fluid that does not resolve them")             \
     ROW(heat, heat, GRAINS, "heat that grains conduct through contacts, with walls and through gas")         \
     ROW(bonds, bonds, GRAINS, "parallel bonds that hold grains together until they break")                   \
     ROW(bodies, bodies, BODIES, "rigid bodies of spheres, which may overlap")                                \

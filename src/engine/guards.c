@@ -247,7 +247,7 @@ static void energies_find(const struct simulation *s, double energy[ENERGIES]) {
     energy[ELASTIC_NORMAL] = s->grains.sums.elastic_normal;
     energy[ELASTIC_TANGENTIAL] = s->grains.sums.elastic_tangential;
     energy[TAKEN] = s->grains.taken;
-    energy[WORK] = s->grains.walls ? walls_work(s->grains.walls) : 0;
+    energy[WORK] = (s->grains.walls ? walls_work(s->grains.walls) : 0) + physics_work(&s->physics);
     physics_energy(&s->physics, &energy[HELD], &energy[GONE]);
     comm_sum(s->comm, energy, ENERGIES);
 }

@@ -155,6 +155,14 @@ void physics_energy(const struct physics_set *set, double *stored, double *taken
     }
 }
 
+double physics_work(const struct physics_set *set) {
+    double work = 0;
+    for (int k = 1; k < set->count; k++)
+        if (set->active[k].row->work)
+            work += set->active[k].row->work(&set->active[k].context);
+    return work;
+}
+
 static bool may_join(const struct physics_active *active) {
     return active->row->joins && active->row->joins(&active->context);
 }

@@ -157,6 +157,9 @@ struct physics {
     /* This rank's parts of the energy that the physics holds, and of the energy that it has taken from the
      * grains for good since the start: parts of the balance of energies. NULL: none. */
     void (*energy)(const struct physics_context *context, double *stored, double *taken);
+    /* Work that the physics has done on grains since the start, negative if it took energy; this rank's part.
+     * NULL: none. */
+    double (*work)(const struct physics_context *context);
     /* True if two particles of the list of contacts, one of them owned, have no contact now; any thread. Asked
      * if `joins` is true, at the start. NULL: all have. */
     bool (*joined)(const struct physics_context *context, size_t i, size_t j);
@@ -238,6 +241,9 @@ void physics_rows(const struct physics_set *set, struct history_rows *rows[PHYSI
 
 /* This rank's parts of the energies of all. */
 void physics_energy(const struct physics_set *set, double *stored, double *taken);
+
+/* This rank's part of the work of all on grains. */
+double physics_work(const struct physics_set *set);
 
 /* True if a physics says that the pair has no contact; `set` as context for struct force_context. physics_joins:
  * a physics may. */

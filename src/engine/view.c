@@ -30,6 +30,7 @@ struct output_view simulation_view(const struct simulation *s) {
                                         .waiting = timer_sum(&s->timers, TIMER_WAIT, 0)}};
     physics_own(&s->physics, view.own);
     physics_energy(&s->physics, &view.held, &view.gone);
+    view.gone -= physics_work(&s->physics);
     return view;
 }
 

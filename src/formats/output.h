@@ -45,7 +45,8 @@ struct output_view {
     const struct force_sums *sums;           /* of the last evaluation, this rank's part; NULL: zeros */
     double taken;                            /* sum of force_sums.taken since the start, this rank's part */
     double held,
-        gone; /* energy that other physics than grains hold, and have taken for good, this rank's part */
+        gone; /* energy that other physics than grains hold, and have taken for good less that which they gave, this rank's
+               * part */
     uint64_t step;
     double time;
     struct output_load load;

@@ -10,6 +10,7 @@ dist_check_SCRIPTS += \
 	tests/app/bodies.sh \
 	tests/app/cohesion.sh \
 	tests/app/density.sh \
+	tests/app/drag.sh \
 	tests/app/endless.sh \
 	tests/app/fluid.sh \
 	tests/app/fluid_bodies.sh \

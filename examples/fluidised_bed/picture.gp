@@ -1,0 +1,41 @@
+# Pressure drop and porosity over the velocity, and three states; variable: out
+set terminal pngcairo size 1100,440 font "sans,11"
+set output out . "fluidised-bed.png"
+set multiplot
+set size 0.46,1
+set origin 0,0
+set datafile separator ","
+set xlabel "superficial velocity [m/s]"
+set ylabel "pressure drop over the weight of the bed"
+set y2label "mean porosity"
+set yrange [0:1.4]
+set y2range [0.3:0.8]
+set y2tics
+set ytics nomirror
+set xrange [0.2:1.2]
+set key top left
+plot out . "observables.csv" using 2:3 skip 1 with lines lw 2 lc rgb "#264653" title "pressure drop", \
+    1 with lines dt 2 lc rgb "#888888" notitle, \
+    out . "observables.csv" using 2:4 skip 1 axes x1y2 with lines lw 2 lc rgb "#e76f51" title "porosity"
+unset y2tics
+unset y2label
+unset key
+set datafile separator
+set size ratio -1
+set xrange [0:24]
+set yrange [0:60]
+set xlabel "x [mm]"
+set ylabel "z [mm]"
+set palette defined (0.38 "#264653", 0.5 "#2a9d8f", 0.65 "#e9c46a", 0.9 "#e76f51")
+set cbrange [0.38:0.9]
+unset colorbox
+array steps[3] = [10000, 20000, 30000]
+array titles[3] = ["0.4 m/s", "0.8 m/s", "1.2 m/s"]
+do for [k = 1:3] {
+    set size 0.2,0.95
+    set origin 0.42 + 0.175 * k - 0.09, 0.02
+    if (k == 3) { set colorbox; set cblabel "porosity" }
+    if (k > 1) { unset ylabel }
+    set title titles[k]
+    plot sprintf("%sstate-%d.txt", out, steps[k]) using 1:2:3:4 with circles fs solid lc palette
+}

@@ -1,0 +1,230 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Drag as a physics: one pass adds drag and buoyancy to the forces on grains. Read drag.h and engine/physics.h first. */
+#include "core/memory.h"
+#include "drag/drag.h"
+#include "drag/drag_own.h"
+#include "drag/fields.h"
+#include "drag/law.h"
+#include "drag/porosity.h"
+#include "engine/physics.h"
+#include "integrate/groups.h"
+#include "particles/kinds.h"
+#include <math.h>
+
+struct drag {
+    const struct drag_options *options; /* borrowed */
+    const struct drag_law *law;
+    double largest;
+    struct porosity *porosity; /* NULL: the law has none */
+    double *given;             /* work on grains, by thread */
+    double work;               /* since the start; energy */
+    struct error error;        /* until the guard takes it */
+};
+
+double drag_largest(const struct drag_options *options) {
+    return isnan(options->largest) ? INFINITY : options->largest;
+}
+
+void drag_velocity(const struct drag_options *options, double time, double velocity[3]) {
+    for (int d = 0; d < 3; d++)
+        velocity[d] = options->fluid.velocity[d] + time * options->fluid.acceleration[d];
+}
+
+const struct drag_options *drag_options_of(const struct drag *drag) {
+    return drag->options;
+}
+
+double drag_work(const struct drag *drag) {
+    return drag->work;
+}
+
+/* Grains meet within the support of the kernel; a wall has an infinite radius. */
+static double range(const void *context, int kind_a, double radius_a, int kind_b, double radius_b) {
+    const struct drag_options *options = context;
+    bool wall = isinf(radius_a) || isinf(radius_b);
+    if (!drag_law_get(options->law)->porous || kind_a == KIND_BODY || kind_b == KIND_BODY)
+        return -INFINITY;
+    if (!wall && (kind_a != KIND_GRAIN || kind_b != KIND_GRAIN))
+        return -INFINITY;
+    return options->porosity.support - (isinf(radius_a) ? 0 : radius_a) - (isinf(radius_b) ? 0 : radius_b);
+}
+
+static bool check(const struct physics_context *context, struct error *error) {
+    const struct drag_options *options = context->options;
+    if (drag_law_get(options->law)->porous && context->box->dimension != 3)
+        return scene_fail(context->scene, error, "drag.law",
+                          "a law with a porosity needs a box of three dimensions; allowed in two: stokes, "
+                          "schiller_naumann");
+    return true;
+}
+
+static void *create(const struct physics_context *context) {
+    struct drag *drag = memory_allocate_zero(1, sizeof *drag, "drag");
+    drag->options = context->options;
+    drag->law = drag_law_get(drag->options->law);
+    drag->largest = drag_largest(drag->options);
+    drag->given = memory_allocate_zero((size_t)context->threads, sizeof *drag->given, "drag");
+    if (drag->law->porous)
+        drag->porosity = porosity_create(context);
+    return drag;
+}
+
+static void destroy(void *self) {
+    struct drag *drag = self;
+    porosity_destroy(&drag->porosity);
+    memory_free(drag->given);
+    memory_free(drag);
+}
+
+/* A kernel that is too narrow for the largest grains. */
+static void support_check(const struct physics_context *context, struct drag *drag) {
+    double radius = 0, support = drag->options->porosity.support;
+    for (int c = 0; c < context->classes->count; c++)
+        if (context->classes->kind[c] == KIND_GRAIN && context->classes->radius_min[c] <= drag->largest)
+            radius = fmax(radius, fmin(context->classes->radius_max[c], drag->largest));
+    if (support < POROSITY_SUPPORT_LEAST * radius && drag->error.kind == ERROR_NONE)
+        scene_fail(context->scene, &drag->error, "drag.porosity.support",
+                   "%g is too short for grains of radius %g; allowed: %g radii or more, %g, or a smaller "
+                   "drag.largest",
+                   support, radius, POROSITY_SUPPORT_LEAST, POROSITY_SUPPORT_LEAST * radius);
+}
+
+static void rebuilt(const struct physics_context *context) {
+    struct drag *drag = context->self;
+    if (drag->porosity == NULL)
+        return;
+    support_check(context, drag);
+    porosity_rebuilt(drag->porosity);
+}
+
+static bool takes_part(const struct drag *drag, const struct particles *p, const uint8_t *kind, size_t i) {
+    return p->state[i].radius <= drag->largest && (kind == NULL || kind[i] == KIND_GRAIN);
+}
+
+/* K of grain i; `slip` becomes its superficial slip velocity. */
+static double factor_of(const struct physics_context *context, size_t i, double time, double slip[3]) {
+    const struct drag *drag = context->self;
+    const struct particle_state *state = &context->particles->state[i];
+    const double *porosity = drag_porosity(context->particles);
+    struct drag_case at = {.density = drag->options->fluid.density,
+                           .viscosity = drag->options->fluid.viscosity,
+                           .diameter = 2 * state->radius,
+                           .porosity = porosity ? porosity[i] : 1};
+    double square = 0;
+    drag_velocity(drag->options, time, slip);
+    for (int d = 0; d < 3; d++) {
+        slip[d] = d < context->box->dimension ? slip[d] - at.porosity * state->v[d] : 0;
+        square += slip[d] * slip[d];
+    }
+    at.speed = sqrt(square);
+    return drag->law->factor(&at);
+}
+
+/* The forces on the grains of a thread. A force acts from half a step before to half a step after, so that its work is the
+ * mean of its powers at both velocities: the first half is counted now, the second one when the next force is known. */
+static void act(const struct physics_context *context, int thread) {
+    struct drag *drag = context->self;
+    struct particles *p = context->particles;
+    const uint8_t *kind = kinds_of(p);
+    const double *gravity = context->motion->gravity, half = 0.5 * context->clock->dt;
+    double(*law)[3] = (double(*)[3])drag_force(p), given = 0;
+    size_t first = p->owned * (size_t)thread / (size_t)context->threads;
+    size_t last = p->owned * ((size_t)thread + 1) / (size_t)context->threads;
+    for (size_t i = first; i < last; i++) {
+        double slip[3], *force = p->force + i * (size_t)p->force_stride;
+        if (!takes_part(drag, p, kind, i))
+            continue;
+        const double *v = p->state[i].v;
+        double factor = factor_of(context, i, context->clock->time, slip), power = 0;
+        double mass = drag->options->fluid.density * porosity_volume(p->state[i].radius);
+        for (int d = 0; d < context->box->dimension; d++) {
+            double before = law[i][d], buoyancy = -mass * gravity[d];
+            law[i][d] = factor * slip[d];
+            force[d] += law[i][d] + buoyancy;
+            power += (law[i][d] + buoyancy) * v[d];
+            power += context->clock->step > 0 ? (before + buoyancy) * v[d] : 0;
+        }
+        given += p->state[i].inverse_mass > 0 ? half * power : 0;
+    }
+    drag->given[thread] = given;
+}
+
+static void add(const struct physics_context *context) {
+    struct drag *drag = context->self;
+    if (drag->porosity && context->clock->step % (uint64_t)drag->options->porosity.every == 0)
+        porosity_sum(drag->porosity);
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < context->threads; t++)
+        act(context, t);
+    for (int t = 0; t < context->threads; t++)
+        drag->work += drag->given[t];
+}
+
+static double work(const struct physics_context *context) {
+    return drag_work(context->self);
+}
+
+/* Within mass / K the slip of a grain changes no sign. */
+static double limit(const struct physics_context *context, double most) {
+    struct drag *drag = context->self;
+    const struct particles *p = context->particles;
+    const uint8_t *kind = kinds_of(p);
+    double slip[3];
+    if (drag->porosity && context->list[0] == NULL)
+        return most;
+    if (drag->porosity && context->clock->step == 0)
+        porosity_sum(drag->porosity);
+    for (size_t i = 0; i < p->owned; i++)
+        if (takes_part(drag, p, kind, i) && p->state[i].inverse_mass > 0)
+            most = fmin(most,
+                        1 / (p->state[i].inverse_mass * factor_of(context, i, context->clock->time, slip)));
+    comm_min(context->comm, &most, 1);
+    return most;
+}
+
+static void guard(const struct physics_context *context, struct error *error) {
+    const struct drag *drag = context->self;
+    if (error->kind == ERROR_NONE)
+        *error = drag->error;
+}
+
+static void print(const struct physics_context *context, FILE *file) {
+    const struct drag *drag = context->self;
+    const struct drag_porosity *porosity = &drag->options->porosity;
+    if (context->comm->rank > 0)
+        return;
+    fprintf(file, "\ndrag\n  law          %s: %s\n", drag->law->name, drag->law->summary);
+    if (drag->law->porous)
+        fprintf(file, "  porosity     within %.6g of a grain, every %d step%s\n", porosity->support,
+                porosity->every, porosity->every == 1 ? "" : "s");
+    if (isfinite(drag->largest))
+        fprintf(file, "  grains       up to the radius %.6g\n", drag->largest);
+}
+
+static void restart(const struct physics_context *context, struct restart *list) {
+    struct drag *drag = context->self;
+    restart_add(list, RESTART_SUM, true, &drag->work, "drag: work");
+}
+
+static const struct physics_pass pass = {.name = "drag",
+                                         .stage = PASS_CLOSE,
+                                         .does = "drag and buoyancy of grains in a fluid, and porosity",
+                                         .reads = "position velocity radius",
+                                         .writes = "force drag_force porosity",
+                                         .whole = add};
+const struct physics drag_physics = {.name = "drag",
+                                     .box_moves = true,
+                                     .interactions = 1,
+                                     .interaction = {{.name = "porosity", .range = range}},
+                                     .passes = 1,
+                                     .pass = &pass,
+                                     .check = check,
+                                     .create = create,
+                                     .destroy = destroy,
+                                     .rebuilt = rebuilt,
+                                     .work = work,
+                                     .limit = limit,
+                                     .limit_why = "drag: mass of a grain over its drag per speed",
+                                     .guard = guard,
+                                     .print = print,
+                                     .restart = restart};
