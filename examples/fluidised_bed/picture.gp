@@ -12,7 +12,7 @@ set yrange [0:1.4]
 set y2range [0.3:0.8]
 set y2tics
 set ytics nomirror
-set xrange [0.2:1.2]
+set xrange [0.3:1]
 set key top left
 plot out . "observables.csv" using 2:3 skip 1 with lines lw 2 lc rgb "#264653" title "pressure drop", \
     1 with lines dt 2 lc rgb "#888888" notitle, \
@@ -22,15 +22,15 @@ unset y2label
 unset key
 set datafile separator
 set size ratio -1
-set xrange [0:24]
+set xrange [0:24.6]
 set yrange [0:60]
 set xlabel "x [mm]"
 set ylabel "z [mm]"
 set palette defined (0.38 "#264653", 0.5 "#2a9d8f", 0.65 "#e9c46a", 0.9 "#e76f51")
 set cbrange [0.38:0.9]
 unset colorbox
-array steps[3] = [10000, 20000, 30000]
-array titles[3] = ["0.4 m/s", "0.8 m/s", "1.2 m/s"]
+array steps[3] = [6250, 12500, 18750]
+array titles[3] = ["0.45 m/s", "0.7 m/s", "0.95 m/s"]
 do for [k = 1:3] {
     set size 0.2,0.95
     set origin 0.42 + 0.175 * k - 0.09, 0.02

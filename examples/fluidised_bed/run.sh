@@ -8,7 +8,7 @@ out=${1:-$(results out)}
 "$SCREE" run "$here/scene.yaml" -o "$out" --overwrite
 "$here/check" "$out" drawn
 if command -v gnuplot >/dev/null; then
-    for step in 10000 20000 30000; do
+    for step in 6250 12500 18750; do
         awk -v step=$step '/^ITEM: TIMESTEP/ { getline; on = $1 == step; next } /^ITEM: ATOMS/ { reading = 1; for (k = 3; k <= NF; k++) at[$k] = k - 2; next }
             /^ITEM:/ { reading = 0; next } on && reading { print $at["x"] * 1e3, $at["z"] * 1e3, $at["radius"] * 1e3, $at["porosity"] }' \
             "$out/dump.lammpstrj" >"$out/state-$step.txt"
