@@ -32,10 +32,15 @@ unset colorbox
 array steps[3] = [6250, 12500, 18750]
 array titles[3] = ["0.45 m/s", "0.7 m/s", "0.95 m/s"]
 do for [k = 1:3] {
-    set size 0.2,0.95
-    set origin 0.42 + 0.175 * k - 0.09, 0.02
+    set origin 0, 0
+    set size 1, 1
+    set lmargin at screen 0.55 + 0.13 * (k - 1)
+    set rmargin at screen 0.66 + 0.13 * (k - 1)
+    set tmargin at screen 0.9
+    set bmargin at screen 0.15
+    set xtics 10
     if (k == 3) { set colorbox; set cblabel "porosity" }
-    if (k > 1) { unset ylabel }
+    if (k > 1) { unset ylabel; set format y "" }
     set title titles[k]
     plot sprintf("%sstate-%d.txt", out, steps[k]) using 1:2:3:4 with circles fs solid lc palette
 }
