@@ -4,6 +4,7 @@ EXTRA_DIST += docs/indexes.md docs/images/penetration.png
 EXTRA_DIST += docs/physics.md docs/user-law.md docs/fluid.md \
 	docs/images/crushing.png docs/images/dumbbells.png docs/images/fluid-cavity.png docs/images/heated-drum.png docs/images/fluid-spheres.png docs/images/fluid-vortices.png docs/images/fluidised-bed.png
 EXTRA_DIST += docs/packing.md
+EXTRA_DIST += docs/library.md docs/library.awk
 EXTRA_DIST += docs/scaling.md docs/layouts.md \
 	docs/folders.dot docs/images/folders.svg docs/images/scaling-hybrid.svg docs/images/scaling-model.svg docs/images/scaling-ranks.svg \
 	docs/images/scaling-sizes.svg docs/images/scaling-speed.svg
@@ -77,5 +78,7 @@ EXTRA_DIST += docs/results/scaling/hybrid.jsonl docs/results/scaling/lengths.jso
 # The pages that the program writes, after a change of the schema, a field, an observable, a stage or the report
 .PHONY: pages
 pages: src/scene/document src/engine/document
+	cd $(srcdir)/src && $(AWK) -f ../docs/library.awk scree_pairs.h scree.h >$(abs_builddir)/library.md.new
+	mv library.md.new $(top_srcdir)/docs/library.md
 	src/scene/document >scene.md.new && mv scene.md.new $(top_srcdir)/docs/scene.md
 	src/engine/document <$(top_srcdir)/docs/output.md >output.md.new && mv output.md.new $(top_srcdir)/docs/output.md

@@ -62,6 +62,9 @@ nobase_dist_pkgdata_DATA += \
 	$(hard)/slivers.txt $(hard)/square.txt
 nobase_dist_pkgdata_SCRIPTS += $(hard)/run.sh
 
+nobase_dist_pkgdata_DATA += \
+	examples/library/README.md examples/library/search.c examples/library/simulation.c
+
 penetration = examples/penetration
 nobase_dist_pkgdata_DATA += \
 	$(penetration)/README.md $(penetration)/compare.awk $(penetration)/depth.gp $(penetration)/lammps.csv \

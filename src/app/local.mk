@@ -15,7 +15,6 @@ libapp_la_SOURCES = \
 	src/app/command.h \
 	src/app/command_line.c \
 	src/app/command_line.h \
-	src/app/library.c \
 	src/app/pack.c \
 	src/app/pack.h \
 	src/app/program.c \
@@ -29,16 +28,8 @@ libapp_la_SOURCES = \
 	src/app/trial.c \
 	src/app/trial.h \
 	src/app/variant.c \
-	src/app/variant.h \
-	src/scree.h
+	src/app/variant.h
 libapp_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
-
-# The library for other codes exports scree_* alone; the program is a main that calls it
-lib_LTLIBRARIES += libscree.la
-libscree_la_SOURCES =
-libscree_la_LIBADD = $(APP_LIBS)
-libscree_la_LDFLAGS = $(AM_LDFLAGS) -export-symbols-regex '^scree_' -version-info 0:0:0
-include_HEADERS += src/scree.h
 
 bin_PROGRAMS += scree
 scree_SOURCES = src/app/main.c

@@ -46,6 +46,59 @@ void comm_stop(struct comm *comm) {
     alone_end(&comm->alone);
 }
 
+/* Of an MPI that comm_join has started; the process ends it. */
+static struct alone *alone_here;
+
+static void end_with_process(void) {
+    int over = 1;
+    if (MPI_Finalized(&over) == MPI_SUCCESS && !over)
+        MPI_Finalize();
+    alone_end(&alone_here);
+}
+
+static bool start_with_process(const void *communicator, struct error *error) {
+    int started = 0, over = 0, provided;
+    comm_check(MPI_Initialized(&started), "MPI_Initialized");
+    comm_check(MPI_Finalized(&over), "MPI_Finalized");
+    if (over)
+        return error_set(error, ERROR_USER, "MPI has ended in this process, and cannot start again");
+    if (started)
+        return true;
+    if (communicator)
+        return error_set(error, ERROR_USER, "there is a communicator, but MPI was not started");
+    alone_here = alone_begin();
+    comm_check(MPI_Init_thread(NULL, NULL, MPI_THREAD_FUNNELED, &provided), "MPI_Init_thread");
+    alone_started(alone_here);
+    return atexit(end_with_process) == 0 ||
+           error_set(error, ERROR_SYSTEM, "the end of MPI cannot be left to the end of the process");
+}
+
+bool comm_join(struct comm *comm, const void *communicator, struct error *error) {
+    int provided = MPI_THREAD_SINGLE;
+    *comm = (struct comm){0};
+    if (!start_with_process(communicator, error))
+        return false;
+    comm_check(MPI_Query_thread(&provided), "MPI_Query_thread");
+    if (provided < MPI_THREAD_FUNNELED)
+        return error_set(error, ERROR_USER,
+                         "MPI was started without threads; start it by MPI_Init_thread with at least "
+                         "MPI_THREAD_FUNNELED");
+    MPI_Comm given = communicator ? *(const MPI_Comm *)communicator : MPI_COMM_SELF;
+    comm_check(MPI_Comm_dup(given, &comm->handle), "MPI_Comm_dup");
+    comm_check(MPI_Comm_set_errhandler(comm->handle, MPI_ERRORS_RETURN), "MPI_Comm_set_errhandler");
+    comm_check(MPI_Comm_rank(comm->handle, &comm->rank), "MPI_Comm_rank");
+    comm_check(MPI_Comm_size(comm->handle, &comm->size), "MPI_Comm_size");
+    error_set_abort(comm->rank, comm_abort);
+    return true;
+}
+
+void comm_leave(struct comm *comm) {
+    int over = 0;
+    comm_check(MPI_Finalized(&over), "MPI_Finalized");
+    if (!over)
+        comm_check(MPI_Comm_free(&comm->handle), "MPI_Comm_free");
+}
+
 void comm_abort(int status) {
     MPI_Abort(MPI_COMM_WORLD, status);
     _Exit(status);

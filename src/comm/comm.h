@@ -33,6 +33,12 @@ enum comm_tag {
 void comm_start(struct comm *comm, int *argc, char ***argv);
 void comm_stop(struct comm *comm);
 
+/* The same in a program that is not scree's: a duplicate of the caller's communicator, at which `communicator` points
+ * (an MPI_Comm). NULL: this process alone; if nobody has started MPI, MPI starts here and ends with the process.
+ * False with a user's error if MPI is not there or has no threads. comm_leave frees the duplicate. Collective. */
+bool comm_join(struct comm *comm, const void *communicator, struct error *error);
+void comm_leave(struct comm *comm);
+
 /* Ends the program on all ranks at once with this status (MPI_Abort). Any rank. */
 _Noreturn void comm_abort(int status);
 

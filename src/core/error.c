@@ -2,15 +2,18 @@
 /* Fills errors, and ends the program on an error that no caller can handle. Read error.h first. */
 #include "core/error.h"
 
+#include "core/log.h"
+
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Set by error_set_abort, while there is one thread. */
+/* Set by error_set_abort and error_set_log, while there is one thread. */
 static int fatal_rank = 0;
 static void (*fatal_hook)(int status) = NULL;
+static struct log fatal_log;
 
 bool error_set(struct error *error, enum error_kind kind, const char *format, ...) {
     if (error->kind == ERROR_NONE) {
@@ -45,7 +48,7 @@ void error_fatal(const char *format, ...) {
     vsnprintf(text, sizeof text, format, arguments);
     va_end(arguments);
     fflush(stdout);
-    fprintf(stderr, "scree: rank %d: %s\n", fatal_rank, text);
+    log_tell(&fatal_log, "rank %d: %s", fatal_rank, text);
     fflush(stderr);
     if (fatal_hook != NULL) {
         fatal_hook(ERROR_SYSTEM);
@@ -56,4 +59,8 @@ void error_fatal(const char *format, ...) {
 void error_set_abort(int rank, void (*abort_hook)(int status)) {
     fatal_rank = rank;
     fatal_hook = abort_hook;
+}
+
+void error_set_log(const struct log *log) {
+    fatal_log = log ? *log : (struct log){0};
 }

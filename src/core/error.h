@@ -12,6 +12,8 @@
 
 #include <stdbool.h>
 
+struct log;
+
 enum { ERROR_TEXT_MAX = 2048 };
 
 enum error_kind {
@@ -44,5 +46,8 @@ _Noreturn void error_fatal(const char *format, ...) __attribute__((format(printf
  * sets MPI_Abort, and `comm_stop` removes MPI_Abort again. Before `comm_start` the rank is 0 and the function
  * is abort(). One thread. */
 void error_set_abort(int rank, void (*abort_hook)(int status));
+
+/* Sets the receiver of fatal messages, which is copied; NULL: standard error. One thread. */
+void error_set_log(const struct log *log);
 
 #endif

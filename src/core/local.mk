@@ -8,6 +8,8 @@ libcore_la_SOURCES = \
 	src/core/exact.c \
 	src/core/exact.h \
 	src/core/image.h \
+	src/core/log.c \
+	src/core/log.h \
 	src/core/memory.c \
 	src/core/memory.h \
 	src/core/random.c \

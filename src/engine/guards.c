@@ -23,7 +23,7 @@ static void guard_trip(struct simulation *s, enum scene_guard guard, int which, 
         error_set(&s->error, ERROR_PHYSICS, "%s", text);
     } else if (guard == SCENE_GUARD_WARN && !(s->guards.warned & 1u << which)) {
         s->guards.warned |= 1u << which;
-        fprintf(stderr, "scree: warning: %s (said once)\n", text);
+        log_tell(&s->caller.log, "warning: %s (said once)", text);
     }
 }
 
@@ -177,8 +177,14 @@ bool guards_prepare(struct simulation *s, struct error *error) {
     const struct scene *scene = s->scene;
     char place[SCENE_PATH_MAX];
     bool mechanical = scene->guards.energy == SCENE_GUARD_AUTO;
-    if (scene->guards.energy == SCENE_GUARD_OFF || (mechanical && s->box.motion.moves))
+    if (scene->guards.energy == SCENE_GUARD_OFF || (mechanical && (s->box.motion.moves || s->caller.force)))
         return true;
+    if (s->caller.force)
+        return error_set(
+            error, ERROR_USER,
+            "%s: guards.energy: a force of the calling program does work on the particles, which "
+            "is in no balance; allowed here: auto, off",
+            scene_place(scene, "guards.energy", place, sizeof place));
     if (s->box.motion.moves)
         return error_set(
             error, ERROR_USER,

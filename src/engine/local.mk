@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libengine.la
 libengine_la_SOURCES = \
+	src/engine/checked.c \
+	src/engine/checked.h \
 	src/engine/classify.c \
 	src/engine/classify.h \
 	src/engine/clock.h \

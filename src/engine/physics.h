@@ -33,6 +33,7 @@
 
 #include "comm/ghosts.h"
 #include "contact/force.h"
+#include "core/log.h"
 #include "engine/clock.h"
 #include "formats/restart.h"
 #include "integrate/integrator.h"
@@ -52,6 +53,7 @@ struct physics_context {
     const struct scene *scene;
     const struct box *box;
     const struct comm *comm;
+    const struct log *log; /* receiver of warnings and notes; one rank tells each */
     struct ghosts *ghosts; /* NULL: a single rank without copies */
     struct particles *particles;
     const struct size_classes *classes;

@@ -60,8 +60,10 @@ void plan_make(struct step_plan *plan, const struct physics_set *set, const stru
     for (int stage = PASS_FIRST; stage <= PASS_MOVED; stage++)
         add_stage(&plan->plain, NULL, set, timers, (enum pass_stage)stage);
     add_engine(&plan->plain, engine->moved, timers, simulation);
-    for (int stage = PASS_PAIRS; stage <= PASS_CLOSE; stage++)
-        add_stage(&plan->forces, NULL, set, timers, (enum pass_stage)stage);
+    add_stage(&plan->forces, NULL, set, timers, PASS_PAIRS);
+    add_stage(&plan->forces, NULL, set, timers, PASS_SHARES);
+    add_engine(&plan->forces, engine->shared, timers, simulation);
+    add_stage(&plan->forces, NULL, set, timers, PASS_CLOSE);
     add_engine(&plan->forces, engine->paired, timers, simulation);
     for (int p = 0; p < plan->forces.passes; p++)
         add(&plan->plain, &plan->forces.pass[p]);
@@ -74,6 +76,7 @@ void plan_make(struct step_plan *plan, const struct physics_set *set, const stru
     for (int p = 0; p < alone.passes; p++)
         add(&plan->fused, &alone.pass[p]);
     add_stage(&plan->fused, NULL, set, timers, PASS_SHARES);
+    add_engine(&plan->fused, engine->shared, timers, simulation);
     add_stage(&plan->fused, NULL, set, timers, PASS_CLOSE);
     add_engine(&plan->fused, engine->paired, timers, simulation);
 }

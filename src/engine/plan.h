@@ -57,6 +57,7 @@ struct step_plan {
 /* The engine's own passes between the stages of the physics; lists end with a NULL run. */
 struct engine_passes {
     const struct engine_pass *moved;  /* plain: after everything has moved */
+    const struct engine_pass *shared; /* both: before PASS_CLOSE */
     const struct engine_pass *paired; /* plain: after PASS_CLOSE */
     const struct engine_pass
         *sweep; /* fused: from the first move to the last sum over pairs of the sweep's list */

@@ -3,7 +3,7 @@
 #include "engine/run.h"
 #include "engine/simulation.h"
 #include "engine/stages.h"
-#include "engine/timing.h"
+#include "engine/checked.h"
 #include "engine/resume_check.h"
 #include "engine/step.h"
 #include "engine/folder.h"
@@ -24,8 +24,6 @@
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
-
-enum { POSITIONS_EVERY = 100 };
 
 /* The only variable that the signal handler changes. */
 static volatile sig_atomic_t run_signal;
@@ -143,37 +141,19 @@ static void crowd_tell(struct run *run) {
             run->progress.mode == PROGRESS_BAR ? "\r\033[K" : "", text);
 }
 
-/* Checks the time step; a shortened time step needs more steps to the end. */
-static void look_at_step(struct run *run) {
-    struct simulation *s = run->s;
-    double dt = s->clock.dt;
-    if (!timing_due(s, s->clock.step))
-        return;
-    timing_look(s);
-    if (s->clock.dt != dt)
-        run->last = run_last_step(s);
-}
-
 static bool step_once(struct run *run, struct error *error) {
     struct simulation *s = run->s;
-    int64_t every = s->scene->step.rebuild_every;
+    double dt = s->clock.dt;
     bool checkpoint = checkpoint_step(run, s->clock.step + 1);
-    bool rebuild = checkpoint || (every > 0 && (s->clock.step + 1) % (uint64_t)every == 0);
     const struct run_watch *watch = run->options->watch;
     bool watched = watch && watch->due(watch->context, s->clock.step + 1);
     signals_ask(run);
-    s->grains.contact.want_virial =
-        watched || s->servo.on || (run->outputs && outputs_want_sums(run->outputs, s, s->clock.step + 1));
-    s->grains.contact.want_sums = s->grains.contact.want_virial || s->grains.sums_each_step ||
-                                  s->grains.contact.want_work || guards_energy_due(s, s->clock.step + 1);
-    step_run(s, rebuild);
+    checked_step(s, watched || (run->outputs && outputs_want_sums(run->outputs, s, s->clock.step + 1)),
+                 checkpoint);
+    if (s->clock.dt != dt) /* a shortened time step needs more steps to the end */
+        run->last = run_last_step(s);
     crowd_tell(run);
     run->record.particle_steps += (double)s->total;
-    if (s->clock.step % POSITIONS_EVERY == 0)
-        guards_check_positions(s);
-    if (guards_energy_due(s, s->clock.step))
-        guards_check_energy(s);
-    look_at_step(run);
     int stage = stages_find(&s->timers, "output");
     timer_start(&s->timers, stage);
     if (watched || (run->outputs && outputs_due(run->outputs, s)))

@@ -115,6 +115,7 @@ static void physics_start(struct simulation *s) {
                                       .scene = s->scene,
                                       .box = &s->box,
                                       .comm = s->comm,
+                                      .log = &s->caller.log,
                                       .ghosts = NULL,
                                       .particles = s->particles,
                                       .classes = &s->classes,
@@ -157,9 +158,10 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
     return s->error.kind == ERROR_NONE;
 }
 
-struct simulation *simulation_create(const struct comm *comm, const struct scene *scene, const char *resume,
-                                     struct error *error) {
+struct simulation *simulation_create_for(const struct simulation_caller *caller, const struct comm *comm,
+                                         const struct scene *scene, const char *resume, struct error *error) {
     struct simulation *s = memory_allocate_zero(1, sizeof *s, "simulation");
+    s->caller = *caller;
     s->comm = comm;
     s->scene = scene;
     s->box = scene->box;
@@ -174,6 +176,11 @@ struct simulation *simulation_create(const struct comm *comm, const struct scene
     else
         timer_stop(&s->timers, stage);
     return s;
+}
+
+struct simulation *simulation_create(const struct comm *comm, const struct scene *scene, const char *resume,
+                                     struct error *error) {
+    return simulation_create_for(&(struct simulation_caller){0}, comm, scene, resume, error);
 }
 
 void simulation_destroy(struct simulation **simulation) {
@@ -192,6 +199,7 @@ void simulation_destroy(struct simulation **simulation) {
     ghosts_destroy(&s->ranks.ghosts);
     domain_destroy(&s->ranks.domain);
     particles_destroy(&s->particles);
+    sources_free(s);
     scene_changes_free(&s->resumed.changes);
     lineage_free(&s->lineage);
     memory_free(s->grains.speed);

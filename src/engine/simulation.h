@@ -16,6 +16,11 @@
  * all ranks. */
 struct simulation *simulation_create(const struct comm *comm, const struct scene *scene, const char *resume,
                                      struct error *error);
+
+/* The same for another program than scree's own; `caller` is copied. The force of the caller is there from the
+ * first forces on. Collective. */
+struct simulation *simulation_create_for(const struct simulation_caller *caller, const struct comm *comm,
+                                         const struct scene *scene, const char *resume, struct error *error);
 void simulation_destroy(struct simulation **simulation);
 
 #endif

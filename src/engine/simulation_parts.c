@@ -14,6 +14,7 @@
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -70,6 +71,21 @@ static bool load_law(struct simulation *s, struct law_options *options, struct e
                      scene_place(s->scene, "contact.law_file", place, sizeof place), plain.text);
 }
 
+/* Makes the walls, and tells of repaired meshes. */
+static bool make_walls(struct simulation *s, struct error *error) {
+    char *said = NULL;
+    size_t length = 0;
+    FILE *notes = s->comm->rank == 0 ? open_memstream(&said, &length) : NULL;
+    bool good = walls_create(&s->grains.walls, s->scene->wall, s->scene->walls, &s->grains.law, &s->box,
+                             s->threads, error, notes);
+    if (notes) {
+        fclose(notes);
+        log_text(&s->caller.log, said);
+        free(said);
+    }
+    return good;
+}
+
 bool simulation_parts_prepare(struct simulation *s, struct error *error) {
     const struct scene *scene = s->scene;
     struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
@@ -85,8 +101,7 @@ bool simulation_parts_prepare(struct simulation *s, struct error *error) {
     if (!set_threads(s, error))
         return false;
     s->grains.speed = memory_allocate_zero((size_t)s->threads, sizeof *s->grains.speed, "speeds");
-    if (scene->walls > 0 && !walls_create(&s->grains.walls, scene->wall, scene->walls, &s->grains.law,
-                                          &s->box, s->threads, error, s->comm->rank == 0 ? stderr : NULL))
+    if (scene->walls > 0 && !make_walls(s, error))
         return false;
     if (s->grains.walls && scene->reproducible)
         walls_set_exact(s->grains.walls);
@@ -141,7 +156,7 @@ void simulation_parts_placed(void *context, const char *what, double part) {
     if (s->comm->rank != 0 || !shown || now - s->sources.placing_told < pause)
         return;
     if (s->sources.placing_told > 0)
-        fprintf(stderr, "scree: %s: %.0f %%\n", what, 100 * part);
+        log_tell(&s->caller.log, "%s: %.0f %%", what, 100 * part);
     s->sources.placing_told = now;
 }
 

@@ -13,6 +13,7 @@
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { SOURCES_EVERY = 100 };
@@ -80,6 +81,40 @@ bool sources_due(const struct simulation *s) {
     return insertions_due(s) || deletions_due(s);
 }
 
+void sources_give(struct simulation *s, const struct insertion_candidate *candidate) {
+    struct given *given = &s->sources.given;
+    if (given->added == given->added_room) {
+        given->added_room = given->added_room ? 2 * given->added_room : 16;
+        given->add = memory_resize(given->add, given->added_room, sizeof *given->add, "particles to add");
+    }
+    given->add[given->added++] = *candidate;
+}
+
+void sources_take(struct simulation *s, int64_t id) {
+    struct given *given = &s->sources.given;
+    if (given->taken == given->taken_room) {
+        given->taken_room = given->taken_room ? 2 * given->taken_room : 16;
+        given->take =
+            memory_resize(given->take, given->taken_room, sizeof *given->take, "particles to delete");
+    }
+    given->take[given->taken++] = id;
+}
+
+void sources_free(struct simulation *s) {
+    memory_free(s->sources.given.add);
+    memory_free(s->sources.given.take);
+}
+
+static int ids_compare(const void *a, const void *b) {
+    int64_t x = *(const int64_t *)a, y = *(const int64_t *)b;
+    return (x > y) - (x < y);
+}
+
+/* True if the calling program deletes the particle; the ids are sorted. */
+static bool is_taken(const struct given *given, int64_t id) {
+    return given->taken > 0 && bsearch(&id, given->take, given->taken, sizeof id, ids_compare) != NULL;
+}
+
 static bool sides_matter(const struct simulation *s) {
     for (int d = 0; d < 3; d++)
         for (int side = 0; side < 2; side++)
@@ -138,7 +173,8 @@ static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
         int side = side_left(&s->box, particles->state[k].x, &leave);
         if (leave == BOX_ERROR)
             leave_error(s, k, side);
-        remove[k] = leave == BOX_DELETE || (regions && deleted_by_region(s, particles->state[k].x));
+        remove[k] = leave == BOX_DELETE || (regions && deleted_by_region(s, particles->state[k].x)) ||
+                    is_taken(&s->sources.given, particles->id[k]);
         marked += remove[k];
     }
     if (marked > 0) {
@@ -259,16 +295,23 @@ static void insertion_run(struct simulation *s, int number) {
 }
 
 void sources_run(struct simulation *s, struct rebuild_rows *rows) {
-    bool deletes = sides_matter(s) || deletions_due(s), inserts = insertions_due(s);
-    if ((!deletes && !inserts) || s->sources.last_step == s->clock.step)
+    struct given *given = &s->sources.given;
+    bool deletes = sides_matter(s) || deletions_due(s) || given->taken > 0, inserts = insertions_due(s);
+    if ((!deletes && !inserts && given->added == 0) || s->sources.last_step == s->clock.step)
         return;
     s->sources.last_step = s->clock.step;
+    if (given->taken > 0)
+        qsort(given->take, given->taken, sizeof *given->take, ids_compare);
     int64_t removed = deletes ? (int64_t)remove_run(s, rows) : 0;
     size_t before = s->particles->owned;
     uint64_t inserted_before = s->sources.inserted;
     for (int k = 0; inserts && k < s->scene->insertions; k++)
         if (insertion_missing(s, k) > 0)
             insertion_run(s, k);
+    for (size_t k = 0; k < given->added; k++)
+        candidate_append(s, &given->add[k]);
+    s->sources.inserted += given->added;
+    given->added = given->taken = 0;
     if (s->particles->owned > (size_t)1 << PARTICLE_INDEX_BITS)
         error_fatal("%zu particles on one rank, at most %zu are possible: use more ranks",
                     s->particles->owned, (size_t)1 << PARTICLE_INDEX_BITS);

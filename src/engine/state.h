@@ -7,6 +7,7 @@
 
 #include "contact/force.h"
 #include "engine/plan.h"
+#include "core/log.h"
 #include "core/team.h"
 #include "integrate/timestep.h"
 #include "formats/output.h"
@@ -115,6 +116,12 @@ struct sources {
     struct insertion_state state[INSERTIONS_MAX];
     uint64_t inserted, deleted;
     uint64_t last_step; /* last step at which particles came or went */
+    /* What the calling program adds and deletes at the next rebuild, the same on all ranks. */
+    struct given {
+        size_t added, added_room, taken, taken_room;
+        struct insertion_candidate *add;
+        int64_t *take; /* ids */
+    } given;
 };
 
 /* Data read from a checkpoint (resume.h). */
@@ -139,7 +146,17 @@ struct agree {
     struct step_signals signals; /* before step_run: of this rank; after step_run: of all ranks */
 };
 
+/* The program that runs the simulation, if it is not scree's own. All zero: scree's own. */
+struct simulation_caller {
+    struct log log; /* receiver of warnings and notes */
+    /* Adds forces of the caller's to those on owned particles, once in each evaluation of forces, before forces
+     * of copies return to their originals. Main thread of every rank. NULL: none. */
+    void (*force)(void *context, struct simulation *simulation);
+    void *context; /* of `force` */
+};
+
 struct simulation {
+    struct simulation_caller caller;
     const struct comm *comm;   /* borrowed */
     const struct scene *scene; /* borrowed */
     struct box box;            /* as it is now: that of the scene may move */

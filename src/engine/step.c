@@ -10,6 +10,7 @@
  *     exchange   rebuild (rebuild.c), or new values for the copies
  *     contact    particle-particle forces, block by block
  *     wall       particle-wall forces, block by block
+ *     caller     forces of a program that has the library (scree.h)
  *     finish     sums over threads, histories change places
  *     reverse    forces of copies are sent to the originals (newton on, several ranks)
  *
@@ -22,7 +23,7 @@
  *     receive    values arrive; meanwhile the ranks agree on bounds
  *     copies     forces of pairs with copies
  *     verify     if a particle has left its skin: rebuild, and compute the forces again
- *     wall, finish, reverse
+ *     wall, caller, finish, reverse
  *
  * Both orders give the same bits. A step is fused unless a rebuild is due or to be expected
  * (docs/architecture.md). The lists of passes are made once from the scene, without passes that the scene
@@ -147,11 +148,23 @@ static const struct engine_pass sweep[] = {{"early", "several ranks", "advance",
                                            {"verify", NULL, "decide", NULL, verify_run},
                                            {0}};
 
+static void caller_run(struct simulation *s) {
+    s->caller.force(s->caller.context, s);
+}
+
+static bool has_caller(const struct simulation *s) {
+    return s->caller.force != NULL;
+}
+
+static const struct engine_pass shared[] = {
+    {"caller", "a force of the calling program", "contact", has_caller, caller_run}, {0}};
+
 static const struct engine_pass paired[] = {
     {"reverse", "newton on, several ranks", "comm", needs_reverse, reverse_run}, {0}};
 
 void step_plan(struct simulation *s) {
-    static const struct engine_passes own = {.moved = moved, .paired = paired, .sweep = sweep};
+    static const struct engine_passes own = {
+        .moved = moved, .shared = shared, .paired = paired, .sweep = sweep};
     const struct physics *physics[PHYSICS_COUNT + 1];
     for (int k = 0; k < s->physics.count; k++)
         physics[k] = s->physics.active[k].row;

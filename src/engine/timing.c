@@ -249,10 +249,10 @@ void timing_look(struct simulation *s) {
             grains = kinds_span(s->particles, &s->classes, KIND_GRAIN);
         integrator_stagger(s->particles, &shift, grains.first, grains.end);
         if (s->comm->rank == 0)
-            fprintf(stderr,
-                    "scree: note: contacts have become stiffer: the time step is %.4g from step %llu on, "
-                    "it was %.4g\n",
-                    s->clock.dt, (unsigned long long)s->clock.step, before);
+            log_tell(&s->caller.log,
+                     "note: contacts have become stiffer: the time step is %.4g from step %llu on, "
+                     "it was %.4g",
+                     s->clock.dt, (unsigned long long)s->clock.step, before);
         return;
     }
     snprintf(

@@ -150,13 +150,13 @@ static bool options_suit(const struct physics_context *context, struct error *er
 /* Tells of gaps that the spacing does not resolve. In a packing grains touch, so a run goes on. */
 static void gaps_note(const struct nodes *nodes, const struct physics_context *context) {
     char place[512];
-    fprintf(stderr,
-            "scree: note: %s: fluid.spacing: is too coarse for %lld gaps between grains, which are below %g "
-            "spacings; "
-            "the narrowest, between grains %lld and %lld, is %.3g spacings\n",
-            scene_place(context->scene, "fluid.spacing", place, sizeof place), (long long)nodes->narrow,
-            NODES_GAP, (long long)nodes->narrowest_of[0], (long long)nodes->narrowest_of[1],
-            nodes->narrowest / nodes->spacing);
+    log_tell(
+        context->log,
+        "note: %s: fluid.spacing: is too coarse for %lld gaps between grains, which are below %g spacings; "
+        "the narrowest, between grains %lld and %lld, is %.3g spacings",
+        scene_place(context->scene, "fluid.spacing", place, sizeof place), (long long)nodes->narrow,
+        NODES_GAP, (long long)nodes->narrowest_of[0], (long long)nodes->narrowest_of[1],
+        nodes->narrowest / nodes->spacing);
 }
 
 bool fill_run(const struct physics_context *context, const struct physics_share *share, struct error *error) {
@@ -176,8 +176,8 @@ bool fill_run(const struct physics_context *context, const struct physics_share 
             append(&nodes, context, node, share->first_id);
     }
     if (good && regions.pocket > 0 && context->comm->rank == 0)
-        fprintf(stderr, "scree: note: %lld of %lld nodes of the fluid lie in closed pockets, and are solid\n",
-                (long long)regions.pocket, (long long)(regions.pocket + regions.fluid));
+        log_tell(context->log, "note: %lld of %lld nodes of the fluid lie in closed pockets, and are solid",
+                 (long long)regions.pocket, (long long)(regions.pocket + regions.fluid));
     if (good && nodes.narrow > 0 && context->comm->rank == 0)
         gaps_note(&nodes, context);
     struct fluid *fluid = context->self;

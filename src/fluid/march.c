@@ -311,8 +311,7 @@ void march_end(void *self) {
     if (fluid->solve) {
         solve_end(&fluid->solve, unused, sizeof unused);
         if (fluid->first && unused[0])
-            fprintf(stderr, "scree: warning: fluid.solver.petsc: PETSc knows nothing to do with %s\n",
-                    unused);
+            log_tell(fluid->log, "warning: fluid.solver.petsc: PETSc knows nothing to do with %s", unused);
     }
     weights_free(&fluid->weights);
     pair_rows_free(&fluid->pairs);

@@ -29,6 +29,7 @@ struct fluid {
     struct flow flow;
     struct solve *solve;           /* NULL: not begun */
     bool first;                    /* this is rank 0 */
+    const struct log *log;         /* of warnings; borrowed */
     bool renew;                    /* a checkpoint was written since the last step */
     int64_t doubtful;              /* solves so far with a residual far above the tolerance */
     struct projection *projection; /* NULL: no matrices yet */

@@ -20,6 +20,7 @@ bool watch_begin(const struct physics_context *context) {
     if (fluid->solve != NULL)
         return true;
     fluid->first = context->comm->rank == 0;
+    fluid->log = context->log;
     timer_enter(context->timers, "other"); /* the library is loaded */
     fluid->solve = solve_begin(context->comm, fluid->options->solver.petsc, &fluid->error);
     timer_leave(context->timers, "other");
@@ -52,7 +53,7 @@ static void doubt(const struct physics_context *context, int system) {
     if (guard == SCENE_GUARD_STOP)
         error_set(&fluid->error, ERROR_PHYSICS, "%s", text);
     else if (guard == SCENE_GUARD_WARN && fluid->first && fluid->doubtful == 0)
-        fprintf(stderr, "scree: warning: %s (said once)\n", text);
+        log_tell(context->log, "warning: %s (said once)", text);
 }
 
 void watch_step(const struct physics_context *context) {

@@ -62,6 +62,10 @@ tests/app/unreadable.log: tests/app/fail_call.la
 dist_check_SCRIPTS += tests/app/random_scenes.sh
 tests/app/random_scenes.log tests/app/ranks.log: tests/checkpoint_lines
 
+# The libraries and the programs that use them
+dist_check_SCRIPTS += tests/app/library.sh
+tests/app/library.log: libscree.la libscree-index.la
+
 # Without AVX, and on emulated CPUs where qemu-user is there
 dist_check_SCRIPTS += tests/app/baseline.sh
 

@@ -118,3 +118,9 @@ check_PROGRAMS += tests/mpi/test_regions
 tests_mpi_test_regions_SOURCES = tests/mpi/test_regions.c tests/mpi/team.c tests/mpi/team.h
 tests_mpi_test_regions_CPPFLAGS = $(MPI_TEST_FLAGS)
 tests_mpi_test_regions_LDADD = libfluid.la $(SOLVE_LIBS) $(SCENE_LIBS) $(TEST_LIBS) $(MPI_LIBS)
+
+# The engine as a library
+check_PROGRAMS += tests/mpi/test_library
+tests_mpi_test_library_SOURCES = tests/mpi/test_library.c tests/mpi/team.c tests/mpi/team.h
+tests_mpi_test_library_CPPFLAGS = $(MPI_TEST_FLAGS)
+tests_mpi_test_library_LDADD = $(APP_LIBS) $(TEST_LIBS) $(MPI_LIBS)

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* A step and its checks, for runs and for other programs. Read checked.h first. */
+#include "engine/checked.h"
+#include "engine/guards.h"
+#include "engine/step.h"
+#include "engine/timing.h"
+
+enum { POSITIONS_EVERY = 100 };
+
+void checked_step(struct simulation *s, bool sums, bool rebuild) {
+    int64_t every = s->scene->step.rebuild_every;
+    uint64_t next = s->clock.step + 1;
+    s->grains.contact.want_virial = sums || s->servo.on;
+    s->grains.contact.want_sums = s->grains.contact.want_virial || s->grains.sums_each_step ||
+                                  s->grains.contact.want_work || guards_energy_due(s, next);
+    step_run(s, rebuild || (every > 0 && next % (uint64_t)every == 0));
+    if (next % POSITIONS_EVERY == 0)
+        guards_check_positions(s);
+    if (guards_energy_due(s, next))
+        guards_check_energy(s);
+    if (timing_due(s, next))
+        timing_look(s);
+}

@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The libraries for other codes export what their map lists alone; the program is a main that calls scree_main.
+noinst_LTLIBRARIES += libsearch.la libcalls.la
+libsearch_la_SOURCES = src/lib/scree_pairs.c src/scree_pairs.h
+libcalls_la_SOURCES = \
+	src/lib/scree_fields.c \
+	src/lib/scree_observe.c \
+	src/lib/scree_parts.h \
+	src/lib/scree_simulation.c \
+	src/scree.h
+libcalls_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+
+include_HEADERS += src/scree.h src/scree_pairs.h
+EXTRA_DIST += src/lib/libscree.map src/lib/libscree-index.map
+
+lib_LTLIBRARIES += libscree.la libscree-index.la
+libscree_la_SOURCES =
+libscree_la_LIBADD = $(APP_LIBS)
+libscree_la_LDFLAGS = $(AM_LDFLAGS) -Wl,--version-script=$(srcdir)/src/lib/libscree.map -version-info 0:0:0
+EXTRA_libscree_la_DEPENDENCIES = src/lib/libscree.map
+
+# The contact search without MPI and HDF5
+libscree_index_la_SOURCES =
+libscree_index_la_LIBADD = libsearch.la $(PARTICLES_LIBS)
+libscree_index_la_LDFLAGS = $(AM_LDFLAGS) -Wl,--version-script=$(srcdir)/src/lib/libscree-index.map -version-info 0:0:0
+EXTRA_libscree_index_la_DEPENDENCIES = src/lib/libscree-index.map

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Inside of a simulation of the library. Read scree.h first. */
+#ifndef SCREE_LIB_SCREE_PARTS_H
+#define SCREE_LIB_SCREE_PARTS_H
+
+#include "engine/state.h"
+#include "observe/observables.h"
+#include "scree.h"
+
+struct scree_simulation {
+    struct comm comm;
+    struct scene *scene;
+    struct simulation *state;
+    struct error error; /* of the engine: no steps after it */
+    void (*force)(void *context, struct scree_simulation *simulation);
+    void *force_context;
+    void (*log)(void *context, const char *line);
+    void *log_context;
+    struct output_run run;
+    struct observables *observables;
+    bool changed; /* the next step rebuilds */
+    double *row;  /* recorded rows, one after another */
+    size_t rows, room;
+};
+
+/* Copies an error to the caller's, if there is one. True if there is no error. */
+bool scree_parts_tell(const struct error *own, struct scree_error *error);
+
+/* Starts a part of the work on the simulation's threads; returns the caller's number of threads, which scree_parts_leave
+ * sets back. */
+int scree_parts_enter(const struct scree_simulation *simulation);
+void scree_parts_leave(int threads);
+
+/* Makes the columns, and the first row of a simulation that is not resumed. Collective. */
+bool scree_parts_observables(struct scree_simulation *simulation, bool resumed, struct error *error);
+
+/* True if a row is due after step `number`, which ends at `time`. */
+bool scree_parts_due(const struct scree_simulation *simulation, uint64_t number, double time);
+
+/* Records a row of this moment. Collective. */
+bool scree_parts_record(struct scree_simulation *simulation, struct error *error);
+
+#endif

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* A simulation in another program: made, stepped, ended. Read scree.h first. */
+#include "lib/scree_parts.h"
+#include "core/memory.h"
+#include "engine/checked.h"
+#include "engine/outputs.h"
+#include "engine/run.h"
+#include "scene/scene_files.h"
+#include "scene/scene_read.h"
+#include "scene/scene_text.h"
+#include <omp.h>
+#include <stdio.h>
+#include <string.h>
+
+bool scree_parts_tell(const struct error *own, struct scree_error *error) {
+    if (error) {
+        error->status = (enum scree_status)own->kind;
+        snprintf(error->text, sizeof error->text, "%s", own->text);
+    }
+    return own->kind == ERROR_NONE;
+}
+
+int scree_parts_enter(const struct scree_simulation *simulation) {
+    int threads = omp_get_max_threads();
+    if (simulation->state)
+        omp_set_num_threads(simulation->state->team.size);
+    return threads;
+}
+
+void scree_parts_leave(int threads) {
+    omp_set_num_threads(threads);
+}
+
+/* Hands a line to the caller. */
+static void tell(void *context, const char *line) {
+    const struct scree_simulation *simulation = context;
+    if (simulation->log)
+        simulation->log(simulation->log_context, line);
+}
+
+/* The force of the caller; in the first evaluation the state is still unknown to the library. */
+static void force(void *context, struct simulation *state) {
+    struct scree_simulation *simulation = context;
+    simulation->state = state;
+    simulation->force(simulation->force_context, simulation);
+}
+
+/* Reads the scene. NULL with an error. Collective. */
+static struct scene *scene_make(const struct comm *comm, const char *file, const char *text,
+                                const struct scree_options *options, struct error *error) {
+    struct scene *scene = NULL;
+    char *read = NULL;
+    struct scene_setting *set =
+        memory_allocate((size_t)(options->sets > 0 ? options->sets : 0), sizeof *set, "settings");
+    for (int k = 0; k < options->sets; k++) {
+        set[k].text = options->set[k];
+        if (strchr(set[k].text, '=') == NULL)
+            error_set(error, ERROR_USER, "set %s: must read KEY=VALUE", set[k].text);
+    }
+    if (error->kind == ERROR_NONE && file == NULL && text == NULL)
+        error_set(error, ERROR_USER, "there is neither a file nor a text of a scene");
+    if (error->kind == ERROR_NONE && text == NULL && scene_read_text(file, &read, NULL, error))
+        text = read;
+    if (error->kind == ERROR_NONE)
+        scene = scene_parse(file ? file : "scene", text, set, options->sets, error);
+    if (scene)
+        scene_files_open(scene, error);
+    memory_free(read);
+    memory_free(set);
+    if (!comm_agree(comm, error))
+        scene_free(&scene);
+    return scene;
+}
+
+/* Makes the parts of a simulation whose ranks are known. Collective. */
+static bool fill(struct scree_simulation *simulation, const char *file, const char *text,
+                 const struct scree_options *options, struct error *error) {
+    const struct simulation_caller caller = {.log = {.tell = tell, .context = simulation},
+                                             .force = options->force ? force : NULL,
+                                             .context = simulation};
+    error_set_log(&caller.log);
+    simulation->scene = scene_make(&simulation->comm, file, text, options, error);
+    if (simulation->scene == NULL)
+        return false;
+    if (simulation->scene->note[0] && simulation->comm.rank == 0)
+        log_text(&caller.log, simulation->scene->note);
+    simulation->scene->output.progress.mode = PROGRESS_OFF;
+    simulation->state =
+        simulation_create_for(&caller, &simulation->comm, simulation->scene, options->resume, error);
+    return simulation->state && scree_parts_observables(simulation, options->resume != NULL, error);
+}
+
+struct scree_simulation *scree_create(const char *file, const char *text, const struct scree_options *options,
+                                      struct scree_error *error) {
+    static const struct scree_options none;
+    struct error own = {0};
+    int threads = omp_get_max_threads();
+    options = options ? options : &none;
+    struct scree_simulation *simulation = memory_allocate_zero(1, sizeof *simulation, "simulation");
+    simulation->log = options->log;
+    simulation->log_context = options->log_context;
+    simulation->force = options->force;
+    simulation->force_context = options->force_context;
+    bool joined = comm_join(&simulation->comm, options->communicator, &own);
+    if (joined && !fill(simulation, file, text, options, &own))
+        scree_destroy(&simulation);
+    if (!joined) {
+        memory_free(simulation);
+        simulation = NULL;
+    }
+    scree_parts_leave(threads);
+    scree_parts_tell(&own, error);
+    return simulation;
+}
+
+void scree_destroy(struct scree_simulation **simulation) {
+    struct scree_simulation *s = *simulation;
+    if (s == NULL)
+        return;
+    int threads = scree_parts_enter(s);
+    observables_destroy(&s->observables);
+    simulation_destroy(&s->state);
+    scene_free(&s->scene);
+    comm_leave(&s->comm);
+    error_set_log(NULL);
+    memory_free(s->row);
+    memory_free(s);
+    *simulation = NULL;
+    scree_parts_leave(threads);
+}
+
+/* One step, with its row if one is due. `last`: the sums of observables are wanted whatever the scene says. False if
+ * the simulation must end. */
+static bool step(struct scree_simulation *simulation, bool last, struct error *error) {
+    struct simulation *s = simulation->state;
+    uint64_t next = s->clock.step + 1;
+    double time = s->clock.time_base + (double)(next - s->clock.step_base) * s->clock.dt;
+    s->agree.signals = (struct step_signals){.error = s->error.kind != ERROR_NONE};
+    checked_step(s, last || scree_parts_due(simulation, next, time), simulation->changed);
+    simulation->changed = false;
+    if (s->agree.signals.error || (s->ranks.alone && s->error.kind != ERROR_NONE))
+        return false;
+    return !scree_parts_due(simulation, s->clock.step, s->clock.time) ||
+           scree_parts_record(simulation, error);
+}
+
+bool scree_step(struct scree_simulation *simulation, uint64_t steps, struct scree_error *error) {
+    struct simulation *s = simulation->state;
+    struct error *own = &simulation->error;
+    int threads = scree_parts_enter(simulation);
+    bool good = own->kind == ERROR_NONE;
+    for (uint64_t k = 0; good && k < steps; k++)
+        good = step(simulation, k + 1 == steps, own);
+    if (own->kind == ERROR_NONE)
+        *own = s->error;
+    comm_agree(&simulation->comm, own);
+    scree_parts_leave(threads);
+    return scree_parts_tell(own, error);
+}
+
+uint64_t scree_steps_left(const struct scree_simulation *simulation) {
+    uint64_t last = run_last_step(simulation->state), now = simulation->state->clock.step;
+    return last > now ? last - now : 0;
+}
+
+uint64_t scree_step_number(const struct scree_simulation *simulation) {
+    return simulation->state->clock.step;
+}
+
+double scree_time(const struct scree_simulation *simulation) {
+    return simulation->state->clock.time;
+}
+
+double scree_time_step(const struct scree_simulation *simulation) {
+    return simulation->state->clock.dt;
+}
+
+uint64_t scree_particles(const struct scree_simulation *simulation) {
+    return simulation->state->total;
+}
+
+const char *scree_scene(const struct scree_simulation *simulation) {
+    return simulation->run.scene;
+}
