@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* A simulation with a force of one's own: a spring pulls each grain to the middle of the box. The first grain meets
+/* A simulation with a force of one's own: a spring pulls each grain to the plane x = 0. The first grain meets
  * nobody, so it swings as the cosine, which is checked.
  *
  *     cc simulation.c -o simulation $(pkg-config --cflags --libs scree) -lm && ./simulation */
@@ -26,7 +26,7 @@ static const char scene[] = "units: none\n"
 /* Stiffness of the springs over the mass of a grain. */
 static const double stiffness = 4;
 
-/* Adds -stiffness m x to the force on each grain. */
+/* Adds -stiffness m x to the force along x on each grain. */
 static void pull(void *context, struct scree_simulation *simulation) {
     struct scree_field x, f, w;
     struct scree_box box = scree_box(simulation);
@@ -38,8 +38,7 @@ static void pull(void *context, struct scree_simulation *simulation) {
         const double *position = (const double *)((char *)x.data + k * x.stride);
         double *force = (double *)((char *)f.data + k * f.stride);
         double inverse_mass = *(const double *)((char *)w.data + k * w.stride);
-        for (int d = 0; d < 3; d++)
-            force[d] -= stiffness / inverse_mass * (position[d] + box.origin[d]);
+        force[0] -= stiffness / inverse_mass * (position[0] + box.origin[0]);
     }
 }
 

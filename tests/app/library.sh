@@ -9,12 +9,12 @@ examples=$top_srcdir/examples/library
 
 # exports LIBRARY: the names that it gives to others
 exports() {
-    "${NM:-nm}" -D --defined-only "$libs/$1.so" | awk '$2 ~ /[TDBRVW]/ { sub(/@.*/, "", $3); print $3 }' | sort
+    ${NM:-nm} -D --defined-only "$libs/$1.so" | awk '$2 ~ /[TDBRVW]/ { sub(/@.*/, "", $3); print $3 }' | sort
 }
 
 # declared HEADER...: the functions that headers declare
 declared() {
-    sed '/^\/\*/,/\*\/$/d' "$@" | grep -oE '\bscree_[a-z_]+\(' | tr -d '(' | sort -u
+    grep -vhE '^(/\*| \*)' "$@" | grep -oE '\bscree_[a-z_]+\(' | tr -d '(' | sort -u
 }
 
 # mapped MAP: the names of a map
