@@ -5,6 +5,8 @@ libsearch_la_SOURCES = src/lib/scree_pairs.c src/scree_pairs.h
 libcalls_la_SOURCES = \
 	src/lib/scree_fields.c \
 	src/lib/scree_observe.c \
+	src/lib/scree_observe.h \
+	src/lib/scree_parts.c \
 	src/lib/scree_parts.h \
 	src/lib/scree_simulation.c \
 	src/scree.h

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables and checkpoints of a simulation in another program. Read scree.h first. */
-#include "lib/scree_parts.h"
+#include "lib/scree_observe.h"
 #include "core/memory.h"
 #include "engine/outputs.h"
 #include "engine/rebuild.h"
@@ -20,12 +20,12 @@ static bool compute(struct scree_simulation *simulation, struct error *error) {
     return observables_write(simulation->observables, &view, error);
 }
 
-bool scree_parts_due(const struct scree_simulation *simulation, uint64_t number, double time) {
+bool scree_observe_due(const struct scree_simulation *simulation, uint64_t number, double time) {
     const struct output_interval *every = &simulation->scene->output.observables.every;
     return output_interval_due(every, number, time, simulation->state->clock.dt);
 }
 
-bool scree_parts_record(struct scree_simulation *simulation, struct error *error) {
+bool scree_observe_record(struct scree_simulation *simulation, struct error *error) {
     size_t length = row_length(simulation);
     if (!compute(simulation, error))
         return false;
@@ -40,7 +40,7 @@ bool scree_parts_record(struct scree_simulation *simulation, struct error *error
     return true;
 }
 
-bool scree_parts_observables(struct scree_simulation *simulation, bool resumed, struct error *error) {
+bool scree_observe_begin(struct scree_simulation *simulation, bool resumed, struct error *error) {
     struct simulation *s = simulation->state;
     simulation->run = outputs_run(s, NULL);
     struct output_view view = simulation_view(s);
@@ -49,8 +49,8 @@ bool scree_parts_observables(struct scree_simulation *simulation, bool resumed, 
     if (!comm_agree(s->comm, error))
         return false;
     s->grains.sums_each_step = s->grains.sums_each_step || observables_need_work(simulation->observables);
-    return resumed || !scree_parts_due(simulation, s->clock.step, s->clock.time) ||
-           scree_parts_record(simulation, error);
+    return resumed || !scree_observe_due(simulation, s->clock.step, s->clock.time) ||
+           scree_observe_record(simulation, error);
 }
 
 int scree_columns(const struct scree_simulation *simulation) {

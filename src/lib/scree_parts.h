@@ -31,13 +31,4 @@ bool scree_parts_tell(const struct error *own, struct scree_error *error);
 int scree_parts_enter(const struct scree_simulation *simulation);
 void scree_parts_leave(int threads);
 
-/* Makes the columns, and the first row of a simulation that is not resumed. Collective. */
-bool scree_parts_observables(struct scree_simulation *simulation, bool resumed, struct error *error);
-
-/* True if a row is due after step `number`, which ends at `time`. */
-bool scree_parts_due(const struct scree_simulation *simulation, uint64_t number, double time);
-
-/* Records a row of this moment. Collective. */
-bool scree_parts_record(struct scree_simulation *simulation, struct error *error);
-
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A simulation in another program: made, stepped, ended. Read scree.h first. */
-#include "lib/scree_parts.h"
+#include "lib/scree_observe.h"
 #include "core/memory.h"
 #include "engine/checked.h"
 #include "engine/outputs.h"
@@ -11,25 +11,6 @@
 #include <omp.h>
 #include <stdio.h>
 #include <string.h>
-
-bool scree_parts_tell(const struct error *own, struct scree_error *error) {
-    if (error) {
-        error->status = (enum scree_status)own->kind;
-        snprintf(error->text, sizeof error->text, "%s", own->text);
-    }
-    return own->kind == ERROR_NONE;
-}
-
-int scree_parts_enter(const struct scree_simulation *simulation) {
-    int threads = omp_get_max_threads();
-    if (simulation->state)
-        omp_set_num_threads(simulation->state->team.size);
-    return threads;
-}
-
-void scree_parts_leave(int threads) {
-    omp_set_num_threads(threads);
-}
 
 /* Hands a line to the caller. */
 static void tell(void *context, const char *line) {
@@ -87,7 +68,7 @@ static bool fill(struct scree_simulation *simulation, const char *file, const ch
     simulation->scene->output.progress.mode = PROGRESS_OFF;
     simulation->state =
         simulation_create_for(&caller, &simulation->comm, simulation->scene, options->resume, error);
-    return simulation->state && scree_parts_observables(simulation, options->resume != NULL, error);
+    return simulation->state && scree_observe_begin(simulation, options->resume != NULL, error);
 }
 
 struct scree_simulation *scree_create(const char *file, const char *text, const struct scree_options *options,
@@ -136,12 +117,12 @@ static bool step(struct scree_simulation *simulation, bool last, struct error *e
     uint64_t next = s->clock.step + 1;
     double time = s->clock.time_base + (double)(next - s->clock.step_base) * s->clock.dt;
     s->agree.signals = (struct step_signals){.error = s->error.kind != ERROR_NONE};
-    checked_step(s, last || scree_parts_due(simulation, next, time), simulation->changed);
+    checked_step(s, last || scree_observe_due(simulation, next, time), simulation->changed);
     simulation->changed = false;
     if (s->agree.signals.error || (s->ranks.alone && s->error.kind != ERROR_NONE))
         return false;
-    return !scree_parts_due(simulation, s->clock.step, s->clock.time) ||
-           scree_parts_record(simulation, error);
+    return !scree_observe_due(simulation, s->clock.step, s->clock.time) ||
+           scree_observe_record(simulation, error);
 }
 
 bool scree_step(struct scree_simulation *simulation, uint64_t steps, struct scree_error *error) {

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* What each function of the library begins and ends with. Read scree_parts.h first. */
+#include "lib/scree_parts.h"
+#include <omp.h>
+#include <stdio.h>
+
+bool scree_parts_tell(const struct error *own, struct scree_error *error) {
+    if (error) {
+        error->status = (enum scree_status)own->kind;
+        snprintf(error->text, sizeof error->text, "%s", own->text);
+    }
+    return own->kind == ERROR_NONE;
+}
+
+int scree_parts_enter(const struct scree_simulation *simulation) {
+    int threads = omp_get_max_threads();
+    if (simulation->state)
+        omp_set_num_threads(simulation->state->team.size);
+    return threads;
+}
+
+void scree_parts_leave(int threads) {
+    omp_set_num_threads(threads);
+}
