@@ -8,7 +8,7 @@ bench = examples/bench
 nobase_dist_pkgdata_DATA += \
 	$(bench)/ablation.tsv $(bench)/bench.sh $(bench)/bidisperse.yaml $(bench)/chute.yaml \
 	$(bench)/chute_settle.yaml $(bench)/in.bidisperse $(bench)/in.cells $(bench)/in.chute \
-	$(bench)/in.continuous $(bench)/needs.yaml $(bench)/packing.sh $(bench)/packing.yaml \
+	$(bench)/in.continuous $(bench)/needs.yaml $(bench)/pairs.py $(bench)/packing.sh $(bench)/packing.yaml \
 	$(bench)/performance.head.md $(bench)/tables.sh
 nobase_dist_pkgdata_SCRIPTS += \
 	$(bench)/auto.sh $(bench)/bidisperse.sh $(bench)/cells.sh $(bench)/chute.sh $(bench)/compare.sh \

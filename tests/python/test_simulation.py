@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""scree.Simulation: the same bits as the command line, arrays, callbacks, forces, mistakes."""
+
+import os
+import subprocess
+
+import numpy as np
+import pytest
+import scree
+
+SCENE = {
+    "units": "none",
+    "reproducible": True,
+    "threads": 2,
+    "gravity": [0, 0, -1],
+    "box": {"lower": [-3, -3, 0], "upper": [3, 3, 10]},
+    "step": {"dt": 0.002, "count": 400},
+    "materials": [{"name": "stone", "density": 1, "young": 3000, "poisson": 0.3}],
+    "material_pairs": [{"restitution": 0.5, "friction": 0.5}],
+    "walls": [{"name": "floor", "shape": "plane", "point": [0, 0, 0], "normal": [0, 0, 1]}],
+    "particles": {
+        "from": "random",
+        "region": {"shape": "box", "lower": [-3, -3, 0], "upper": [3, 3, 6]},
+        "count": 250,
+        "sizes": {"law": "power", "min": 0.15, "max": 0.6, "exponent": -2},
+        "velocity": [0.3, 0, -1],
+    },
+    "observables": {
+        "every": 50,
+        "list": [{"name": "momentum"}, {"name": "energy_kinetic"}, {"name": "position", "id": 5, "label": "five"}],
+    },
+    "output": {"checkpoint": {"at_end": True}},
+}
+
+
+def by_id(simulation, name):
+    """A field in the order of the ids."""
+    return simulation.field(name)[np.argsort(simulation.id)].copy()
+
+
+def test_numbers_equal_those_of_the_command_line(tmp_path):
+    simulation = scree.Simulation(SCENE)
+    (tmp_path / "scene.yaml").write_text(simulation.scene)
+    done = subprocess.run(
+        [os.environ["SCREE"], "run", "scene.yaml", "-o", "out", "--quiet"], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    simulation.run()
+    assert simulation.step == 400 and simulation.steps_left == 0
+    table = simulation.observables
+    lines = (tmp_path / "out/observables.csv").read_text().splitlines()
+    assert [name.split("[")[0] for name in lines[0].split(",")] == list(table.columns)
+    assert lines[1:] == [",".join("%.15g" % value for value in row) for row in table.to_numpy()]
+    other = scree.Simulation(tmp_path / "scene.yaml", resume=tmp_path / "out/checkpoint-400.h5")
+    for name in ("position", "velocity", "force", "angular_velocity"):
+        assert np.array_equal(by_id(simulation, name), by_id(other, name)), name
+    assert table.attrs["units"]["time"] == "s" and len(table) == 9
+
+
+def test_arrays_are_the_memory_of_the_simulation():
+    with scree.Simulation(scree.Scene(SCENE, set={"reproducible": False, "threads": 1})) as simulation:
+        assert len(simulation) == 250 and simulation.position.shape == (250, 3) and simulation.radius.shape == (250,)
+        assert simulation.position.base is not None and np.shares_memory(simulation.position, simulation.position)
+        assert simulation.id.dtype == np.int64 and set(simulation.id) == set(range(1, 251))
+        simulation.velocity[:] = 0
+        assert np.all(simulation.velocity == 0)
+        simulation.run(1)
+        assert abs(simulation.velocity[:, 2]).max() > 0
+        simulation.position[:, 2] += 0.5
+        simulation.changed()
+        highest = simulation.position[:, 2].max()
+        simulation.run(1)
+        assert abs(simulation.position[:, 2].max() - highest) < 0.05
+        assert np.array_equal(simulation.origin, [-3, -3, 0]) and np.array_equal(simulation.edge, [6, 6, 10])
+        with pytest.raises(KeyError, match="temperature.*position"):
+            simulation.field("temperature")
+    with pytest.raises(scree.Error, match="closed"):
+        simulation.run(1)
+
+
+def test_an_array_keeps_its_simulation():
+    position = scree.Simulation(SCENE).position
+    assert np.isfinite(position).all()
+
+
+def test_callbacks_come_every_so_many_steps():
+    seen = []
+    scree.Simulation(SCENE).run(25, callback=lambda simulation: seen.append(simulation.step), every=10)
+    assert seen == [10, 20]
+
+
+def test_a_force_of_ones_own():
+    scene = {key: SCENE[key] for key in ("units", "materials", "material_pairs", "box")}
+    scene.update(step={"dt": 0.001}, duration=10, particles={"from": "single", "position": [1, 0, 5], "radius": 0.5})
+
+    def pull(simulation):
+        x = simulation.position + simulation.origin - [0, 0, 5]
+        simulation.force[:] -= 4 * x / simulation.field("inverse_mass")[:, None]
+
+    simulation = scree.Simulation(scene, force=pull)
+    simulation.run(3000)
+    assert abs(simulation.position[0, 0] - 3 - np.cos(2 * simulation.time)) < 1e-5
+
+
+def test_failures_in_functions_of_the_user_come_back():
+    def wrong(simulation):
+        raise ZeroDivisionError("mine")
+
+    with pytest.raises(ZeroDivisionError, match="mine"):
+        scree.Simulation(SCENE, force=wrong)
+
+
+def test_particles_come_and_go():
+    simulation = scree.Simulation(SCENE)
+    simulation.add([[0, 0, 9], [1, 1, 9]], radius=0.2, velocity=[0, 0, -1])
+    simulation.delete([3, 5, 8])
+    simulation.run(1)
+    assert len(simulation) == 249 and 252 in simulation.id and 5 not in simulation.id
+    with pytest.raises(scree.Error, match="outside of the box"):
+        simulation.add([0, 0, 11], radius=0.1)
+
+
+def test_mistakes_and_guards_are_told():
+    said = []
+    with pytest.raises(scree.Error, match="'mist'|mist") as raised:
+        scree.Simulation({**SCENE, "mist": 1})
+    assert raised.value.status == 2
+    with pytest.raises(scree.Error, match="no/such.yaml"):
+        scree.Simulation("no/such.yaml")
+    weak = {"guards.overlap_bound": 1e-9, "guards.overlap": "warn", "guards.speed": "off"}
+    scree.Simulation(scree.Scene(SCENE, set=weak), log=said.append).run(200)
+    assert any("guards.overlap" in line for line in said)
+    stops = scree.Simulation(scree.Scene(SCENE, set={**weak, "guards.overlap": "stop"}))
+    with pytest.raises(scree.Error, match="overlap") as raised:
+        stops.run(200)
+    assert raised.value.status == 3
+
+
+def test_observables_without_rows_are_those_of_now():
+    scene = {key: value for key, value in SCENE.items() if key != "observables"}
+    simulation = scree.Simulation(scene).run(5)
+    table = simulation.observables
+    assert len(table) == 1 and table["time"][0] == simulation.time and table["energy_kinetic"][0] > 0
+    assert simulation.observe()["energy_kinetic"] == table["energy_kinetic"][0]
