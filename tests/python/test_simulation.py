@@ -14,7 +14,7 @@ SCENE = {
     "threads": 2,
     "gravity": [0, 0, -1],
     "box": {"lower": [-3, -3, 0], "upper": [3, 3, 10]},
-    "step": {"dt": 0.002, "count": 400},
+    "step": {"dt": 0.001, "count": 400},
     "materials": [{"name": "stone", "density": 1, "young": 3000, "poisson": 0.3}],
     "material_pairs": [{"restitution": 0.5, "friction": 0.5}],
     "walls": [{"name": "floor", "shape": "plane", "point": [0, 0, 0], "normal": [0, 0, 1]}],
