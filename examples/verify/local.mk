@@ -56,6 +56,8 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/fluid-fluidised-bed/terminal.yaml \
 	examples/verify/fluid-operators/scene.yaml \
 	examples/verify/fluid-poiseuille/scene.yaml \
+	examples/verify/fluid-settling/scene.yaml \
+	examples/verify/fluid-settling/shear.yaml \
 	examples/verify/fluid-sphere-array/scene.yaml \
 	examples/verify/fluid-taylor-aris/scene.yaml \
 	examples/verify/fluid-taylor-green/scene.yaml \
@@ -140,6 +142,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/fluid-fluidised-bed/check \
 	examples/verify/fluid-operators/check \
 	examples/verify/fluid-poiseuille/check \
+	examples/verify/fluid-settling/check \
 	examples/verify/fluid-sphere-array/check \
 	examples/verify/fluid-taylor-aris/check \
 	examples/verify/fluid-taylor-green/check \

@@ -31,6 +31,14 @@ double *fluid_volume(const struct particles *particles);
 void fluid_fields_riding(struct particles *particles);
 double (*fluid_arm(const struct particles *particles))[3];
 
+/* Adds the fields of grains that the fluid moves (couple.h): force and torque of the fluid; velocity, acceleration, and those of the spin, as of
+ * its last step; the force that couple_apply added last. */
+void fluid_fields_free(struct particles *particles);
+double (*fluid_load(const struct particles *particles))[6];
+int fluid_load_handle(const struct particles *particles);
+double (*fluid_grain_past(const struct particles *particles))[12];
+double (*fluid_push(const struct particles *particles))[3];
+
 /* Adds the fields of fluid particles that move; the arrays of struct flow of these names, or NULL. */
 void fluid_fields_moving(struct particles *particles);
 double *fluid_velocity_before(const struct particles *particles);

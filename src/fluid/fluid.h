@@ -78,6 +78,14 @@ struct fluid_motion {
     double period;                /* of the swing, time */
 };
 
+/* Grains in the fluid (couple.h). */
+enum fluid_grains_motion { FLUID_GRAINS_GIVEN, FLUID_GRAINS_FREE };
+struct fluid_grains {
+    enum fluid_grains_motion motion;
+    int every;           /* FREE: steps of the grains in a step of the fluid */
+    double virtual_mass; /* FREE: in masses of the fluid that the grain displaces */
+};
+
 struct fluid_operators {
     enum weights_operators name;
     int order; /* of moving least squares */
@@ -117,6 +125,7 @@ struct fluid_options {
     enum fluid_equations equations;
     enum fluid_time time;
     struct fluid_motion motion;
+    struct fluid_grains grains;
     struct fluid_operators operators;
     struct fluid_kernel kernel;
     struct fluid_fill fill;

@@ -64,6 +64,20 @@ static const struct schema_row motion_rows[] = {
 };
 static const struct schema_table motion_table = TABLE(motion_rows);
 
+static const struct schema_name grains_names[] = {
+    {"given", FLUID_GRAINS_GIVEN, "stand still, or move as their group says"},
+    {"free", FLUID_GRAINS_FREE, "the fluid moves them, too: its force and torque, and buoyancy"},
+    {0}};
+static const struct schema_row grains_rows[] = {
+    {.key = "motion", .type = SCHEMA_NAME, .names = grains_names, .fallback = "given", AT(struct fluid_grains, motion),
+     .help = "the motion of grains in the fluid"},
+    {.key = "every", .type = SCHEMA_INT, .range = "[1, 1000000]", .fallback = "1", .when = "motion=free",
+     AT(struct fluid_grains, every), .help = "steps of the grains in one of the fluid, whose force is held meanwhile", .example = "20"},
+    {.key = "virtual_mass", .type = SCHEMA_REAL, .range = "[0, 100]", .fallback = "2", .when = "motion=free",
+     AT(struct fluid_grains, virtual_mass), .help = "keeps light grains stable: inertia, in masses of the displaced fluid, that acts on changes of the acceleration alone"},
+};
+static const struct schema_table grains_table = TABLE(grains_rows);
+
 static const struct schema_row operators_rows[] = {
     {.key = "name", .type = SCHEMA_NAME, .names = operators_names, .fallback = "corrected",
      AT(struct fluid_operators, name), .help = "the operators"},
@@ -174,6 +188,8 @@ static const struct schema_row section[] = {
      .help = "a flow in time, or the steady one (of stokes)"},
     {.key = "motion", .type = SCHEMA_SECTION, .sub = &motion_table, .main = "name", .offset = offsetof(struct fluid_options, motion),
      .help = "the motion of the particles of the fluid"},
+    {.key = "grains", .type = SCHEMA_SECTION, .sub = &grains_table, .main = "motion", .offset = offsetof(struct fluid_options, grains),
+     .help = "the motion of grains in the fluid"},
     {.key = "operators", .type = SCHEMA_SECTION, .sub = &operators_table, .main = "name",
      .offset = offsetof(struct fluid_options, operators), .help = "gradient, divergence and Laplacian"},
     {.key = "kernel", .type = SCHEMA_SECTION, .sub = &kernel_table, .main = "name",

@@ -5,6 +5,7 @@ libfluid_la_SOURCES = \
 	src/fluid/assembly.h \
 	src/fluid/body.c \
 	src/fluid/body.h \
+	src/fluid/couple.c src/fluid/couple.h \
 	src/fluid/drag.c \
 	src/fluid/drag.h \
 	src/fluid/drive.c \

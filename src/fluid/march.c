@@ -4,6 +4,7 @@
 #include "contact/spin.h"
 #include "core/checksum.h"
 #include "core/memory.h"
+#include "fluid/couple.h"
 #include "fluid/drag.h"
 #include "fluid/feet.h"
 #include "fluid/fields.h"
@@ -162,13 +163,14 @@ static void step_transient(const struct physics_context *context, struct fluid *
     const struct projection_options wanted = {.density = options->density,
                                               .viscosity = options->viscosity,
                                               .spacing = options->spacing,
-                                              .dt = context->clock->dt,
+                                              .dt = couple_dt(context),
                                               .advection = options->equations == FLUID_NAVIER_STOKES,
                                               .preconditioner = preconditioner_of(options),
                                               .tolerance_velocity = 1e-8,
                                               .tolerance_pressure = tolerance_of(options, 1e-5),
                                               .reuse = options->solver.reuse};
     bool old = fluid->projection != NULL, moves = motion_moves(options);
+    double dt = couple_dt(context);
     if (!old)
         fluid->projection = projection_create(fluid->solve, &fluid->flow, &wanted, &fluid->error);
     if (fluid->projection == NULL)
@@ -178,12 +180,11 @@ static void step_transient(const struct physics_context *context, struct fluid *
     if (old && fluid->renew)
         projection_renew(fluid->projection);
     fluid->renew = false;
-    drive_adjust(&fluid->drive, options, context->box, &fluid->flow, context->clock->dt);
+    drive_adjust(&fluid->drive, options, context->box, &fluid->flow, dt);
     if (!moves)
-        projection_step(fluid->projection, &fluid->flow, &fluid->past, context->clock->dt, fluid->drive.force,
-                        &fluid->error);
-    else if (path_step(fluid->projection, &fluid->flow, &fluid->past, context->clock->dt,
-                       options->motion.filter, fluid->drive.force, &fluid->error))
+        projection_step(fluid->projection, &fluid->flow, &fluid->past, dt, fluid->drive.force, &fluid->error);
+    else if (path_step(fluid->projection, &fluid->flow, &fluid->past, dt, options->motion.filter,
+                       fluid->drive.force, &fluid->error))
         motion_drift(context, speed_largest(context));
 }
 
@@ -248,13 +249,14 @@ double march_limit(const struct physics_context *context, double most) {
     if (fluid->options->equations == FLUID_STOKES)
         return most;
     double speed = fmax(speed_largest(context), open_speed(fluid->options));
-    return speed > 0 ? fmin(most, COURANT * fluid->options->spacing / speed) : most;
+    return speed > 0 ? fmin(most, COURANT * fluid->options->spacing / speed / (double)couple_every(context))
+                     : most;
 }
 
 /* Stops a flow that has become too fast for its steps; twice the limit, as it may pass that for a while. */
 static void check_speed(const struct physics_context *context, struct fluid *fluid) {
     const struct clock *clock = context->clock;
-    double moved = speed_largest(context) * clock->dt / fluid->options->spacing;
+    double moved = speed_largest(context) * couple_dt(context) / fluid->options->spacing;
     if (moved > 2 * COURANT && !context->scene->step.force)
         error_set(
             &fluid->error, ERROR_PHYSICS,
@@ -263,11 +265,7 @@ static void check_speed(const struct physics_context *context, struct fluid *flu
             moved, (unsigned long long)clock->step, clock->time, COURANT);
 }
 
-void march_step(const struct physics_context *context) {
-    struct fluid *fluid = context->self;
-    if (context->clock->step == fluid->done || fluid->error.kind != ERROR_NONE)
-        return;
-    fluid->done = context->clock->step;
+static void step_run(const struct physics_context *context, struct fluid *fluid) {
     if (motion_moves(fluid->options) && fluid->placed != context->clock->step)
         weights_of(context, fluid);
     if (motion_moves(fluid->options) && context->walls != NULL && walls_move(context->walls))
@@ -285,6 +283,19 @@ void march_step(const struct physics_context *context) {
     watch_step(context);
     if (fluid->error.kind == ERROR_NONE && fluid->options->equations == FLUID_NAVIER_STOKES)
         check_speed(context, fluid);
+    if (fluid->error.kind == ERROR_NONE && couple_free(fluid->options))
+        couple_load(context);
+}
+
+void march_step(const struct physics_context *context) {
+    struct fluid *fluid = context->self;
+    if (fluid->error.kind != ERROR_NONE)
+        return;
+    if (context->clock->step != fluid->done && couple_due(context))
+        step_run(context, fluid);
+    fluid->done = context->clock->step;
+    if (couple_free(fluid->options))
+        couple_apply(context);
 }
 
 void march_look(const struct physics_context *context) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Moves the particles of a fluid. Read motion.h first. */
 #include "fluid/motion.h"
+#include "fluid/couple.h"
 #include "fluid/path.h"
 #include "fluid/ride.h"
 #include "fluid/shift.h"
@@ -53,7 +54,7 @@ static void velocity_of(const struct physics_context *context, size_t i, double 
     const struct fluid *fluid = context->self;
     const struct fluid_motion *motion = &fluid->options->motion;
     const double *x = context->particles->state[i].x;
-    double dt = context->clock->dt, start = context->clock->time - dt, middle[3];
+    double dt = couple_dt(context), start = context->clock->time - dt, middle[3];
     if (motion->name == FLUID_LAGRANGIAN) {
         path_velocity(&fluid->flow, i, ahead, w);
         return;
@@ -67,8 +68,10 @@ static void velocity_of(const struct physics_context *context, size_t i, double 
 void motion_move(const struct physics_context *context, int thread, size_t first, size_t last,
                  int size_class) {
     const struct fluid *fluid = context->self;
-    double dt = context->clock->dt, ahead = fluid->past.steps > 0 ? 0.5 * dt / fluid->past.dt : 0;
-    double *largest = &context->speed[thread][size_class];
+    double dt = couple_dt(context), ahead = fluid->past.steps > 0 ? 0.5 * dt / fluid->past.dt : 0;
+    double *largest = &context->speed[thread][size_class], steps = (double)couple_every(context);
+    if (!couple_due(context))
+        return;
     if (context->classes->kind[size_class] == KIND_BOUNDARY && fluid->riding)
         ride_move(context, thread, first, last, size_class);
     if (context->classes->kind[size_class] != KIND_FLUID)
@@ -78,7 +81,7 @@ void motion_move(const struct physics_context *context, int thread, size_t first
         velocity_of(context, i, ahead, w);
         for (int d = 0; d < context->box->dimension; d++) {
             context->particles->state[i].x[d] += dt * w[d];
-            square += w[d] * w[d];
+            square += steps * steps * w[d] * w[d];
         }
         if (!isnan(*largest) && !(square <= *largest))
             *largest = square;
@@ -104,7 +107,7 @@ void motion_drift(const struct physics_context *context, double speed) {
     const struct fluid *fluid = context->self;
     const struct fluid_motion *motion = &fluid->options->motion;
     const struct shift_options shift = {motion->shifting == FLUID_SHIFT_LIND ? motion->strength : 0, speed,
-                                        FLUID_SHIFT_MOST * fluid->options->spacing / context->clock->dt};
+                                        FLUID_SHIFT_MOST * fluid->options->spacing / couple_dt(context)};
     if (motion->name == FLUID_ALE)
         drift_given(context);
     else

@@ -3,6 +3,7 @@
 #include "fluid/nodes.h"
 #include "core/memory.h"
 #include "core/random.h"
+#include "fluid/couple.h"
 #include "fluid/fluid.h"
 #include "particles/kinds.h"
 #include <math.h>
@@ -335,6 +336,7 @@ static bool grains_rest(const struct physics_context *context, struct error *err
         char key[64];
         snprintf(key, sizeof key, "particles.sources[%d].group", k);
         bool carried = group->motion == SCENE_MOVING && fluid_carries(context->options);
+        carried = carried || couple_free(context->options);
         if (scene->source[k].group >= 0 && group->motion != SCENE_FROZEN && !carried)
             return scene_fail(
                 scene, error, key,
@@ -343,13 +345,13 @@ static bool grains_rest(const struct physics_context *context, struct error *err
                 group->name);
     }
     const struct particles *p = context->particles;
-    for (size_t k = 0; k < p->owned; k++)
+    for (size_t k = 0; k < p->owned && !couple_free(context->options); k++)
         if (p->state[k].inverse_mass > 0)
-            return scene_fail(
-                scene, error, "particles",
-                "grain %lld moves freely; allowed beside `fluid`: grains of groups with motion: frozen "
-                "(grains that the fluid moves are not built yet)",
-                (long long)p->id[k]);
+            return scene_fail(scene, error, "particles",
+                              "grain %lld moves freely; allowed beside `fluid`: grains of groups with "
+                              "motion: frozen, or free "
+                              "grains with fluid.motion: lagrangian and fluid.grains: free",
+                              (long long)p->id[k]);
     return scene->insertions == 0 ||
            scene_fail(scene, error, "insertions", "grains cannot be inserted into a fluid; not built yet");
 }

@@ -2,6 +2,7 @@
 /* A fluid as a physics: its interaction, its particles, its passes. Read engine/physics.h and march.h first. */
 #include "core/memory.h"
 #include "engine/physics.h"
+#include "fluid/couple.h"
 #include "fluid/fields.h"
 #include "fluid/fill.h"
 #include "fluid/march.h"
@@ -46,6 +47,8 @@ static void *create(const struct physics_context *context) {
     if (fluid->riding)
         fluid_fields_riding(context->particles);
     fluid->scalars = scalars_create(context);
+    if (couple_free(fluid->options))
+        fluid_fields_free(context->particles);
     return fluid;
 }
 
@@ -120,10 +123,16 @@ static void restart(const struct physics_context *context, struct restart *list)
         restart_add(list, RESTART_REAL, true, &fluid->drive.force[d], "fluid: driving force %c", 'x' + d);
     restart_add(list, RESTART_REAL, true, &fluid->drive.mean_before, "fluid: mean velocity before");
     restart_add(list, RESTART_INTEGER, true, &fluid->drive.steps, "fluid: steps of the drive");
+    if (couple_free(fluid->options))
+        restart_add(list, RESTART_SUM, true, &fluid->work, "fluid: work on grains");
     if (fluid->scalars == NULL)
         return;
     scalars_restart(fluid->scalars, list);
     restart_add(list, RESTART_INTEGER, true, &fluid->solved, "fluid: the steady flow is there");
+}
+
+static double work(const struct physics_context *context) {
+    return ((const struct fluid *)context->self)->work;
 }
 
 static const struct physics_pass passes[] = {{.name = "follow",
@@ -171,5 +180,6 @@ const struct physics fluid_physics = {.name = "fluid",
                                           "advection: the fluid may move by half a spacing in a step",
                                       .guard = guard,
                                       .print = print,
+                                      .work = work,
                                       .solvers = watch_solvers,
                                       .restart = restart};

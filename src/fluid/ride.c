@@ -2,6 +2,7 @@
 /* Carries boundary particles along with their grains. Read ride.h first. */
 #include "fluid/ride.h"
 #include "contact/spin.h"
+#include "fluid/couple.h"
 #include "fluid/fields.h"
 #include "fluid/flow_fields.h"
 #include "particles/fields.h"
@@ -14,7 +15,7 @@ bool ride_wanted(const struct physics_context *context) {
     bool moving = false;
     for (int k = 0; k < scene->groups; k++)
         moving = moving || scene->group[k].motion == SCENE_MOVING;
-    return moving && fluid_carries(context->options);
+    return couple_free(context->options) || (moving && fluid_carries(context->options));
 }
 
 /* a x b. */
@@ -47,7 +48,7 @@ static const double *spin_at(const struct particles *particles, size_t i) {
 void ride_move(const struct physics_context *context, int thread, size_t first, size_t last, int size_class) {
     struct particles *p = context->particles;
     const int64_t *body = fluid_body(p);
-    double(*arm)[3] = fluid_arm(p), dt = context->clock->dt;
+    double(*arm)[3] = fluid_arm(p), dt = couple_dt(context);
     double *largest = &context->speed[thread][size_class];
     for (size_t i = first; i < last; i++) {
         double before[3], surface[3], square = 0;
@@ -59,7 +60,7 @@ void ride_move(const struct physics_context *context, int thread, size_t first, 
         for (int d = 0; d < context->box->dimension; d++) {
             double moved = dt * (p->state[i].v[d] - surface[d]) + arm[i][d] - before[d];
             p->state[i].x[d] += moved;
-            square += moved * moved / (dt * dt);
+            square += moved * moved / (context->clock->dt * context->clock->dt);
         }
         if (!isnan(*largest) && !(square <= *largest))
             *largest = square;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Steps of the scalars that a fluid carries. Read scalars.h first. */
 #include "fluid/scalars.h"
+#include "fluid/couple.h"
 #include "core/memory.h"
 #include "core/timer.h"
 #include "fluid/fluxes.h"
@@ -229,7 +230,7 @@ static bool step_one(const struct physics_context *context, int k, double dt, do
 void scalars_step(const struct physics_context *context, bool flows) {
     struct fluid *fluid = context->self;
     struct scalars *scalars = fluid->scalars;
-    double dt = context->clock->dt, r = scalars->steps > 0 ? dt / scalars->dt : 0;
+    double dt = couple_dt(context), r = scalars->steps > 0 ? dt / scalars->dt : 0;
     if (!prepare(context, fluid))
         return;
     if (flows || scalars->fluxes.carry == NULL) {

@@ -43,6 +43,7 @@ struct fluid {
     uint64_t done;           /* the last step that was made */
     int64_t narrow;          /* gaps between grains that the spacing does not resolve (nodes.h) */
     double narrowest;        /* length */
+    double work;             /* on grains that the fluid moves, since the start; energy */
     struct error error;      /* until the guard takes it */
 };
 

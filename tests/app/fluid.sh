@@ -398,6 +398,27 @@ check "a scalar given at a side that is not open" scene_refused 'fluid.scalars[2
 check "a scalar given twice" scene_refused 'fluid.scalars[2].given[1]|twice' dye.yaml --set 'fluid.scalars[2].given=[{group: bed, value: 1}, {group: bed, value: 2}]'
 check "a scalar without diffusivity" scene_refused 'fluid.scalars[0].diffusivity|missing' dye.yaml --set 'fluid.scalars=[{name: dye}]'
 check "a dump of a scalar that is not there" scene_refused 'scalar_1|no such field' sphere.yaml --set 'output.dump.fields=[id, scalar_1]'
+# A grain that the fluid moves: momentum of grain and fluid grows by its weight less buoyancy; on other ranks, after a resume, with steps of its own
+sed 's/, group: disc}/}/; s/density: 1}/density: 7.5}/; /^groups/d; s/motion: lagrangian,/motion: lagrangian, grains: free,/; s/^contact:/gravity: [0, -10, 0]\n&/' disc.yaml |
+    sed 's/{name: fluid_velocity, components: x}/{name: fluid_velocity, components: y}/; s/{name: fluid_drag}/{name: velocity, id: 1, components: y}/' >falling.yaml
+momentum() { # SETTING...: rows t, fluid's velocity, porosity, velocity of the grain; mass 0.251, displaced 0.126
+    rm -rf one
+    run_scene 1 falling.yaml one --set threads=1 "$@" && tail -n 1 one/observables.csv | awk -F , '
+        { m = 4 / 3 * atan2(0, -1) * 0.008 * 7.5; P = m * $4 + $2; F = -10 * (m - atan2(0, -1) * 0.04) * $1; printf "  velocity %g, momentum %g, impulse %g\n", $4, P, F
+            exit !($4 < -0.1 && P / F > 0.96 && P / F < 1.04) }'
+}
+carried_falling() { # RANKS FLAG...
+    local ranks=$1
+    shift
+    rm -rf other
+    run_scene "$ranks" falling.yaml other --set threads=1 "$@" && paste -d , <(tail -n 1 one/observables.csv) <(tail -n 1 other/observables.csv) |
+        awk -F , '{ for (k = 2; k <= 4; k++) { d = $k / $(k + 4) - 1; bad += !(d * d < 1e-14) } exit bad }'
+}
+check "a grain that falls in a fluid: with subcycles, momentum is kept" momentum --set step.dt=0.001 --set step.count=160 --set fluid.grains='{motion: free, every: 4}' --set output.checkpoint.every=80 --set output.dump.every=160 --set observables.every=160
+check "a grain that falls in a fluid: momentum is kept" momentum
+check "a grain that falls in a fluid, on 3 ranks" carried_falling 3
+check "a grain that falls in a fluid, after a resume" carried_falling 1 --resume one/checkpoint-20.h5
+check "free grains among particles at rest" scene_refused 'fluid.grains|lagrangian' falling.yaml --set fluid.motion=fixed
 
 check "a support below the diagonal" scene_refused 'fluid.kernel.support|from 1.42' sphere.yaml --set fluid.kernel.support=1.2
 check "two drives" scene_refused 'fluid.drive.mass_flow|exclude each other' sphere.yaml --set fluid.drive.mass_flow=1
