@@ -428,7 +428,7 @@ check "a spacing too coarse for a grain" scene_refused 'fluid.spacing|too coarse
 check "no fluid in the region" scene_refused 'there is no fluid' channel.yaml --set 'fluid.fill={region: {shape: sphere, centre: [9, 9, 0], radius: 1}}'
 check "an open side" scene_refused 'open side near|wall' channel.yaml --set box.periodic=false
 check "a region that ends in the open" scene_refused 'open side near' sphere.yaml --set 'fluid.fill={region: {shape: box, lower: [-1, 0, 2], upper: [0, 1, 2.5]}}'
-check "grains that move" scene_refused 'grain 1 moves freely|not built' sphere.yaml --set 'particles={from: single, position: [-0.9, 0.1, 2.05], radius: 0.31, density: 1}' --set 'groups=[]'
+check "grains that move" scene_refused 'grain 1 moves freely|fluid.grains: free' sphere.yaml --set 'particles={from: single, position: [-0.9, 0.1, 2.05], radius: 0.31, density: 1}' --set 'groups=[]'
 check "a motion that is not known" scene_refused 'fluid.motion|lagrangian' channel.yaml --set fluid.motion=eulerian
 check "particles that move without inertia" scene_refused 'fluid.motion|navier_stokes' channel.yaml --set fluid.motion=lagrangian --set fluid.equations=stokes
 check "points that leave the box" scene_refused 'fluid.motion.velocity|along y' channel.yaml --set 'fluid.motion={name: ale, velocity: [0, 1, 0]}'
