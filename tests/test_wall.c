@@ -9,7 +9,7 @@
 #include "near.h"
 #include "mesh_by_hand.h"
 
-static const double no_force[3][3] = {{0.0}};
+static const struct wall_push no_force[3];
 
 /* Chung and Ooi (Granular Matter 13 (2011) 643), test 2: an elastic sphere of 0.1 m at 0.2 m/s on a plane
  * 1000 times stiffer. Hertz: largest overlap (5 m v^2 / (4 K))^(2/5), K = 4/3 E* sqrt(r), duration 2.94328

@@ -267,16 +267,45 @@ static void test_servo(void **state) {
                                        .gain = 2.0};
     struct wall_mover *m = mover(&o);
     assert_true(wall_mover_has_servo(m));
-    assert_near(wall_mover_servo_speed(m, 1.5, (struct law_vector){3.0, 4.0, 9.0}), -0.2, 1e-15);
-    assert_near(wall_mover_servo_speed(m, 1.5, (struct law_vector){3.0, 4.0, 11.0}), 0.2, 1e-15);
-    assert_near(wall_mover_servo_speed(m, 1.5, (struct law_vector){0.0, 0.0, 0.0}), -0.5, 0.0);
-    assert_near(wall_mover_servo_speed(m, 0.5, (struct law_vector){0.0, 0.0, 0.0}), 0.0, 0.0);
-    assert_near(wall_mover_servo_speed(m, 2.0, (struct law_vector){0.0, 0.0, 0.0}), 0.0, 0.0);
-    assert_near(wall_mover_servo_follow(m, 1.5, (struct law_vector){0.0, 0.0, 0.0}, 0.3), 0.284, 1e-15);
-    assert_near(wall_mover_servo_follow(m, 2.0, (struct law_vector){0.0, 0.0, 0.0}, 0.3), 0.0, 0.0);
+    assert_near(wall_mover_servo_speed(m, 1.5, &(struct wall_push){.force = {3.0, 4.0, 9.0}}), -0.2, 1e-15);
+    assert_near(wall_mover_servo_speed(m, 1.5, &(struct wall_push){.force = {3.0, 4.0, 11.0}}), 0.2, 1e-15);
+    assert_near(wall_mover_servo_speed(m, 1.5, &(struct wall_push){.force = {0.0, 0.0, 0.0}}), -0.5, 0.0);
+    assert_near(wall_mover_servo_speed(m, 0.5, &(struct wall_push){.force = {0.0, 0.0, 0.0}}), 0.0, 0.0);
+    assert_near(wall_mover_servo_speed(m, 2.0, &(struct wall_push){.force = {0.0, 0.0, 0.0}}), 0.0, 0.0);
+    assert_near(wall_mover_servo_follow(m, 1.5, &(struct wall_push){.force = {0.0, 0.0, 0.0}}, 0.3), 0.284, 1e-15);
+    assert_near(wall_mover_servo_follow(m, 2.0, &(struct wall_push){.force = {0.0, 0.0, 0.0}}, 0.3), 0.0, 0.0);
     struct wall_transform pose = wall_mover_place(m, 1.5, 0.25);
     assert_near(pose.translation[2], 0.25, 0.0);
     assert_near(wall_mover_twist(m, 1.5, 1e-3, 0.25, -0.2).velocity.z, -0.2, 0.0);
+    wall_mover_destroy(&m);
+}
+
+/* Without a gain the speed is the error over twice the impedance; the speed follows by a tenth. */
+static void test_servo_impedance(void **state) {
+    (void)state;
+    struct wall_options o = {.motions = 1};
+    o.motion[0] = (struct wall_motion){.kind = WALL_SERVO,
+                                       .stop = 2.0,
+                                       .direction = {0.0, 0.0, 1.0},
+                                       .force = 10.0,
+                                       .speed_max = 0.5};
+    struct wall_mover *m = mover(&o);
+    struct wall_push push = {.force = {0.0, 0.0, 9.0}, .impedance = 2.0};
+    assert_near(wall_mover_servo_speed(m, 0.0, &push), -0.25, 1e-15);
+    assert_near(wall_mover_servo_follow(m, 0.0, &push, 0.0), -0.025, 1e-15);
+    push.impedance = 0.5;
+    assert_near(wall_mover_servo_speed(m, 0.0, &push), -0.5, 0.0);
+    push.impedance = 0.0;
+    assert_near(wall_mover_servo_speed(m, 0.0, &push), -0.5, 0.0);
+    push.force[2] = 10.0;
+    assert_near(wall_mover_servo_speed(m, 0.0, &push), 0.0, 0.0);
+    double unit = wall_mover_servo_unit(m);
+    assert_near(unit, exp2(rint(log2(unit))), 0.0);
+    assert_true(unit > 0.0 && unit < 1e-5 * 10.0 / 0.5);
+    wall_mover_destroy(&m);
+    o.motion[0].gain = 1.0;
+    m = mover(&o);
+    assert_near(wall_mover_servo_unit(m), 0.0, 0.0);
     wall_mover_destroy(&m);
 }
 
@@ -288,16 +317,16 @@ static void test_servo_turned(void **state) {
         .kind = WALL_SERVO, .stop = INFINITY, .direction = {0.0, 0.0, 1.0}, .force = 10.0, .speed_max = 0.5};
     struct wall_motion turn = {
         .kind = WALL_ROTATE, .stop = 1.0, .direction = {0.0, 1.0, 0.0}, .rate = 0.5 * M_PI};
-    struct law_vector push = {10.0, 0.0, 0.0}; /* along z when it has turned */
+    struct wall_push push = {.force = {10.0, 0.0, 0.0}, .impedance = 10.0}; /* along z when it has turned */
     struct wall_options o = {.motions = 2, .motion = {servo, turn}};
     struct wall_mover *m = mover(&o);
-    assert_near(wall_mover_servo_speed(m, 0.0, push), -0.5, 1e-15);
-    assert_near(wall_mover_servo_speed(m, 2.0, push), 0.0, 1e-15);
+    assert_near(wall_mover_servo_speed(m, 0.0, &push), -0.5, 1e-15);
+    assert_near(wall_mover_servo_speed(m, 2.0, &push), 0.0, 1e-15);
     assert_point(wall_mover_twist(m, 2.0, 1e-3, 0.1, 0.3).velocity, 0.3, 0.0, 0.0, 1e-15);
     wall_mover_destroy(&m);
     o = (struct wall_options){.motions = 2, .motion = {turn, servo}};
     m = mover(&o);
-    assert_near(wall_mover_servo_speed(m, 2.0, push), -0.5, 1e-15);
+    assert_near(wall_mover_servo_speed(m, 2.0, &push), -0.5, 1e-15);
     assert_point(wall_mover_twist(m, 2.0, 1e-3, 0.1, 0.3).velocity, 0.0, 0.0, 0.3, 1e-15);
     wall_mover_destroy(&m);
 }
@@ -353,6 +382,7 @@ int main(void) {
                                        cmocka_unit_test(test_table_rows_in_a_step),
                                        cmocka_unit_test(test_bad),
                                        cmocka_unit_test(test_servo),
+                                       cmocka_unit_test(test_servo_impedance),
                                        cmocka_unit_test(test_servo_turned),
                                        cmocka_unit_test(test_flat),
                                        cmocka_unit_test(test_transforms)};

@@ -9,7 +9,7 @@
 #include "near.h"
 #include "mesh_by_hand.h"
 
-static const double no_force[1][3] = {{0.0, 0.0, 0.0}};
+static const struct wall_push no_force[1];
 
 /* A piston meets a sphere at rest elastically: it leaves at twice the speed; the work is its energy. */
 static void test_piston(void **state) {
@@ -36,38 +36,86 @@ static void test_piston(void **state) {
     world_close(&w);
 }
 
-/* A plate with a servo lies down on a sphere and presses with the force that it should. */
+/* Lets the walls of a world follow the forces of `steps` steps. */
+static void follow(struct world *w, int steps) {
+    for (int n = 0; n < steps; n++) {
+        double force[4][6];
+        struct wall_push push[4] = {0};
+        walls_forces(w->walls, force);
+        for (int k = 0; k < walls_count(w->walls); k++) {
+            memcpy(push[k].force, force[k], sizeof push[k].force);
+            push[k].impedance = *walls_impedance(w->walls, k);
+        }
+        world_step(w, n % 100 == 0, push);
+    }
+}
+
+/* A plate with a servo lies down on a sphere and presses with the force that it should: a force with a gain, and a
+ * pressure on the section of the box, 16, or on a given area, whose gain follows from the sphere. */
 static void test_servo(void **state) {
     (void)state;
-    struct wall_options wall[2] = {hand_plane(0, 0, 1, 0, 0, 1), hand_plane(0, 0, 2.1, 0, 0, -1)};
-    struct world w;
-    wall[1].motions = 1;
-    wall[1].motion[0] = (struct wall_motion){.kind = WALL_SERVO,
-                                             .stop = INFINITY,
-                                             .direction = {0.0, 0.0, 1.0},
-                                             .force = 25.0,
-                                             .speed_max = 0.2,
-                                             .gain = 0.05};
-    world_open(&w, hand_box(4.0), hand_law(LAW_HOOKE, 0.3, 0.5), wall, 2, 1);
-    world_add(&w, 2, 2, 1.5, 0.5, 1.0);
-    world_build(&w);
-    assert_true(walls_have_servo(w.walls));
-    for (int n = 0; n < 50000; n++) {
-        double force[2][6], servo[2][3];
+    static const struct {
+        double force, pressure, area, gain;
+    } given[3] = {{.force = 25.0, .gain = 0.05}, {.pressure = 25.0 / 16.0}, {.pressure = 5.0, .area = 5.0}};
+    for (int k = 0; k < 3; k++) {
+        struct wall_options wall[2] = {hand_plane(0, 0, 1, 0, 0, 1), hand_plane(0, 0, 2.1, 0, 0, -1)};
+        struct world w;
+        wall[1].motions = 1;
+        wall[1].motion[0] = (struct wall_motion){.kind = WALL_SERVO,
+                                                 .stop = INFINITY,
+                                                 .direction = {0.0, 0.0, 1.0},
+                                                 .force = given[k].force,
+                                                 .pressure = given[k].pressure,
+                                                 .area = given[k].area,
+                                                 .speed_max = 0.2,
+                                                 .gain = given[k].gain};
+        world_open(&w, hand_box(4.0), hand_law(LAW_HOOKE, 0.3, 0.5), wall, 2, 1);
+        world_add(&w, 2, 2, 1.5, 0.5, 1.0);
+        world_build(&w);
+        assert_true(walls_have_servo(w.walls));
+        assert_near(walls_options(w.walls, 1)->motion[0].force, 25.0, 1e-14);
+        follow(&w, 50000);
+        double force[2][6];
+        struct wall_pose pose;
         walls_forces(w.walls, force);
-        for (int k = 0; k < 2; k++)
-            memcpy(servo[k], force[k], sizeof servo[k]);
-        world_step(&w, n % 100 == 0, servo);
+        walls_pose(w.walls, 1, &pose);
+        assert_near(force[1][2], 25.0, 0.01);
+        assert_near(force[0][2], -25.0, 0.01);
+        assert_near(pose.translation[2], -0.1 - 2.0 * 25.0 / 1e4, 1e-5);
+        assert_near(pose.servo_offset, pose.translation[2], 1e-15);
+        double impedance = *walls_impedance(w.walls, 1);
+        assert_near(impedance, given[k].gain > 0.0 ? 0.0 : sqrt(1.0 * 1e4), 0.01);
+        world_close(&w);
     }
-    double force[2][6];
-    struct wall_pose pose;
-    walls_forces(w.walls, force);
-    walls_pose(w.walls, 1, &pose);
-    assert_near(force[1][2], 25.0, 0.01);
-    assert_near(force[0][2], -25.0, 0.01);
-    assert_near(pose.translation[2], -0.1 - 2.0 * 25.0 / 1e4, 1e-5);
-    assert_near(pose.servo_offset, pose.translation[2], 1e-15);
+}
+
+/* Areas along directions: of a plane, of a plate with corners in any order, and of a closed cube; none of a plane
+ * that slants through the box, nor of a cylinder. */
+static void test_area(void **state) {
+    (void)state;
+    struct hand_text plate = text_new(), cube = text_new();
+    char file[2][64];
+    text_plate(&plate, (double[3]){0, 0, 2}, (double[3]){3, 0, 0}, (double[3]){0, 2, 2}, 3, 2, 0.3);
+    text_cube(&cube, 1.0, 2.5, 2);
+    struct wall_options wall[5] = {hand_plane(0, 0, 1, 0, 0, 1), hand_plane(0, 0, 1, 0, 1, 1),
+                                   {.name = "pipe", .shape = WALL_CYLINDER, .axis = {0, 0, 1}, .radius = 1.0},
+                                   hand_mesh(hand_file(file[0], "plate", plate.text, plate.size)),
+                                   hand_mesh(hand_file(file[1], "cube", cube.text, cube.size))};
+    struct world w;
+    world_open(&w, hand_box(4.0), hand_law(LAW_HOOKE, 0.3, 0.5), wall, 5, 1);
+    static const double up[3] = {0, 0, 2}, aside[3] = {1, 0, 0}, slanting[3] = {1, 0, 1};
+    assert_near(walls_area(w.walls, 0, up), 16.0, 1e-13);
+    assert_near(walls_area(w.walls, 0, slanting), 16.0 * sqrt(0.5), 1e-13);
+    assert_near(walls_area(w.walls, 1, up), 0.0, 0.0);
+    assert_near(walls_area(w.walls, 2, up), 0.0, 0.0);
+    assert_near(walls_area(w.walls, 3, up), 6.0, 1e-12);
+    assert_near(walls_area(w.walls, 3, aside), 0.0, 1e-12);
+    assert_near(walls_area(w.walls, 4, up), 1.5 * 1.5, 1e-12);
     world_close(&w);
+    unlink(file[0]);
+    unlink(file[1]);
+    memory_free(plate.text);
+    memory_free(cube.text);
 }
 
 /* The deepest overlap of a sphere of radius 1 mm inside of the drum's polygon of 100 sides that has turned by
@@ -351,6 +399,7 @@ static void test_offset(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_piston),
                                        cmocka_unit_test(test_servo),
+                                       cmocka_unit_test(test_area),
                                        cmocka_unit_test(test_drum),
                                        cmocka_unit_test(test_conveyor),
                                        cmocka_unit_test(test_turns_on_the_spot),

@@ -151,10 +151,10 @@ static inline void world_build(struct world *w) {
 }
 
 /* One step: as the program does it. */
-static inline void world_step(struct world *w, bool rebuild, const double (*servo_force)[3]) {
+static inline void world_step(struct world *w, bool rebuild, const struct wall_push *push) {
     integrator_advance(w->particles, &w->motion, 0, w->particles->owned);
     if (walls_move(w->walls))
-        walls_advance(w->walls, w->time, w->motion.dt, servo_force);
+        walls_advance(w->walls, w->time, w->motion.dt, push);
     w->time += w->motion.dt;
     if (rebuild)
         world_rebuild(w, NULL);

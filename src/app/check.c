@@ -315,13 +315,24 @@ static void print_extent(const char *what, const char *name, const struct extent
     printf("%s\n", note);
 }
 
+/* Writes what is to be said of wall w besides its extent. */
+static const char *wall_note(const struct simulation *s, const struct notes *notes, int w, char text[128]) {
+    const struct wall_options *wall = walls_options(s->grains.walls, w);
+    snprintf(text, 128, "%s", notes->apart[w] ? "  NOTE: wholly outside of the box" : "");
+    for (int m = 0; m < wall->motions; m++)
+        if (wall->motion[m].kind == WALL_SERVO && wall->motion[m].pressure > 0)
+            snprintf(text, 128, "  pressure %.4g x area %.4g = force %.4g", wall->motion[m].pressure,
+                     wall->motion[m].area, wall->motion[m].force);
+    return text;
+}
+
 /* Prints the extent of particles and walls, as parts that lie far apart are probably a mistake. */
 static void print_extents(const struct simulation *s, const struct notes *notes) {
     static const char *const shapes[] = {
         [WALL_PLANE] = "plane", [WALL_CYLINDER] = "cylinder", [WALL_MESH] = "mesh"};
     const struct scene *scene = s->scene;
     struct extent box;
-    char note[64] = "";
+    char note[128] = "";
     memcpy(box.lower, scene->box_lower, sizeof box.lower);
     memcpy(box.upper, scene->box_upper, sizeof box.upper);
     printf("\nwhere it is\n  %-24s  %-27s  %-27s  %s\n", "", "x from ... to", "y from ... to",
@@ -334,8 +345,7 @@ static void print_extents(const struct simulation *s, const struct notes *notes)
     for (int w = 0; w < s->scene->walls; w++) {
         const struct wall_options *wall = &s->scene->wall[w];
         struct extent extent = notes_wall_extent(s, w);
-        print_extent(shapes[wall->shape], wall->name, &extent,
-                     notes->apart[w] ? "  NOTE: wholly outside of the box" : "");
+        print_extent(shapes[wall->shape], wall->name, &extent, wall_note(s, notes, w, note));
     }
 }
 

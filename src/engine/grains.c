@@ -14,9 +14,12 @@ static void servo(const struct physics_context *context) {
     struct simulation *s = context->self;
     double part[WALLS_MAX][6];
     walls_forces(s->grains.walls, part);
-    for (int w = 0; w < walls_count(s->grains.walls); w++)
-        memcpy(s->grains.servo_force[w], part[w], sizeof s->grains.servo_force[w]);
-    comm_sum(s->comm, s->grains.servo_force[0], 3 * walls_count(s->grains.walls));
+    static_assert(sizeof s->grains.push[0] == 4 * sizeof(double), "doubles alone are summed");
+    for (int w = 0; w < walls_count(s->grains.walls); w++) {
+        memcpy(s->grains.push[w].force, part[w], sizeof s->grains.push[w].force);
+        s->grains.push[w].impedance = *walls_impedance(s->grains.walls, w);
+    }
+    comm_sum(s->comm, s->grains.push[0].force, 4 * walls_count(s->grains.walls));
 }
 
 /* The largest squared speed relative to the mean flow, and at least `least`, which may be no number. */
@@ -46,7 +49,7 @@ static void move_walls(const struct physics_context *context) {
     struct simulation *s = context->self;
     double before = s->clock.time_base + (double)(s->clock.step - 1 - s->clock.step_base) * s->clock.dt;
     walls_advance(s->grains.walls, before, s->clock.dt,
-                  walls_have_servo(s->grains.walls) ? s->grains.servo_force : NULL);
+                  walls_have_servo(s->grains.walls) ? s->grains.push : NULL);
 }
 
 static void move_flow(const struct physics_context *context) {
@@ -126,7 +129,7 @@ static bool needs_box(const struct physics_context *context) {
 
 static const struct physics_pass passes[] = {
     {.name = "servo",
-     .why = "a wall driven to a force",
+     .why = "a wall driven to a force or a pressure",
      .stage = PASS_FIRST,
      .timer = "comm",
      .needed = needs_servo,
@@ -217,6 +220,9 @@ static void guard(const struct physics_context *context, struct error *error) {
 static void restart(const struct physics_context *context, struct restart *list) {
     struct simulation *s = context->self;
     restart_add(list, RESTART_SUM, false, &s->grains.taken, "energy taken by contacts");
+    bool servo = s->grains.walls && walls_have_servo(s->grains.walls);
+    for (int w = 0; servo && w < walls_count(s->grains.walls); w++)
+        restart_add(list, RESTART_SUM, true, walls_impedance(s->grains.walls, w), "wall %d: impedance", w);
 }
 
 const struct physics grains_physics = {.name = "grains",

@@ -72,7 +72,7 @@ struct grains {
     double taken;               /* sum of force_sums.taken since the start, this rank's part */
     bool sums_each_step;        /* dissipated energy is observed */
     double (*speed)[CLASS_MAX]; /* [thread][class]: largest squared speed of the last drift */
-    double servo_force[WALLS_MAX][3];
+    struct wall_push push[WALLS_MAX]; /* of walls with servos */
 };
 
 /* Edges of the box that follow the stress (deform.c). */

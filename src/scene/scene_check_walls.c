@@ -56,6 +56,31 @@ static bool check_periodic(const struct scene *scene, struct error *error) {
     return true;
 }
 
+/* True if the area on which a pressure acts follows from the wall's shape (walls_area). */
+static bool has_area(const struct scene *scene, int w) {
+    const struct wall_options *wall = &scene->wall[w];
+    bool across = false;
+    for (int d = 0; d < scene->box.dimension; d++)
+        across = across || fabs(wall->normal[d]) == 1;
+    return wall->shape == WALL_MESH ? scene->box.dimension == 3 : wall->shape == WALL_PLANE && across;
+}
+
+/* The target of a servo. */
+static bool check_target(const struct scene *scene, int w, int m, struct error *error) {
+    const struct wall_motion *motion = &scene->wall[w].motion[m];
+    bool pressure = !isnan(motion->pressure), area = !isnan(motion->area);
+    char key[80];
+    snprintf(key, sizeof(key), "walls[%d].motion[%d].%s", w, m, area ? "area" : pressure ? "pressure" : "kind");
+    if (pressure != isnan(motion->force))
+        return scene_fail(scene, error, key, "a servo needs either a force or a pressure");
+    if (area && !pressure)
+        return scene_fail(scene, error, key, "goes with a pressure; the target is a force");
+    return !pressure || area || has_area(scene, w) ||
+           scene_fail(scene, error, key,
+                      "needs an area, as none follows from the shape of the wall: allowed without one are "
+                      "planes across an edge of the box, and meshes in three dimensions");
+}
+
 static bool check_motions(const struct scene *scene, struct error *error) {
     for (int w = 0; w < scene->walls; w++) {
         int servos = 0;
@@ -70,6 +95,8 @@ static bool check_motions(const struct scene *scene, struct error *error) {
             servos += motion->kind == WALL_SERVO;
             if (servos > 1)
                 return scene_fail(scene, error, key, "a second servo; a wall can follow one force only");
+            if (motion->kind == WALL_SERVO && !check_target(scene, w, m, error))
+                return false;
         }
     }
     return true;

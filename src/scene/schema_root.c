@@ -99,7 +99,7 @@ static const struct schema_row box_rows[] = {
      .help = "edges of periodic directions that grow or shrink at a given rate"},
     {.key = "stress", .type = SCHEMA_SECTION, .sub = &stress_table, .optional = true, .main = "pressure",
      .offset = 0, .count_offset = offsetof(struct scene, stress_given),
-     .help = "edges of periodic directions that change until the stress has its target; the program finds the gain"},
+     .help = "edges of periodic directions that change until the normal stress has its target; the program finds the gain. Shear stresses have no target: box.shear gives a rate"},
 };
 static const struct schema_table box_table = TABLE(box_rows);
 

@@ -12,7 +12,7 @@ static const struct schema_name motion_names[] = {
     {"oscillate", WALL_OSCILLATE, "a sine along a direction"},
     {"oscillate_rotation", WALL_OSCILLATE_ROTATION, "a sine of the angle about an axis"},
     {"table", WALL_TABLE, "pose against time from a file"},
-    {"servo", WALL_SERVO, "along a direction, until the particles push with a given force"},
+    {"servo", WALL_SERVO, "along a direction, until the particles push with a given force or pressure"},
     {0}};
 
 static const struct schema_row motion_rows[] = {
@@ -49,15 +49,23 @@ static const struct schema_row motion_rows[] = {
      .help = "rows `t x y z a b c`: time of the run, displacement, rotation vector about the origin; linear between rows, "
              "constant before the first and after the last row",
      .example = "shake.txt"},
-    {.key = "force", .type = SCHEMA_REAL, .unit = "N", .when = "kind=servo", .required = true,
-     AT(struct wall_motion, force),
+    {.key = "force", .type = SCHEMA_REAL, .unit = "N", .when = "kind=servo", AT(struct wall_motion, force),
      .help = "target, not 0, for the force of the particles on the wall along direction; with a positive target direction points "
              "away from the particles: [0, 0, 1] for a lid on a bed", .example = "10 N"},
+    {.key = "pressure", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)", .when = "kind=servo",
+     AT(struct wall_motion, pressure),
+     .help = "instead of force: the target is pressure x area, and direction points away from the particles. In two dimensions a force "
+             "over a length", .example = "1 kPa"},
+    {.key = "area", .type = SCHEMA_REAL, .unit = "m2", .range = "(0, inf)", .when = "kind=servo", AT(struct wall_motion, area),
+     .help = "with pressure: the area across direction on which the particles push; in two dimensions a length. Left out: of a plane "
+             "across an edge of the box the section of the box, of a mesh the area as seen along direction; other walls need the key",
+     .example = "4 cm2"},
     {.key = "speed_max", .type = SCHEMA_REAL, .unit = "m/s", .range = "(0, inf)", .when = "kind=servo",
      .required = true, AT(struct wall_motion, speed_max), .help = "bound on the speed", .example = "1 cm/s"},
     {.key = "gain", .type = SCHEMA_REAL, .unit = "m/s", .range = "[0, inf)", .fallback = "0",
      .when = "kind=servo", AT(struct wall_motion, gain),
-     .help = "speed if the force differs from its target by the size of the target; the wall takes up the speed over 50 steps; 0: speed_max"},
+     .help = "speed if the force differs from its target by the size of the target; the wall takes up the speed over 50 steps; 0: the "
+             "program finds the gain: the wall resists as the grains that touch it do"},
 };
 static const struct schema_table motion_table = TABLE(motion_rows);
 

@@ -5,6 +5,8 @@ libwalls_la_SOURCES = \
 	src/walls/mesh.h \
 	src/walls/mesh_stl.c \
 	src/walls/wall.h \
+	src/walls/wall_area.c \
+	src/walls/wall_area.h \
 	src/walls/wall_grid.c \
 	src/walls/wall_grid.h \
 	src/walls/wall_mesh.c \

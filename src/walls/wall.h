@@ -40,8 +40,8 @@ enum wall_motion_kind {
     WALL_OSCILLATE_ROTATION, /* angle amplitude about a point and axis */
     WALL_TABLE, /* pose against time from a file: t x y z angle_x angle_y angle_z (rotation vector), linear
                    between rows */
-    WALL_SERVO  /* along a direction, so that the force on the wall along it becomes `force`; motions behind
-                   it turn the direction */
+    WALL_SERVO  /* along a direction, so that the force on the wall along it becomes `force`, or `pressure` times
+                   the area; motions behind it turn the direction */
 };
 
 /* One motion. Outside of start ... stop it rests where it was last: displacement and angle are functions of
@@ -59,8 +59,11 @@ struct wall_motion {
     double frequency, phase; /* 1/time, rad */
     double force;     /* SERVO: target force of the particles on the wall along direction, not 0; below it the
                          wall     moves against direction, towards the particles that push */
+    double pressure;  /* SERVO: instead of force, if above 0: walls_create sets force = pressure x area */
+    double area;      /* SERVO: across direction, for pressure; not above 0: walls_create finds it (wall_area) */
     double speed_max; /* SERVO: bound on the speed */
-    double gain;      /* SERVO: speed per relative force error, length/time; 0: speed_max */
+    double gain;      /* SERVO: speed per relative force error, length/time; 0: from the impedance of the grains
+                         that touch the wall */
     char table[WALL_PATH_MAX]; /* TABLE */
 };
 
@@ -100,6 +103,14 @@ struct wall_pose {
                         sum over ranks, of which rank 0 takes all when it is read */
 };
 
+/* What the particles do to a wall with a servo, summed over all ranks: force, and the mechanical impedance of
+ * those that touch the wall, sum of sqrt(m f / overlap) (mass/time). The sum is exact: each term is a multiple of
+ * a power of two that belongs to the wall, so that no layout changes the sum. */
+struct wall_push {
+    double force[3];
+    double impedance;
+};
+
 struct walls; /* all walls of a scene, their meshes, candidate lists and contact histories */
 
 /* Reads meshes and tables, finds flat patches, checks everything (file and line in errors; slivers and
@@ -117,9 +128,18 @@ bool walls_choose(struct walls *walls, const char *kernel);
 int walls_count(const struct walls *walls);
 const struct wall_options *walls_options(const struct walls *walls, int wall);
 
-/* Moves all walls from time t to t + dt (positions at t + dt, velocities of the half step). servo_force[wall]
- * is the force on each wall, already summed over ranks (NULL where there is no servo). */
-void walls_advance(struct walls *walls, double t, double dt, const double (*servo_force)[3]);
+/* Moves all walls from time t to t + dt (positions at t + dt, velocities of the half step). push[wall] is summed
+ * over ranks already (NULL where there is no servo). */
+void walls_advance(struct walls *walls, double t, double dt, const struct wall_push *push);
+
+/* The area on which a pressure acts along `direction` (any length): of a plane across a direction of the box the
+ * section of the box, of a mesh the area that its shadow would have if no triangle lay before another one (half
+ * of that of a closed surface). 0 where no area follows from the shape. In two dimensions the area of a plane is
+ * a length. Any thread. */
+double walls_area(const struct walls *walls, int wall, const double direction[3]);
+
+/* The impedance in the last evaluation, this rank's part: may be set. */
+double *walls_impedance(struct walls *walls, int wall);
 
 /* Gives the walls, which walls_advance has moved to t in a step dt, their velocities at t itself, until the next step. */
 void walls_at_end(struct walls *walls, double t, double dt);

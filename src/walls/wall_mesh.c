@@ -264,6 +264,48 @@ double wall_mesh_turn(const struct wall_mesh *mesh, double above) {
     return least;
 }
 
+/* A directed edge of a mesh. Welded corners have the same bits. */
+struct rim {
+    struct law_vector from, to;
+};
+
+static int compare_points(struct law_vector a, struct law_vector b) {
+    if (a.x != b.x)
+        return a.x < b.x ? -1 : 1;
+    if (a.y != b.y)
+        return a.y < b.y ? -1 : 1;
+    return a.z != b.z ? (a.z < b.z ? -1 : 1) : 0;
+}
+
+static int compare_rims(const void *a, const void *b) {
+    const struct rim *x = a, *y = b;
+    int order = compare_points(x->from, y->from);
+    return order != 0 ? order : compare_points(x->to, y->to);
+}
+
+size_t wall_mesh_open_edges(const struct wall_mesh *mesh, bool oriented) {
+    struct rim *rim = memory_allocate(3 * mesh->triangles, sizeof *rim, "edges of a mesh");
+    size_t edges = 3 * mesh->triangles, open = 0;
+    for (size_t k = 0; k < edges; k++) {
+        const struct law_vector *corner = mesh->triangle[k / 3].corner;
+        struct law_vector from = corner[k % 3], to = corner[(k + 1) % 3];
+        bool turned = !oriented && compare_points(from, to) > 0;
+        rim[k] = turned ? (struct rim){to, from} : (struct rim){from, to};
+    }
+    qsort(rim, edges, sizeof *rim, compare_rims);
+    for (size_t k = 0; k < edges; k++) {
+        const struct rim back = {rim[k].to, rim[k].from};
+        bool before = k > 0 && compare_rims(&rim[k], &rim[k - 1]) == 0;
+        bool after = k + 1 < edges && compare_rims(&rim[k], &rim[k + 1]) == 0;
+        if (oriented)
+            open += after || bsearch(&back, rim, edges, sizeof *rim, compare_rims) == NULL;
+        else
+            open += before == after; /* not two of them */
+    }
+    memory_free(rim);
+    return open;
+}
+
 void wall_mesh_destroy(struct wall_mesh **mesh) {
     if (*mesh == NULL)
         return;

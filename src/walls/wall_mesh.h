@@ -69,6 +69,10 @@ static inline size_t wall_mesh_features(const struct wall_mesh *mesh) {
  * without such an edge. Of an edge of more than two triangles only the first and each other one count. */
 double wall_mesh_turn(const struct wall_mesh *mesh, double above);
 
+/* The number of edges that are not shared by two triangles, with `oriented` by two of one orientation: 0 of a closed
+ * surface. */
+size_t wall_mesh_open_edges(const struct wall_mesh *mesh, bool oriented);
+
 /* Between the two files that make a surface: merged vertices and the triangles that are left. */
 struct wall_weld {
     size_t vertices, triangles;

@@ -257,25 +257,33 @@ static bool servo_stands(const struct wall_mover *mover, int k, double t) {
     return k < 0 || t < mover->motion[k].start || t >= mover->motion[k].stop;
 }
 
-double wall_mover_servo_speed(const struct wall_mover *mover, double t, struct law_vector force) {
+double wall_mover_servo_speed(const struct wall_mover *mover, double t, const struct wall_push *push) {
     int k = mover_servo(mover);
     if (servo_stands(mover, k, t))
         return 0.0;
     const struct wall_motion *servo = &mover->motion[k];
-    double along = law_dot(force, servo_direction(mover, k, t));
-    double gain = servo->gain > 0.0 ? servo->gain : servo->speed_max;
-    double speed = gain * (along - servo->force) / fabs(servo->force);
-    return speed > servo->speed_max    ? servo->speed_max
-           : speed < -servo->speed_max ? -servo->speed_max
-                                       : speed;
+    double most = servo->speed_max;
+    double error = law_dot(wall_vector(push->force), servo_direction(mover, k, t)) - servo->force;
+    double impedance = servo->gain > 0.0 ? fabs(servo->force) / servo->gain : 2.0 * push->impedance;
+    if (!(fabs(error) < impedance * most)) /* an impedance of 0, too */
+        return error > 0.0 ? most : error < 0.0 ? -most : 0.0;
+    return error / impedance;
 }
 
-double wall_mover_servo_follow(const struct wall_mover *mover, double t, struct law_vector force,
+double wall_mover_servo_follow(const struct wall_mover *mover, double t, const struct wall_push *push,
                                double before) {
-    static const double part = 0.02;
-    if (servo_stands(mover, mover_servo(mover), t))
+    int k = mover_servo(mover);
+    if (servo_stands(mover, k, t))
         return 0.0;
-    return before + part * (wall_mover_servo_speed(mover, t, force) - before);
+    double part = mover->motion[k].gain > 0.0 ? 0.02 : 0.1;
+    return before + part * (wall_mover_servo_speed(mover, t, push) - before);
+}
+
+double wall_mover_servo_unit(const struct wall_mover *mover) {
+    int k = mover_servo(mover);
+    if (k < 0 || mover->motion[k].gain > 0.0)
+        return 0.0;
+    return exp2(ilogb(fabs(mover->motion[k].force) / mover->motion[k].speed_max) - 20);
 }
 
 bool wall_mover_pivot(const struct wall_mover *mover, struct law_vector *point) {

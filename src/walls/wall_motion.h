@@ -79,15 +79,22 @@ struct wall_twist wall_mover_twist(const struct wall_mover *mover, double t, dou
 
 bool wall_mover_has_servo(const struct wall_mover *mover);
 /* Speed along the servo's direction, which the motions behind it turn, for the step that starts at t, from
- * the force on the wall; 0 without a servo or outside of its span. */
-double wall_mover_servo_speed(const struct wall_mover *mover, double t, struct law_vector force);
+ * what the particles do to the wall; 0 without a servo or outside of its span. Without a gain of the user's the
+ * speed is the force error over twice the impedance of the grains that touch the wall, speed_max while none
+ * does. */
+double wall_mover_servo_speed(const struct wall_mover *mover, double t, const struct wall_push *push);
 
-/* The speed that the servo takes: the speed of the step before, plus a fiftieth of the difference to
+/* The speed that the servo takes: the speed of the step before, plus a part of the difference to
  * wall_mover_servo_speed. With the whole difference the speed would change sign with each step as soon as the
- * contacts' dampers answer the speed with more than the force sought; with a fiftieth the dampers may answer
- * with a hundred times that force. */
-double wall_mover_servo_follow(const struct wall_mover *mover, double t, struct law_vector force,
+ * contacts' dampers answer the speed with more than the force sought. With a gain of the user's the part is a
+ * fiftieth, and the dampers may answer with a hundred times that force. Else the part is a tenth: the dampers
+ * answer with at most the force sought, as the speed follows from the impedance of the same contacts. */
+double wall_mover_servo_follow(const struct wall_mover *mover, double t, const struct wall_push *push,
                                double before);
+
+/* The unit of the impedance of a wall with a servo: a power of two, a millionth of the least impedance that
+ * makes a difference. 0 without a servo, or where the user gives the gain. */
+double wall_mover_servo_unit(const struct wall_mover *mover);
 
 /* The point about which the wall turns first (box-relative); false if the wall never turns. */
 bool wall_mover_pivot(const struct wall_mover *mover, struct law_vector *point);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Life and motion of the walls (wall.h). */
 #include "walls/mesh.h"
+#include "walls/wall_area.h"
 #include "walls/walls_near.h"
 #include "walls/walls_touch.h"
 #include "core/memory.h"
@@ -101,14 +102,22 @@ static bool wall_create(struct wall *wall, const struct wall_options *options, c
     wall->base = wall->pose = wall->built = wall_transform_identity();
     bool good = options->shape == WALL_MESH ? wall_read_mesh(wall, box, notes, error)
                                             : wall_set_shape(wall, box, error);
-    if (!good || !wall_mover_create(&wall->mover, options, box->origin, error) ||
+    wall_find_images(wall, box);
+    wall_find_reach(wall);
+    return good;
+}
+
+static bool walls_start_motions(struct walls *walls, int w, struct error *error) {
+    struct wall *wall = &walls->wall[w];
+    const struct box *box = &walls->box;
+    if (!wall_area_targets(walls, w, error) ||
+        !wall_mover_create(&wall->mover, &wall->options, box->origin, error) ||
         (box->dimension == 2 && !wall_mover_flat(wall->mover, error)))
         return false;
     if (!wall_mover_pivot(wall->mover, &wall->centre))
         wall->centre = wall->mesh ? wall->mesh->centre : wall->point;
-    wall->moving = options->motions > 0;
-    wall_find_images(wall, box);
-    wall_find_reach(wall);
+    wall->moving = wall->options.motions > 0;
+    wall->unit = wall_mover_servo_unit(wall->mover);
     wall_place(wall, 0.0);
     return true;
 }
@@ -121,6 +130,8 @@ static void scratch_create(struct walls *walls) {
             memory_allocate_zero(1, sizeof *walls->scratch[t]->batch, "contacts with walls");
         walls->scratch[t]->force =
             memory_allocate_zero((size_t)walls->count, sizeof *walls->force, "forces on walls");
+        walls->scratch[t]->impedance =
+            memory_allocate_zero((size_t)walls->count, sizeof *walls->impedance, "forces on walls");
     }
 }
 
@@ -137,10 +148,11 @@ bool walls_create(struct walls **walls, const struct wall_options *options, int 
     box_image_shifts(box, w->shift);
     w->wall = memory_allocate_zero((size_t)count, sizeof *w->wall, "walls");
     w->force = memory_allocate_zero((size_t)count, sizeof *w->force, "forces on walls");
+    w->impedance = memory_allocate_zero((size_t)count, sizeof *w->impedance, "forces on walls");
     w->first = memory_allocate_zero(1, sizeof *w->first, "walls");
     scratch_create(w);
     for (int k = 0; k < count; k++)
-        if (!wall_create(&w->wall[k], &options[k], box, notes, error)) {
+        if (!wall_create(&w->wall[k], &options[k], box, notes, error) || !walls_start_motions(w, k, error)) {
             walls_destroy(walls);
             return false;
         }
@@ -176,6 +188,7 @@ void walls_destroy(struct walls **walls) {
     memory_free(w->scratch);
     memory_free(w->wall);
     memory_free(w->force);
+    memory_free(w->impedance);
     memory_free(w->exact);
     memory_free(w->particle);
     memory_free(w->first);
@@ -200,6 +213,10 @@ bool walls_have_servo(const struct walls *walls) {
     return false;
 }
 
+double *walls_impedance(struct walls *walls, int wall) {
+    return &walls->impedance[wall];
+}
+
 bool walls_move(const struct walls *walls) {
     for (int w = 0; w < walls->count; w++)
         if (walls->wall[w].options.motions > 0)
@@ -219,16 +236,15 @@ static void wall_find_base(struct wall *wall, double t) {
     wall->resumed = false;
 }
 
-void walls_advance(struct walls *walls, double t, double dt, const double (*servo_force)[3]) {
+void walls_advance(struct walls *walls, double t, double dt, const struct wall_push *push) {
     for (int w = 0; w < walls->count; w++) {
         struct wall *wall = &walls->wall[w];
         if (wall->options.motions == 0)
             continue;
         if (wall->resumed)
             wall_find_base(wall, t);
-        wall->servo_speed = servo_force ? wall_mover_servo_follow(wall->mover, t, wall_vector(servo_force[w]),
-                                                                  wall->servo_speed)
-                                        : 0.0;
+        wall->servo_speed =
+            push ? wall_mover_servo_follow(wall->mover, t, &push[w], wall->servo_speed) : 0.0;
         double half = wall->servo_offset + 0.5 * dt * wall->servo_speed;
         wall->twist = wall_mover_twist(wall->mover, t, dt, half, wall->servo_speed);
         wall->servo_offset += dt * wall->servo_speed;

@@ -165,6 +165,19 @@ static void apply_to_wall(const struct wall_task *task, int k) {
     add_to(task->scratch->force[w] + 3, 1.0, torque);
 }
 
+/* Adds the impedance of contact k to that of its wall, rounded to the wall's unit: sums are exact then. */
+static void impede(const struct wall_task *task, int k) {
+    static const double most = 0x1p32;
+    const struct force_batch *b = &task->scratch->batch->contact;
+    int w = task->scratch->batch->entry[k].key.wall;
+    double unit = task->walls->wall[w].unit, push = 0.0;
+    for (int d = 0; d < 3 && unit > 0.0; d++)
+        push += b->walk.out[FORCE_OUT + d][k] * b->normal[d][k];
+    if (push > 0.0 && b->overlap[k] > 0.0)
+        task->scratch->impedance[w] +=
+            unit * fmin(rint(sqrt(b->mass[k] * push / b->overlap[k]) / unit), most);
+}
+
 /* Forces and torques of contact k on the particle and on the wall. */
 static void apply(const struct wall_task *task, int k) {
     struct particles *p = task->context->particles;
@@ -177,6 +190,7 @@ static void apply(const struct wall_task *task, int k) {
     if (task->law.rolling)
         add_to(force + 4, -1.0, get(b->walk.out + FORCE_ROLLING, k));
     apply_to_wall(task, k);
+    impede(task, k);
 }
 
 static void account(const struct wall_task *task, int k) {
@@ -381,7 +395,11 @@ void walls_finish(struct walls *walls, const struct force_context *context, stru
                 force[c] += walls->scratch[t]->force[w][c];
         set_force(walls, w, force, context->dt);
     }
+    memset(walls->impedance, 0, (size_t)walls->count * sizeof *walls->impedance);
     for (int t = 0; t < walls->threads; t++) {
+        for (int w = 0; w < walls->count; w++)
+            walls->impedance[w] += walls->scratch[t]->impedance[w];
+        memset(walls->scratch[t]->impedance, 0, (size_t)walls->count * sizeof *walls->impedance);
         force_sums_add(sums, &walls->scratch[t]->sums);
         walls->scratch[t]->sums = (struct force_sums){0};
         memset(walls->scratch[t]->force, 0, (size_t)walls->count * sizeof *walls->force);

@@ -32,6 +32,7 @@ struct wall {
     struct wall_transform pose, base; /* now; the pose that the motions act upon */
     struct wall_twist twist;          /* of the half step */
     double servo_offset, servo_speed;
+    double unit; /* of its impedance; 0: nobody needs it */
     bool moving;  /* its pose is not the identity, or may change */
     bool resumed; /* the pose was set from outside: `base` has still to be found */
 
@@ -86,7 +87,8 @@ struct wall_scratch {
     struct wall_batch *batch;
     struct force_sums sums;
     double (*force)[6];       /* force and torque on each wall */
-    struct exact (*exact)[6]; /* instead, where they are summed without rounding; else NULL */
+    double *impedance;        /* of each wall */
+    struct exact (*exact)[6]; /* instead of force, where forces are summed without rounding; else NULL */
 };
 
 struct walls {
@@ -110,6 +112,7 @@ struct walls {
     struct wall_scratch **scratch; /* each thread's in pages of its own */
 
     double (*force)[6];       /* on each wall in the last evaluation */
+    double *impedance;        /* of each wall in the last evaluation, a multiple of its unit */
     struct exact (*exact)[6]; /* their sums, while they are open; NULL: they are rounded */
     double work;
 };

@@ -331,11 +331,36 @@ pushed() {
 check 'a servo finds its force' pushed 1
 check 'so on two ranks' pushed 2
 steady() { # where the contact's damper answers the gain with 23 times the force sought
-    run_scene 1 servo.yaml steady --set walls[1].motion[0].speed_max=10 --set observables.every=7 || return 1
+    run_scene 1 servo.yaml steady --set walls[1].motion[0].speed_max=10 --set walls[1].motion[0].gain=10 --set observables.every=7 || return 1
     awk -F, 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^lid_fz/) column = k } NR > 800 { rows++; if ($column < 19.5 || $column > 20.5) { bad = $column } }
         END { if (bad) print "  force " bad; exit !(rows > 20) || bad }' steady/observables.csv
 }
 check 'it holds it without chatter' steady
+cat >column.yaml <<'EOF'
+units: none
+box: {lower: [0, 0, 0], upper: [5, 4, 12], periodic: [true, true, false]}
+gravity: [0, 0, -10]
+step: {dt: 0.001, count: 8000}
+contact: {law: hooke}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.3, friction: 0.4, k_n: 10000}]
+walls:
+  - {name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}
+  - {name: lid, shape: plane, point: [0, 0, 12], normal: [0, 0, -1], motion: [{kind: servo, direction: [0, 0, 1], pressure: 30, speed_max: 5}]}
+particles: {from: random, count: 100, sizes: {law: uniform, min: 0.4, max: 0.6}}
+observables: {every: 2000, list: [{name: wall_force, target: lid}, {name: wall_force, target: floor}, {name: solid_volume}]}
+EOF
+weighed() { # a column at rest: the lid carries pressure x section, the floor the weight besides
+    run_scene "$1" column.yaml column$1 && within "$(column column$1/observables.csv lid_fz)" 600 0.06 &&
+        within "$(column column$1/observables.csv floor_fz)" "$(awk -v m="$(column column$1/observables.csv solid_volume)" 'BEGIN { print -600 - 10 * m }')" 0.06
+}
+check 'a pressure is force over the section of the box' weighed 1
+mesh_lid() { # a plate of half the section instead, and half the force
+    printf '0 0 0 5 0 0 0 2 0\n5 0 0 5 2 0 0 2 0\n' >half.txt
+    run_scene 1 column.yaml half --set 'walls[1]={name: lid, shape: mesh, file: half.txt, offset: [0, 1, 12], motion: [{kind: servo, direction: [0, 0, 1], pressure: 30, speed_max: 5}]}' &&
+        within "$(column half/observables.csv lid_fz)" 300 0.06
+}
+check 'and over a plate of triangles' mesh_lid
 
 echo '== insertion'
 cat >clear.yaml <<'EOF'

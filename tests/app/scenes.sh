@@ -2,7 +2,7 @@
 # Sourced by tests of the whole program (bash, after common.sh): scenes that several of them run, without units, step and output.
 
 # bed: writes the scene to the standard output, and the mesh step.stl of the scene into the current folder. Friction, rolling, two
-# materials, periodic sides, a floor that oscillates, a lid that a servo pushes until the force on the lid is right, a mesh, a frozen
+# materials, periodic sides, a floor that oscillates, a lid that a servo pushes until the pressure under the lid is right, a mesh, a frozen
 # particle
 bed() {
     local above='{shape: box, lower: [0, 0, 1.6], upper: [6, 6, 8]}'
@@ -17,7 +17,7 @@ walls:
   - {name: floor, shape: plane, material: hard, point: [0, 0, 0.2], normal: [0, 0, 1],
      motion: [{kind: oscillate, direction: [0, 0, 1], amplitude: 0.1, frequency: 5}]}
   - {name: lid, shape: plane, material: hard, point: [0, 0, 8.2], normal: [0, 0, -1],
-     motion: [{kind: servo, direction: [0, 0, 1], force: 50, speed_max: 2}]}
+     motion: [{kind: servo, direction: [0, 0, 1], pressure: 1.4, speed_max: 2}]}
   - {name: step, shape: mesh, material: soft, file: step.stl}
 groups: [{name: stuck, motion: frozen, select: {ids: [12]}}]
 particles:
