@@ -142,6 +142,31 @@ static void formula(void **state) {
     assert_true(fabs(sum.gyration[0] - 0.4) < 1e-15 && fabs(sum.gyration[4] - 1.4) < 1e-15);
 }
 
+/* A box of the edges 1, 2, 3 in 12 triangles, whichever way they run round: volume, centre, a^2 + b^2 over 12. */
+static void solid(void **state) {
+    (void)state;
+    static const int side[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    for (int turned = 0; turned < 2; turned++) {
+        double corner[12][9];
+        for (int t = 0; t < 12; t++)
+            for (int c = 0; c < 3; c++) {
+                int place = c == 0 ? 0 : (c == 1) != turned ? 1 + t % 2 : 2 + t % 2;
+                int at = side[t / 2][place];
+                corner[t][3 * c] = 10 + (at & 1);
+                corner[t][3 * c + 1] = -5 + 2 * (at >> 1 & 1);
+                corner[t][3 * c + 2] = 3 * (at >> 2);
+            }
+        struct moments moments;
+        moments_solid(corner, 12, &moments);
+        assert_true(fabs(moments.volume - 6) < 1e-13);
+        assert_true(fabs(moments.centre[0] - 10.5) < 1e-13 && fabs(moments.centre[1] + 4) < 1e-13 &&
+                    fabs(moments.centre[2] - 1.5) < 1e-13);
+        const double want[9] = {13.0 / 12, 0, 0, 0, 10.0 / 12, 0, 0, 0, 5.0 / 12};
+        for (int k = 0; k < 9; k++)
+            assert_true(fabs(moments.gyration[k] - want[k]) < 1e-13);
+    }
+}
+
 static void axes(void **state) {
     (void)state;
     struct random_sequence random = random_sequence(5, RANDOM_TEST, 0);
@@ -209,7 +234,7 @@ static void any_order(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(second_order), cmocka_unit_test(symmetric_tops_exact),
                                        cmocka_unit_test(tumbling),     cmocka_unit_test(two_spheres),
-                                       cmocka_unit_test(formula),      cmocka_unit_test(axes),
+                                       cmocka_unit_test(formula),      cmocka_unit_test(solid), cmocka_unit_test(axes),
                                        cmocka_unit_test(any_order)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
 /* From a list of spheres to a rigid body: mass, centre of mass, principal axes, shares of the mass. Read clump.h
  * first. */
 #include "bodies/clump.h"
+#include "bodies/inscribe.h"
 #include "bodies/rotor.h"
 #include "core/memory.h"
 #include "files/numbers.h"
@@ -40,11 +41,31 @@ static bool file_read(struct clump *clump, const struct clump_options *options, 
     return good;
 }
 
+/* Fills a mesh, whose moments are those of the body. */
+static bool mesh_take(struct clump *clump, const struct scene *scene, int number,
+                      const struct clump_options *options, struct moments *moments, struct error *error) {
+    if (scene->box.dimension == 2)
+        return refuse(scene, number, "mesh", "in two dimensions bodies are made of spheres or a file", error);
+    struct inscribe_options how = {options->mesh, options->scale, options->mesh_spheres};
+    struct moments inside;
+    clump->sphere =
+        memory_allocate_zero((size_t)options->mesh_spheres, sizeof *clump->sphere, "spheres of a body");
+    clump->spheres = inscribe_spheres(&how, clump->sphere, moments, error);
+    if (clump->spheres == 0)
+        return false;
+    moments_union(clump->sphere, clump->spheres, &inside);
+    clump->filled = inside.volume / moments->volume;
+    return true;
+}
+
+/* Takes the members; of a mesh, `moments` too. */
 static bool spheres_take(struct clump *clump, const struct scene *scene, int number,
-                         const struct clump_options *options, struct error *error) {
-    bool file = options->file[0] != '\0';
-    if (file == (options->spheres > 0))
-        return refuse(scene, number, "", "needs one of spheres and file", error);
+                         const struct clump_options *options, struct moments *moments, struct error *error) {
+    bool file = options->file[0] != '\0', mesh = options->mesh[0] != '\0';
+    if (file + mesh + (options->spheres > 0) != 1)
+        return refuse(scene, number, "", "needs one of spheres, file and mesh", error);
+    if (mesh)
+        return mesh_take(clump, scene, number, options, moments, error);
     if (file && !file_read(clump, options, error))
         return false;
     if (!file) {
@@ -183,19 +204,20 @@ static void rest_find(struct clump *clump) {
 bool clump_make(struct clump *clump, const struct scene *scene, int number,
                 const struct clump_options *options, struct error *error) {
     struct moments moments;
+    bool mesh = options->mesh[0] != '\0';
     *clump = (struct clump){0};
-    if (!spheres_take(clump, scene, number, options, error))
+    if (!spheres_take(clump, scene, number, options, &moments, error))
         return false;
     clump->overlap = overlaps(clump);
-    if (clump->overlap)
+    if (!mesh && clump->overlap)
         moments_union(clump->sphere, clump->spheres, &moments);
-    else
+    else if (!mesh)
         moments_sum(clump->sphere, clump->spheres, &moments);
     clump->volume = moments.volume;
     if (!given_take(clump, &moments, scene, number, options, error) ||
         !axes_find(clump, &moments, scene, number, error) || !shares_find(clump, scene, number, error))
         return false;
-    if (clump->overlap || options->inertia_given)
+    if (clump->overlap || options->inertia_given || mesh)
         rest_find(clump);
     return true;
 }

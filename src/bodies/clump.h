@@ -18,7 +18,9 @@ struct clump_options {
     int spheres;
     struct clump_sphere sphere[CLUMP_SPHERES_MAX];
     char file[CLUMP_PATH_MAX]; /* "": spheres are given; else rows of x y z radius */
-    double scale;              /* lengths of the file x this */
+    char mesh[CLUMP_PATH_MAX]; /* "": no mesh; else a closed surface, filled with spheres (inscribe.h) */
+    int mesh_spheres;          /* at most */
+    double scale;              /* lengths of the file or mesh x this */
     double mass;               /* NAN: from the density of the grains' material */
     int centre_given;
     double centre[3]; /* of mass; NAN: by the spheres */
@@ -36,7 +38,8 @@ struct clump {
     int spheres;
     struct clump_sphere *sphere;
     double *share;      /* of each sphere: its part of the mass; all together 1 */
-    double volume;      /* of the union of the spheres */
+    double volume;      /* of the union of the spheres; of the mesh that they fill */
+    double filled;      /* of a mesh: part of the volume that the spheres fill; else 0 */
     double mass;        /* NAN: volume x density */
     double extent;      /* radius of the ball about the centre of mass that holds all spheres */
     double gyration[3]; /* moments of inertia over mass, from small to large */

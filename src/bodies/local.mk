@@ -7,6 +7,8 @@ libbodies_la_SOURCES = \
 	src/bodies/clump.h \
 	src/bodies/fields.c \
 	src/bodies/fields.h \
+	src/bodies/inscribe.c \
+	src/bodies/inscribe.h \
 	src/bodies/links.c \
 	src/bodies/links.h \
 	src/bodies/moments.c \

@@ -100,6 +100,43 @@ void moments_union(const struct clump_sphere *sphere, int spheres, struct moment
     moments_of(&all, moments);
 }
 
+/* Adds the tetrahedron of the origin and three corners: with s the sum of the corners, the integral of x_i is V s_i / 4,
+ * and that of x_i x_j is V (s_i s_j + sum over corners of x_i x_j) / 20. */
+static void tetrahedron_add(struct integrals *all, const double p[9]) {
+    double volume = (p[0] * (p[4] * p[8] - p[5] * p[7]) - p[1] * (p[3] * p[8] - p[5] * p[6]) +
+                     p[2] * (p[3] * p[7] - p[4] * p[6])) /
+                    6;
+    double s[3];
+    for (int d = 0; d < 3; d++)
+        s[d] = p[d] + p[3 + d] + p[6 + d];
+    all->one += volume;
+    for (int d = 0; d < 3; d++) {
+        all->x[d] += volume * s[d] / 4;
+        for (int e = 0; e < 3; e++)
+            all->xx[3 * d + e] += volume *
+                                  (s[d] * s[e] + p[d] * p[e] + p[3 + d] * p[3 + e] + p[6 + d] * p[6 + e]) / 20;
+    }
+}
+
+void moments_solid(const double (*corner)[9], size_t triangles, struct moments *moments) {
+    struct integrals all = {0};
+    for (size_t t = 0; t < triangles; t++) {
+        double from[9];
+        for (int c = 0; c < 9; c++)
+            from[c] = corner[t][c] - corner[0][c % 3];
+        tetrahedron_add(&all, from);
+    }
+    double sign = all.one < 0 ? -1 : 1; /* triangles that run round inwards */
+    all.one *= sign;
+    for (int d = 0; d < 3; d++)
+        all.x[d] *= sign;
+    for (int k = 0; k < 9; k++)
+        all.xx[k] *= sign;
+    moments_of(&all, moments);
+    for (int d = 0; d < 3; d++)
+        moments->centre[d] += corner[0][d];
+}
+
 /* Turns a and the axes so that a[p][q] vanishes. */
 static void jacobi(double a[3][3], double axes[3][3], int p, int q) {
     if (a[p][q] == 0)

@@ -3,6 +3,8 @@
 #ifndef SCREE_BODIES_MOMENTS_H
 #define SCREE_BODIES_MOMENTS_H
 
+#include <stddef.h>
+
 /* A sphere of a body, in the frame of the body. Lengths. */
 struct clump_sphere {
     double centre[3], radius;
@@ -19,6 +21,10 @@ void moments_sum(const struct clump_sphere *sphere, int spheres, struct moments 
 /* Of the union of spheres, by quadrature: columns along z on a square grid, exact in z. The relative error is about
  * 1e-5 (a test has it for two spheres). One thread. */
 void moments_union(const struct clump_sphere *sphere, int spheres, struct moments *moments);
+
+/* Of the solid that closed triangles of one orientation bound, corners x y z of each: exact integrals over the
+ * tetrahedra between the triangles and the first corner. */
+void moments_solid(const double (*corner)[9], size_t triangles, struct moments *moments);
 
 /* Eigenvalues, from small to large, of a symmetric matrix, and its axes as the columns of a rotation (Jacobi). */
 void moments_axes(const double matrix[9], double value[3], double turn[9]);

@@ -120,12 +120,16 @@ static void print(const struct physics_context *context, FILE *file) {
         return;
     for (int k = 0; k < bodies->options->clumps; k++) {
         const struct clump *clump = &bodies->clump[k];
+        char how[96] = "none overlap";
+        if (clump->overlap)
+            snprintf(how, sizeof how, "some overlap (volume and inertia by quadrature)");
+        if (clump->filled > 0)
+            snprintf(how, sizeof how, "which fill %.3g of a mesh (volume and inertia of the mesh)",
+                     clump->filled);
         fprintf(file,
                 "bodies '%s': %d spheres, %s; radius of the ball %.6g, volume %.6g, moments of inertia over "
                 "mass %.6g %.6g %.6g\n",
-                bodies->options->clump[k].name, clump->spheres,
-                clump->overlap ? "some overlap (volume and inertia by quadrature)" : "none overlap",
-                clump->extent, clump->volume, clump->gyration[0], clump->gyration[1], clump->gyration[2]);
+                bodies->options->clump[k].name, clump->spheres, how, clump->extent, clump->volume, clump->gyration[0], clump->gyration[1], clump->gyration[2]);
     }
     fprintf(file, "  the stable time step takes each member with its share of the mass, and so is below that "
                   "of the body\n");

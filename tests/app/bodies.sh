@@ -74,6 +74,21 @@ collide() { # RANKS WITH_ENERGY SETTING...
 check 'collisions: energy, momentum, angular momentum' collide 1 yes
 check 'collisions with friction and damping, 3 ranks: momentum, angular momentum' collide 3 '' --set contact.tangential=history --set 'material_pairs=[{k_n: 10000, restitution: 0.8, friction: 0.4}]'
 
+# A cube of 12 triangles, filled with spheres: volume and moments are those of the cube, a^2 / 6
+awk 'BEGIN { split("0 2 3 1 4 5 7 6 0 1 5 4 2 6 7 3 0 4 6 2 1 3 7 5", v, " ")
+    for (s = 0; s < 6; s++) for (t = 0; t < 2; t++) { line = ""
+        for (c = 0; c < 3; c++) { at = v[4 * s + (c ? t + c : 0) + 1]; line = line " " at % 2 " " int(at / 2) % 2 " " int(at / 4) }
+        print line } }' >cube.txt
+cube='bodies.clumps[1]={name: cube, material: b, angular_velocity: [1, 2, 0.5], mesh: cube.txt, scale: 2, mesh_spheres: 40}'
+filled() {
+    "$scree" check collide.yaml --set "$cube" | awk -v FS='[ ,]+' '/^bodies .cube/ { print "  " $0
+        spheres = $3; part = $7; for (k = 1; k <= NF; k++) if ($k == "volume" && $(k + 1) ~ /^[0-9]/) volume = $(k + 1)
+        good = spheres > 8 && part > 0.7 && part < 1 && volume == 8 && $NF == 0.666667 && $(NF - 1) == 0.666667 }
+        END { exit !good }'
+}
+check 'a cube filled with spheres' filled
+check 'it meets others: energy, momentum, angular momentum' collide 1 yes --set "$cube"
+
 # A rod nearly as long as the box, dumbbells and spheres between two walls
 cat >crowd.yaml <<'YAML'
 units: none
@@ -143,7 +158,9 @@ refused() { # TEXT SCENE SETTING...
 }
 entry() { echo "bodies={clumps: [{material: a, $1}]}"; }
 two='spheres: [{centre: [-1, 0, 0], radius: 1}, {centre: [1, 0, 0], radius: 1}]'
-check 'neither spheres nor a file' refused 'bodies.clumps[0]: needs one of spheres and file' crowd.yaml --set "$(entry 'name: x')"
+check 'neither spheres nor a file' refused 'bodies.clumps[0]: needs one of spheres, file and mesh' crowd.yaml --set "$(entry 'name: x')"
+head -n 11 cube.txt >open.txt
+check 'an open surface' refused 'open.txt: is no closed surface' crowd.yaml --set "$(entry 'mesh: open.txt')"
 check 'a file that is not there' refused 'nowhere.txt' crowd.yaml --set "$(entry 'file: nowhere.txt')"
 echo '0 0 0' >short.txt
 check 'a short row' refused 'short.txt:1' crowd.yaml --set "$(entry 'file: short.txt')"
