@@ -145,7 +145,8 @@ static void formula(void **state) {
 /* A box of the edges 1, 2, 3 in 12 triangles, whichever way they run round: volume, centre, a^2 + b^2 over 12. */
 static void solid(void **state) {
     (void)state;
-    static const int side[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    static const int side[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                   {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
     for (int turned = 0; turned < 2; turned++) {
         double corner[12][9];
         for (int t = 0; t < 12; t++)
@@ -234,7 +235,7 @@ static void any_order(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(second_order), cmocka_unit_test(symmetric_tops_exact),
                                        cmocka_unit_test(tumbling),     cmocka_unit_test(two_spheres),
-                                       cmocka_unit_test(formula),      cmocka_unit_test(solid), cmocka_unit_test(axes),
-                                       cmocka_unit_test(any_order)};
+                                       cmocka_unit_test(formula),      cmocka_unit_test(solid),
+                                       cmocka_unit_test(axes),         cmocka_unit_test(any_order)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -233,23 +233,28 @@ static const struct bad_setting settings[] = {
       "1], force: 1, speed_max: 1}]}"},
      "command line: walls[0].motion[0].direction: ",
      {"z component"}},
-    {{"walls[0]={shape: plane, point: [0, 0, 0], normal: [0, 0, -1], motion: [{kind: servo, direction: [0, 0, 1], "
+    {{"walls[0]={shape: plane, point: [0, 0, 0], normal: [0, 0, -1], motion: [{kind: servo, direction: [0, "
+      "0, 1], "
       "speed_max: 1}]}"},
      "command line: walls[0].motion[0].kind: ",
      {"either a force or a pressure"}},
-    {{"walls[0]={shape: plane, point: [0, 0, 0], normal: [0, 0, -1], motion: [{kind: servo, direction: [0, 0, 1], "
+    {{"walls[0]={shape: plane, point: [0, 0, 0], normal: [0, 0, -1], motion: [{kind: servo, direction: [0, "
+      "0, 1], "
       "force: 1, pressure: 1, speed_max: 1}]}"},
      "command line: walls[0].motion[0].pressure: ",
      {"either a force or a pressure"}},
-    {{"walls[0]={shape: plane, point: [0, 0, 0], normal: [0, 0, -1], motion: [{kind: servo, direction: [0, 0, 1], "
+    {{"walls[0]={shape: plane, point: [0, 0, 0], normal: [0, 0, -1], motion: [{kind: servo, direction: [0, "
+      "0, 1], "
       "force: 1, area: 1, speed_max: 1}]}"},
      "command line: walls[0].motion[0].area: ",
      {"goes with a pressure"}},
-    {{"walls[0]={shape: plane, point: [0, 0, 0], normal: [0, 1, -1], motion: [{kind: servo, direction: [0, 0, 1], "
+    {{"walls[0]={shape: plane, point: [0, 0, 0], normal: [0, 1, -1], motion: [{kind: servo, direction: [0, "
+      "0, 1], "
       "pressure: 1, speed_max: 1}]}"},
      "command line: walls[0].motion[0].pressure: ",
      {"needs an area"}},
-    {{"walls[0]={shape: cylinder, point: [0, 0, 0], axis: [0, 0, 1], radius: 1, motion: [{kind: servo, direction: [0, 0, "
+    {{"walls[0]={shape: cylinder, point: [0, 0, 0], axis: [0, 0, 1], radius: 1, motion: [{kind: servo, "
+      "direction: [0, 0, "
       "1], pressure: 1, speed_max: 1}]}"},
      "command line: walls[0].motion[0].pressure: ",
      {"needs an area"}},

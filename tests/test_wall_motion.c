@@ -272,8 +272,10 @@ static void test_servo(void **state) {
     assert_near(wall_mover_servo_speed(m, 1.5, &(struct wall_push){.force = {0.0, 0.0, 0.0}}), -0.5, 0.0);
     assert_near(wall_mover_servo_speed(m, 0.5, &(struct wall_push){.force = {0.0, 0.0, 0.0}}), 0.0, 0.0);
     assert_near(wall_mover_servo_speed(m, 2.0, &(struct wall_push){.force = {0.0, 0.0, 0.0}}), 0.0, 0.0);
-    assert_near(wall_mover_servo_follow(m, 1.5, &(struct wall_push){.force = {0.0, 0.0, 0.0}}, 0.3), 0.284, 1e-15);
-    assert_near(wall_mover_servo_follow(m, 2.0, &(struct wall_push){.force = {0.0, 0.0, 0.0}}, 0.3), 0.0, 0.0);
+    assert_near(wall_mover_servo_follow(m, 1.5, &(struct wall_push){.force = {0.0, 0.0, 0.0}}, 0.3), 0.284,
+                1e-15);
+    assert_near(wall_mover_servo_follow(m, 2.0, &(struct wall_push){.force = {0.0, 0.0, 0.0}}, 0.3), 0.0,
+                0.0);
     struct wall_transform pose = wall_mover_place(m, 1.5, 0.25);
     assert_near(pose.translation[2], 0.25, 0.0);
     assert_near(wall_mover_twist(m, 1.5, 1e-3, 0.25, -0.2).velocity.z, -0.2, 0.0);
@@ -284,11 +286,8 @@ static void test_servo(void **state) {
 static void test_servo_impedance(void **state) {
     (void)state;
     struct wall_options o = {.motions = 1};
-    o.motion[0] = (struct wall_motion){.kind = WALL_SERVO,
-                                       .stop = 2.0,
-                                       .direction = {0.0, 0.0, 1.0},
-                                       .force = 10.0,
-                                       .speed_max = 0.5};
+    o.motion[0] = (struct wall_motion){
+        .kind = WALL_SERVO, .stop = 2.0, .direction = {0.0, 0.0, 1.0}, .force = 10.0, .speed_max = 0.5};
     struct wall_mover *m = mover(&o);
     struct wall_push push = {.force = {0.0, 0.0, 9.0}, .impedance = 2.0};
     assert_near(wall_mover_servo_speed(m, 0.0, &push), -0.25, 1e-15);

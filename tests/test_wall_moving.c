@@ -97,7 +97,8 @@ static void test_area(void **state) {
     char file[2][64];
     text_plate(&plate, (double[3]){0, 0, 2}, (double[3]){3, 0, 0}, (double[3]){0, 2, 2}, 3, 2, 0.3);
     text_cube(&cube, 1.0, 2.5, 2);
-    struct wall_options wall[5] = {hand_plane(0, 0, 1, 0, 0, 1), hand_plane(0, 0, 1, 0, 1, 1),
+    struct wall_options wall[5] = {hand_plane(0, 0, 1, 0, 0, 1),
+                                   hand_plane(0, 0, 1, 0, 1, 1),
                                    {.name = "pipe", .shape = WALL_CYLINDER, .axis = {0, 0, 1}, .radius = 1.0},
                                    hand_mesh(hand_file(file[0], "plate", plate.text, plate.size)),
                                    hand_mesh(hand_file(file[1], "cube", cube.text, cube.size))};

@@ -16,7 +16,7 @@ trap 'rm -rf "$out"' EXIT
 smooth='material_pairs=[{restitution: 0.9}]'
 hooke='materials=[{name: a, density: 1}]'
 discs=(--set 'box={dimension: 2, lower: [0, 0, -2], upper: [180, 180, 2], periodic: [true, true, false]}' --set particles.lattice=square)
-names=(bodies bonds heat jkr capillary luding full no_rolling no_friction no_walls hooke no_periodic discs)
+names=(bodies bonds heat jkr capillary luding eepa full no_rolling no_friction no_walls hooke no_periodic discs)
 flags_of() {
     local rolling=(--set contact.rolling=none --set 'material_pairs=[{restitution: 0.9, friction: 0.5}]')
     local friction=(--set 'contact={law: hertz, tangential: none}' --set "$smooth") walls=(--set 'walls=[]')
@@ -29,6 +29,7 @@ flags_of() {
     jkr) flags=(--set 'contact={law: hertz, cohesion: {law: jkr}}' --set "material_pairs=[{$pair, surface_energy: 10}]") ;;
     capillary) flags=(--set 'contact={law: hertz, cohesion: {law: capillary}}' --set "material_pairs=[{$pair, surface_tension: 10, contact_angle: 0.5, bridge_volume: 0.01}]") ;;
     luding) flags=(--set 'contact={law: luding}' --set "$hooke" --set "material_pairs=[{$pair, k_n: 1e5, k_2: 2e5, k_c: 5e4, plasticity_depth: 0.05}]") ;;
+    eepa) flags=(--set 'contact={law: eepa}' --set "material_pairs=[{$pair, plasticity_ratio: 0.5, adhesion_energy: 10}]") ;;
     full) flags=() ;;
     no_rolling) flags=("${rolling[@]}") ;;
     no_friction) flags=("${friction[@]}") ;;

@@ -55,7 +55,8 @@ static void lattice_make(struct lattice *lattice, const struct wall_mesh *mesh) 
     for (int i = 0; i < n[0]; i++)
         for (int j = 0; j < n[1]; j++)
             for (int k = 0; k < n[2]; k++) {
-                struct law_vector x = {mesh->lower.x + (i + 0.5) * spacing, mesh->lower.y + (j + 0.5) * spacing,
+                struct law_vector x = {mesh->lower.x + (i + 0.5) * spacing,
+                                       mesh->lower.y + (j + 0.5) * spacing,
                                        mesh->lower.z + (k + 0.5) * spacing};
                 double depth = depth_of(mesh, x);
                 if (depth > 0.0)
@@ -65,7 +66,8 @@ static void lattice_make(struct lattice *lattice, const struct wall_mesh *mesh) 
 
 /* Moves a place by up to a lattice spacing along each axis to where it is deepest, by ever smaller steps. */
 static struct node deepest_near(const struct wall_mesh *mesh, struct node start, double spacing) {
-    static const struct law_vector along[6] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    static const struct law_vector along[6] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                               {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
     struct node best = start;
     for (double step = 0.5 * spacing; step > 0.005 * spacing; step *= 0.5)
         for (int d = 0; d < 6; d++) {
@@ -79,7 +81,8 @@ static struct node deepest_near(const struct wall_mesh *mesh, struct node start,
 }
 
 /* Chooses up to `most` spheres; returns their number. */
-static int choose(const struct wall_mesh *mesh, struct lattice *lattice, int most, struct clump_sphere *sphere) {
+static int choose(const struct wall_mesh *mesh, struct lattice *lattice, int most,
+                  struct clump_sphere *sphere) {
     int chosen = 0;
     while (chosen < most) {
         struct node best = {.depth = 0.0};
@@ -100,23 +103,25 @@ static int choose(const struct wall_mesh *mesh, struct lattice *lattice, int mos
 }
 
 /* Reads the surface and refuses what holds no volume. */
-static bool surface_read(struct wall_mesh **mesh, const struct inscribe_options *options, struct error *error) {
+static bool surface_read(struct wall_mesh **mesh, const struct inscribe_options *options,
+                         struct error *error) {
     struct mesh file;
     struct wall_mesh_place place = {.scale = options->scale};
     *mesh = NULL;
     if (!mesh_read(&file, options->file, "", error))
         return false;
     bool good = file.count <= TRIANGLES_MOST ||
-                error_set(error, ERROR_USER, "%s: a body of %zu triangles; at most %d are allowed", options->file,
-                          file.count, TRIANGLES_MOST);
+                error_set(error, ERROR_USER, "%s: a body of %zu triangles; at most %d are allowed",
+                          options->file, file.count, TRIANGLES_MOST);
     good = good && wall_mesh_create(mesh, &file, options->file, &place, NULL, error);
     mesh_free(&file);
     size_t open = good ? wall_mesh_open_edges(*mesh, true) : 0;
     if (open > 0)
-        error_set(error, ERROR_USER,
-                  "%s: is no closed surface of one orientation: %zu edges are not shared by two triangles, or by "
-                  "two that run round in different senses; a body needs a closed surface",
-                  options->file, open);
+        error_set(
+            error, ERROR_USER,
+            "%s: is no closed surface of one orientation: %zu edges are not shared by two triangles, or by "
+            "two that run round in different senses; a body needs a closed surface",
+            options->file, open);
     return good && open == 0;
 }
 
@@ -138,7 +143,8 @@ int inscribe_spheres(const struct inscribe_options *options, struct clump_sphere
         chosen = choose(mesh, &lattice, options->spheres, sphere);
         memory_free(lattice.node);
         if (chosen == 0)
-            error_set(error, ERROR_USER, "%s: is too thin for spheres: no node of a lattice of %d across lies in it",
+            error_set(error, ERROR_USER,
+                      "%s: is too thin for spheres: no node of a lattice of %d across lies in it",
                       options->file, NODES_ACROSS);
     }
     wall_mesh_destroy(&mesh);

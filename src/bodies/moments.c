@@ -113,8 +113,8 @@ static void tetrahedron_add(struct integrals *all, const double p[9]) {
     for (int d = 0; d < 3; d++) {
         all->x[d] += volume * s[d] / 4;
         for (int e = 0; e < 3; e++)
-            all->xx[3 * d + e] += volume *
-                                  (s[d] * s[e] + p[d] * p[e] + p[3 + d] * p[3 + e] + p[6 + d] * p[6 + e]) / 20;
+            all->xx[3 * d + e] +=
+                volume * (s[d] * s[e] + p[d] * p[e] + p[3 + d] * p[3 + e] + p[6 + d] * p[6 + e]) / 20;
     }
 }
 

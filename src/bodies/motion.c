@@ -7,6 +7,15 @@
 #include "contact/spin.h"
 #include <string.h>
 
+/* The units of the sums of body b; none where the order of a sum may matter. */
+static struct sums_units units_of(const struct bodies_links *l, const struct physics_context *context,
+                                  int32_t b) {
+    const struct bodies_row *row = &l->row[b];
+    if (!context->ordered)
+        return (struct sums_units){0};
+    return sums_units_of(row->mass, context->particles->state[row->particle].radius, context->clock->dt);
+}
+
 /* Force and torque about the centre of mass of each own body. */
 static void forces_sum(struct bodies_links *l, const struct physics_context *context) {
     const struct particles *p = context->particles;
@@ -14,8 +23,7 @@ static void forces_sum(struct bodies_links *l, const struct physics_context *con
     memset(l->sum, 0, (size_t)l->rows * (size_t)width * sizeof *l->sum);
 #pragma omp parallel for schedule(static)
     for (int32_t b = 0; b < l->rows; b++) {
-        const struct sums_units units =
-            sums_units_of(l->row[b].mass, p->state[l->row[b].particle].radius, context->clock->dt);
+        const struct sums_units units = units_of(l, context, b);
         for (size_t k = l->start[b]; k < l->start[b + 1]; k++) {
             size_t i = l->member[k];
             const double *f = p->force + i * (size_t)p->force_stride, *t = f + 4;
@@ -37,8 +45,7 @@ static void push(const struct bodies_links *l, const struct physics_context *con
                  double velocity[3], double spin[3]) {
     const struct bodies_row *row = &l->row[b];
     const bool flat = context->box->dimension == 2;
-    const struct sums_units units =
-        sums_units_of(row->mass, context->particles->state[row->particle].radius, context->clock->dt);
+    const struct sums_units units = units_of(l, context, b);
     double force[3], torque[3];
     sums_value(l->sum + (size_t)b * (size_t)sums_width(context->ordered), context->ordered, units, force,
                torque);
@@ -50,12 +57,11 @@ static void push(const struct bodies_links *l, const struct physics_context *con
 
 /* The free body b: kick and drift. Its angular velocity of the half step is the mean of those before and after the
  * turn. */
-static void move_free(struct bodies_links *l, const struct physics_context *context, int32_t b, double kick) {
+static void move_free(struct bodies_links *l, const struct physics_context *context, int32_t b, double kick,
+                      double v[3], double spin[3]) {
     const struct bodies_row *row = &l->row[b];
-    const struct particles *p = context->particles;
     const double dt = context->clock->dt;
-    double *state = l->state[b], *v = bodies_velocity(p)[row->particle],
-           *spin = bodies_spin(p)[row->particle];
+    double *state = l->state[b];
     double faster[3], more[3], before[3], after[3], turn[9];
     push(l, context, b, kick, faster, more);
     for (int d = 0; d < 3; d++) {
@@ -86,7 +92,8 @@ static void move_prescribed(struct bodies_links *l, const struct physics_context
 void motion_step(struct bodies *bodies, const struct physics_context *context) {
     struct bodies_links *l = bodies->links;
     struct particles *p = context->particles;
-    double(*orientation)[4] = bodies_orientation(p);
+    double(*orientation)[4] = bodies_orientation(p), (*velocity)[3] = bodies_velocity(p),
+    (*spin)[3] = bodies_spin(p);
     const double kick = 0.5 * (bodies->before + context->clock->dt);
     forces_sum(l, context);
 #pragma omp parallel for schedule(static)
@@ -95,7 +102,7 @@ void motion_step(struct bodies *bodies, const struct physics_context *context) {
         if (l->row[b].motion)
             move_prescribed(l, context, b);
         else
-            move_free(l, context, b, kick);
+            move_free(l, context, b, kick, velocity[particle], spin[particle]);
         memcpy(p->state[particle].x, l->state[b], sizeof p->state[particle].x);
         memcpy(orientation[particle], l->state[b] + 9, sizeof orientation[particle]);
     }

@@ -129,7 +129,8 @@ static void print(const struct physics_context *context, FILE *file) {
         fprintf(file,
                 "bodies '%s': %d spheres, %s; radius of the ball %.6g, volume %.6g, moments of inertia over "
                 "mass %.6g %.6g %.6g\n",
-                bodies->options->clump[k].name, clump->spheres, how, clump->extent, clump->volume, clump->gyration[0], clump->gyration[1], clump->gyration[2]);
+                bodies->options->clump[k].name, clump->spheres, how, clump->extent, clump->volume,
+                clump->gyration[0], clump->gyration[1], clump->gyration[2]);
     }
     fprintf(file, "  the stable time step takes each member with its share of the mass, and so is below that "
                   "of the body\n");

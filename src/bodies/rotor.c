@@ -58,14 +58,19 @@ static void unit(double q[4]) {
         q[k] *= 1.5 - 0.5 * square;
 }
 
+/* The component of a vector along axis k of the body: column k of rotor_matrix times the vector. */
+static double along_own(const double q[4], int k, const double v[3]) {
+    double w = q[0], x = q[1 + k], y = q[1 + (k + 1) % 3], z = q[1 + (k + 2) % 3];
+    double one = (w * w + x * x) - (y * y + z * z), two = 2 * (x * y + w * z), three = 2 * (x * z - w * y);
+    return one * v[k] + two * v[(k + 1) % 3] + three * v[(k + 2) % 3];
+}
+
 /* Turns about axis k of the body. */
 static void turn_own(double q[4], int k, const double spin[3], double lightness, double h) {
-    double turn[9], own[3], by[4] = {0};
+    double by[4] = {0};
     if (lightness == 0)
         return;
-    rotor_matrix(q, turn);
-    rotor_turn_back(turn, spin, own);
-    double half = 0.5 * h * own[k] * lightness;
+    double half = 0.5 * h * along_own(q, k, spin) * lightness;
     by[0] = cos(half);
     by[1 + k] = sin(half);
     rotor_product(q, by, q);

@@ -68,10 +68,10 @@ struct grains {
     struct walls *walls;         /* NULL: none */
     struct force_loop *loop;
     struct force_context contact;
-    struct force_sums sums;     /* of the last evaluation, this rank's part */
-    double taken;               /* sum of force_sums.taken since the start, this rank's part */
-    bool sums_each_step;        /* dissipated energy is observed */
-    double (*speed)[CLASS_MAX]; /* [thread][class]: largest squared speed of the last drift */
+    struct force_sums sums;           /* of the last evaluation, this rank's part */
+    double taken;                     /* sum of force_sums.taken since the start, this rank's part */
+    bool sums_each_step;              /* dissipated energy is observed */
+    double (*speed)[CLASS_MAX];       /* [thread][class]: largest squared speed of the last drift */
     struct wall_push push[WALLS_MAX]; /* of walls with servos */
 };
 

@@ -70,7 +70,10 @@ static bool check_target(const struct scene *scene, int w, int m, struct error *
     const struct wall_motion *motion = &scene->wall[w].motion[m];
     bool pressure = !isnan(motion->pressure), area = !isnan(motion->area);
     char key[80];
-    snprintf(key, sizeof(key), "walls[%d].motion[%d].%s", w, m, area ? "area" : pressure ? "pressure" : "kind");
+    snprintf(key, sizeof(key), "walls[%d].motion[%d].%s", w, m,
+             area       ? "area"
+             : pressure ? "pressure"
+                        : "kind");
     if (pressure != isnan(motion->force))
         return scene_fail(scene, error, key, "a servo needs either a force or a pressure");
     if (area && !pressure)

@@ -40,7 +40,7 @@ enum wall_motion_kind {
     WALL_OSCILLATE_ROTATION, /* angle amplitude about a point and axis */
     WALL_TABLE, /* pose against time from a file: t x y z angle_x angle_y angle_z (rotation vector), linear
                    between rows */
-    WALL_SERVO  /* along a direction, so that the force on the wall along it becomes `force`, or `pressure` times
+    WALL_SERVO /* along a direction, so that the force on the wall along it becomes `force`, or `pressure` times
                    the area; motions behind it turn the direction */
 };
 
@@ -57,12 +57,12 @@ struct wall_motion {
     double rate;             /* ROTATE: rad/time */
     double amplitude;        /* OSCILLATE: length; OSCILLATE_ROTATION: rad */
     double frequency, phase; /* 1/time, rad */
-    double force;     /* SERVO: target force of the particles on the wall along direction, not 0; below it the
+    double force;    /* SERVO: target force of the particles on the wall along direction, not 0; below it the
                          wall     moves against direction, towards the particles that push */
-    double pressure;  /* SERVO: instead of force, if above 0: walls_create sets force = pressure x area */
-    double area;      /* SERVO: across direction, for pressure; not above 0: walls_create finds it (wall_area) */
+    double pressure; /* SERVO: instead of force, if above 0: walls_create sets force = pressure x area */
+    double area; /* SERVO: across direction, for pressure; not above 0: walls_create finds it (wall_area) */
     double speed_max; /* SERVO: bound on the speed */
-    double gain;      /* SERVO: speed per relative force error, length/time; 0: from the impedance of the grains
+    double gain; /* SERVO: speed per relative force error, length/time; 0: from the impedance of the grains
                          that touch the wall */
     char table[WALL_PATH_MAX]; /* TABLE */
 };

@@ -50,10 +50,11 @@ bool wall_area_targets(struct walls *walls, int wall, struct error *error) {
         if (!(motion->area > 0.0))
             motion->area = walls_area(walls, wall, motion->direction);
         if (!(motion->area > 0.0 && isfinite(motion->area)))
-            return error_set(error, ERROR_USER,
-                             "wall '%s': no area across the direction of motion %d follows from its shape, on "
-                             "which the pressure would act; give the servo its `area`, or a force",
-                             options->name, k + 1);
+            return error_set(
+                error, ERROR_USER,
+                "wall '%s': no area across the direction of motion %d follows from its shape, on "
+                "which the pressure would act; give the servo its `area`, or a force",
+                options->name, k + 1);
         motion->force = motion->pressure * motion->area;
     }
     return true;

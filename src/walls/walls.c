@@ -243,8 +243,7 @@ void walls_advance(struct walls *walls, double t, double dt, const struct wall_p
             continue;
         if (wall->resumed)
             wall_find_base(wall, t);
-        wall->servo_speed =
-            push ? wall_mover_servo_follow(wall->mover, t, &push[w], wall->servo_speed) : 0.0;
+        wall->servo_speed = push ? wall_mover_servo_follow(wall->mover, t, &push[w], wall->servo_speed) : 0.0;
         double half = wall->servo_offset + 0.5 * dt * wall->servo_speed;
         wall->twist = wall_mover_twist(wall->mover, t, dt, half, wall->servo_speed);
         wall->servo_offset += dt * wall->servo_speed;

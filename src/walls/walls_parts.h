@@ -32,7 +32,7 @@ struct wall {
     struct wall_transform pose, base; /* now; the pose that the motions act upon */
     struct wall_twist twist;          /* of the half step */
     double servo_offset, servo_speed;
-    double unit; /* of its impedance; 0: nobody needs it */
+    double unit;  /* of its impedance; 0: nobody needs it */
     bool moving;  /* its pose is not the identity, or may change */
     bool resumed; /* the pose was set from outside: `base` has still to be found */
 
