@@ -31,6 +31,19 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/sphere_array/check examples/sphere_array/run.sh \
 	examples/taylor_green/check examples/taylor_green/run.sh
 
+blade = examples/blade
+nobase_dist_pkgdata_DATA += $(blade)/README.md $(blade)/blade.txt $(blade)/picture.gp $(blade)/scene.yaml
+nobase_dist_pkgdata_SCRIPTS += $(blade)/check $(blade)/run.sh
+
+repose = examples/repose
+nobase_dist_pkgdata_DATA += \
+	$(repose)/README.md $(repose)/last.awk $(repose)/picture.gp $(repose)/scene.yaml $(repose)/slope.awk
+nobase_dist_pkgdata_SCRIPTS += $(repose)/check $(repose)/run.sh
+
+wet_pile = examples/wet_pile
+nobase_dist_pkgdata_DATA += $(wet_pile)/README.md $(wet_pile)/picture.gp $(wet_pile)/scene.yaml
+nobase_dist_pkgdata_SCRIPTS += $(wet_pile)/check $(wet_pile)/run.sh
+
 crushing = examples/crushing
 nobase_dist_pkgdata_DATA += \
 	$(crushing)/README.md $(crushing)/crushing.gp $(crushing)/curve.awk $(crushing)/grains.awk $(crushing)/picture.awk \
