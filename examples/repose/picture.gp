@@ -7,7 +7,7 @@ unset key
 unset border
 unset tics
 set xrange [-0.5:24]
-set yrange [-1.5:24]
+set yrange [-1.5:20]
 set style fill solid border rgb "#444444"
 do for [number in numbers] {
     set title "Bo = " . number
@@ -16,6 +16,7 @@ do for [number in numbers] {
 set title "angle of the slope"
 set size noratio
 set border 3
+set xtics 1
 set tics nomirror
 set xrange [-0.3:*]
 set yrange [0:*]

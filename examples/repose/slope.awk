@@ -1,5 +1,6 @@
-# From the grains of last.awk: Bond number, slope in degrees, grains above the floor. The slope is that of the triangle over the floor, 20 mm
-# long, with the cross section of the heap: the sum over strips of 1 mm of the top of the highest grain. Variable: number.
+# From the grains of last.awk: Bond number, slope in degrees, grains above the floor. The surface is the top of the highest grain in strips of
+# 1 mm over the floor, 20 mm long. The slope is that of a line fitted from the crest (the last strip within 1 mm of the highest) to the edge.
+# Variable: number.
 $2 < 20 && $3 > 0 {
     strip = int($2)
     if (!(strip in top) || $3 + $4 > top[strip])
@@ -8,6 +9,17 @@ $2 < 20 && $3 > 0 {
 }
 END {
     for (k = 0; k < 20; k++)
-        area += top[k]
-    printf "%s\t%.2f\t%d\n", number, 180 / atan2(0, -1) * atan2(2 * area, 20 * 20), grains
+        if (top[k] > highest)
+            highest = top[k]
+    for (k = 0; k < 20; k++)
+        if (top[k] > highest - 1)
+            crest = k
+    for (k = crest; k < 20; k++) {
+        n++
+        x += k
+        z += top[k]
+        xx += k * k
+        xz += k * top[k]
+    }
+    printf "%s\t%.1f\t%d\n", number, 180 / atan2(0, -1) * atan2(-(n * xz - x * z), n * xx - x * x), grains
 }
