@@ -104,3 +104,11 @@ nobase_dist_pkgdata_DATA += \
 	$(scaling)/hybrid.gp $(scaling)/job.slurm $(scaling)/lines.awk $(scaling)/model.awk $(scaling)/model.gp \
 	$(scaling)/ranks.gp $(scaling)/scene.yaml $(scaling)/speed.gp $(scaling)/tables.awk
 nobase_dist_pkgdata_SCRIPTS += $(scaling)/ghosts.sh $(scaling)/page.sh $(scaling)/run.sh
+
+bead_packing = examples/bead_packing
+nobase_dist_pkgdata_DATA += \
+	$(bead_packing)/README.md $(bead_packing)/flow.awk $(bead_packing)/flow.sh $(bead_packing)/packing.awk $(bead_packing)/picture.awk \
+	$(bead_packing)/picture.gp $(bead_packing)/pour.sh $(bead_packing)/pour.yaml $(bead_packing)/published.txt $(bead_packing)/scene.yaml \
+	$(bead_packing)/section.awk $(bead_packing)/summary.awk examples/pores.head.md
+nobase_dist_pkgdata_SCRIPTS += \
+	$(bead_packing)/check $(bead_packing)/picture.sh $(bead_packing)/run.sh $(bead_packing)/section.sh examples/pores.sh

@@ -141,10 +141,10 @@ static double identities(const struct cloud *c, const struct weights *w) {
         for (size_t e = w->start[row]; e < w->start[row + 1]; e++) {
             separation(c, w, row, e, apart);
             for (size_t p = 0; p < n; p++) {
-                mean[p] += w->scalar[e] * apart[p];
+                mean[p] += weights_scalar(w, e) * apart[p];
                 for (size_t q = 0; q < n; q++) {
-                    first[p][q] += w->vector[e * n + p] * apart[q];
-                    second[p][q] += w->scalar[e] * apart[p] * apart[q];
+                    first[p][q] += weights_vector(w, e)[p] * apart[q];
+                    second[p][q] += weights_scalar(w, e) * apart[p] * apart[q];
                 }
             }
         }
@@ -185,7 +185,7 @@ static double squares(const struct cloud *c, const struct weights *w) {
             for (size_t k = 0; k < n; k++)
                 for (size_t p = 0; p < n; p++)
                     for (size_t q = 0; q < n; q++)
-                        sum[k][p][q] += w->vector[e * n + k] * apart[p] * apart[q];
+                        sum[k][p][q] += weights_vector(w, e)[k] * apart[p] * apart[q];
         }
         for (size_t k = 0; k < n; k++)
             for (size_t p = 0; p < n; p++)
@@ -257,8 +257,8 @@ static void test_rows(void **state) {
         assert_int_equal(at, w.start[i + 1]);
     }
     assert_int_equal(w.start[w.rows], v.start[v.rows]);
-    assert_memory_equal(w.scalar, v.scalar, w.start[w.rows] * sizeof *w.scalar);
-    assert_memory_equal(w.vector, v.vector, 3 * w.start[w.rows] * sizeof *w.vector);
+    assert_memory_equal(w.scalars, v.scalars, w.start[w.rows] * sizeof *w.scalars);
+    assert_memory_equal(w.vectors, v.vectors, 3 * w.start[w.rows] * sizeof *w.vectors);
     weights_free(&w);
     weights_free(&v);
     cloud_free(&c);
@@ -281,9 +281,9 @@ static void test_eight(void **state) {
     for (size_t e = w.start[44]; e < w.start[45]; e++) {
         separation(&c, &w, 44, e, apart);
         bool straight = fabs(apart[0] * apart[1]) < 1e-9;
-        *(straight ? &edge : &corner) += w.scalar[e] / 4;
-        assert_true(w.scalar[e] > 0);
-        assert_true(w.vector[2 * e] * apart[0] + w.vector[2 * e + 1] * apart[1] > 0);
+        *(straight ? &edge : &corner) += weights_scalar(&w, e) / 4;
+        assert_true(weights_scalar(&w, e) > 0);
+        assert_true(weights_vector(&w, e)[0] * apart[0] + weights_vector(&w, e)[1] * apart[1] > 0);
     }
     assert_int_equal(w.start[45] - w.start[44], 8);
     assert_float_equal((edge + 2 * corner) / 100, 1, 1e-12);

@@ -152,8 +152,8 @@ static void add_neighbours(struct assembly *assembly, const struct weights *weig
     memset(value + assembly->start[row], 0,
            (size_t)(assembly->start[row + 1] - assembly->start[row]) * sizeof *value);
     for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++) {
-        value[assembly->place[e]] -= factor * weights->scalar[e];
-        sum += weights->scalar[e];
+        value[assembly->place[e]] -= factor * weights_scalar(weights, e);
+        sum += weights_scalar(weights, e);
     }
     value[assembly->diagonal[row]] += factor * sum;
 }
@@ -162,7 +162,7 @@ static void add_neighbours(struct assembly *assembly, const struct weights *weig
 static void add_image(struct assembly *assembly, const struct weights *weights, size_t wall, size_t entry,
                       double factor, bool even) {
     if (weights_image_of(weights, wall) != NULL)
-        assembly->value[assembly->place[entry]] += (even ? -factor : factor) * weights->scalar[entry];
+        assembly->value[assembly->place[entry]] += (even ? -factor : factor) * weights_scalar(weights, entry);
 }
 
 void assembly_momentum(struct assembly *assembly, const struct weights *weights, double inertia,
@@ -174,7 +174,7 @@ void assembly_momentum(struct assembly *assembly, const struct weights *weights,
         size_t e = weights_walls(weights, row);
         add_neighbours(assembly, weights, row, viscous);
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
-            sum += weights->scalar[e] * assembly_wall_factor(weights, k, component);
+            sum += weights_scalar(weights, e) * assembly_wall_factor(weights, k, component);
             add_image(assembly, weights, k, e, viscous, weights_foot_of(weights, k)->pressed);
         }
         assembly->value[assembly->diagonal[row]] += inertia + viscous * sum;
@@ -193,9 +193,9 @@ void assembly_pressure(struct assembly *assembly, const struct weights *weights)
             bool pressed = weights_foot_of(weights, k)->pressed, image = weights_image_of(weights, k) != NULL;
             add_image(assembly, weights, k, e, 1, !pressed);
             assembly->value[assembly->diagonal[row]] +=
-                weights->scalar[e] * (image     ? 1
-                                      : pressed ? 1 + weights->mirror[k]
-                                                : 0);
+                weights_scalar(weights, e) * (image     ? 1
+                                              : pressed ? 1 + weights->mirror[k]
+                                                        : 0);
         }
     }
     timer_leave(assembly->timers, stage);

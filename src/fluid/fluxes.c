@@ -10,7 +10,7 @@ static double along(const struct weights *weights, size_t entry, const double *a
     size_t dimension = (size_t)weights->dimension;
     double sum = 0;
     for (size_t d = 0; d < dimension; d++)
-        sum += weights->vector[entry * dimension + d] * (a[d] + b[d]);
+        sum += weights_vector(weights, entry)[d] * (a[d] + b[d]);
     return sum;
 }
 
@@ -53,11 +53,11 @@ static void carry_balance(struct fluxes *fluxes, const struct flow *flow) {
         for (; e < weights_walls(weights, row); e++)
             fluxes->carry[e] =
                 0.5 * (fluxes->carry[e] -
-                       weights->scalar[e] * (phi.value[pair_partner(weights->partner[e])] - own));
+                       weights_scalar(weights, e) * (phi.value[pair_partner(weights->partner[e])] - own));
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++)
             if (weights_foot_of(weights, k)->open)
                 fluxes->carry[e] = 0.5 * (fluxes->carry[e] -
-                                          weights->scalar[e] * operators_pressure_step(weights, k, phi, own));
+                                          weights_scalar(weights, e) * operators_pressure_step(weights, k, phi, own));
     }
 }
 

@@ -29,7 +29,7 @@ static double carry_of(const struct links *links, size_t entry) {
 /* K + a of an entry: its diffusion. */
 static double diffusion_of(const struct links *links, size_t row, size_t entry) {
     const struct weights *weights = links->weights;
-    double k = links->diffusivity * weights->scalar[entry];
+    double k = links->diffusivity * weights_scalar(weights, entry);
     if (links->share != NULL && entry < weights_walls(weights, row))
         k *= 0.5 * (links->share[weights->first + row] + links->share[pair_partner(weights->partner[entry])]);
     return links->upwind ? k + fabs(carry_of(links, entry)) : k;
@@ -157,7 +157,7 @@ void links_share(const struct links *links, double *share) {
                 across += apart[d] * foot->normal[d];
                 square += apart[d] * apart[d];
             }
-            sum += 0.5 * weights->scalar[e] * (square - across * across);
+            sum += 0.5 * weights_scalar(weights, e) * (square - across * across);
         }
         if (foot != NULL)
             share[row] = fmax(1, fmin(LINKS_SHARE_MOST, (weights->dimension - 1) / fmax(sum, 1e-300)));

@@ -84,6 +84,8 @@ libfluid_la_SOURCES = \
 	src/fluid/state.h \
 	src/fluid/steady.c \
 	src/fluid/steady.h \
+	src/fluid/stencil.c \
+	src/fluid/stencil.h \
 	src/fluid/tensors.c \
 	src/fluid/tensors.h \
 	src/fluid/watch.c \

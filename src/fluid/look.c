@@ -13,7 +13,6 @@ static void add_curl(const double *b, int dimension, const double difference[3],
 
 void look_vorticity(const struct flow *flow) {
     const struct weights *weights = flow->weights;
-    size_t dimension = (size_t)weights->dimension;
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++) {
         const double *own = flow_velocity_of(flow, row);
@@ -26,7 +25,7 @@ void look_vorticity(const struct flow *flow) {
             else
                 for (int d = 0; d < 3; d++)
                     difference[d] = other[d] - own[d];
-            add_curl(weights->vector + e * dimension, weights->dimension, difference, curl);
+            add_curl(weights_vector(weights, e), weights->dimension, difference, curl);
         }
         for (size_t d = 0; d < 3; d++)
             flow->predicted[3 * (weights->first + row) + d] = curl[d];

@@ -51,11 +51,14 @@ static void fill_side(const struct momentum *momentum, const struct flow *flow, 
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
             const struct weights_image *image = weights_image_of(weights, k);
             if (image != NULL) { /* the matrix has its own and the image's part */
-                sum += weights_foot_of(weights, k)->pressed ? 0 : 2 * weights->scalar[e] * image->velocity[c];
+                sum += weights_foot_of(weights, k)->pressed
+                           ? 0
+                           : 2 * weights_scalar(weights, e) * image->velocity[c];
                 continue;
             }
             operators_mirror(weights, k, u, own, difference);
-            sum += weights->scalar[e] * (difference[c] + assembly_wall_factor(weights, k, c) * own[c]);
+            sum +=
+                weights_scalar(weights, e) * (difference[c] + assembly_wall_factor(weights, k, c) * own[c]);
         }
         momentum->side[row] = side[row][c] + momentum->implicit * sum;
         momentum->guess[row] = own[c];

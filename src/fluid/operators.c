@@ -33,13 +33,13 @@ void operators_gradient(const struct weights *weights, struct operators_values p
         for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++) {
             double difference = *partner_at(weights, p, e) - own;
             for (size_t d = 0; d < dimension; d++)
-                sum[d] += weights->vector[e * dimension + d] * difference;
+                sum[d] += weights_vector(weights, e)[d] * difference;
         }
         size_t e = weights_walls(weights, row);
         for (size_t k = open_from(weights, row); k < weights->wall_start[row + 1]; k++, e++) {
             double difference = operators_pressure_step(weights, k, p, own);
             for (size_t d = 0; d < dimension; d++)
-                sum[d] += weights->vector[e * dimension + d] * difference;
+                sum[d] += weights_vector(weights, e)[d] * difference;
         }
         for (int d = 0; d < 3; d++)
             out[row][d] = sum[d];
@@ -51,10 +51,10 @@ void operators_laplacian(const struct weights *weights, struct operators_values 
     for (size_t row = 0; row < weights->rows; row++) {
         double own = *at(p, weights->first + row), sum = 0;
         for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++)
-            sum += weights->scalar[e] * (*partner_at(weights, p, e) - own);
+            sum += weights_scalar(weights, e) * (*partner_at(weights, p, e) - own);
         size_t e = weights_walls(weights, row);
         for (size_t k = open_from(weights, row); k < weights->wall_start[row + 1]; k++, e++)
-            sum += weights->scalar[e] * operators_pressure_step(weights, k, p, own);
+            sum += weights_scalar(weights, e) * operators_pressure_step(weights, k, p, own);
         out[row] = sum;
     }
 }
@@ -103,7 +103,7 @@ void operators_divergence(const struct weights *weights, struct operators_values
         for (; e < weights_walls(weights, row); e++) {
             const double *other = partner_at(weights, u, e);
             for (size_t d = 0; d < dimension; d++)
-                sum += weights->vector[e * dimension + d] * (other[d] - own[d]);
+                sum += weights_vector(weights, e)[d] * (other[d] - own[d]);
         }
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
             double relative[3], factor = -weights_divergence_factor(weights, k);
@@ -114,7 +114,7 @@ void operators_divergence(const struct weights *weights, struct operators_values
                 relative_to_wall(weights, k, own, relative);
             }
             for (size_t d = 0; d < dimension; d++)
-                sum += factor * weights->vector[e * dimension + d] * relative[d];
+                sum += factor * weights_vector(weights, e)[d] * relative[d];
         }
         out[row] = sum;
     }
@@ -130,15 +130,81 @@ void operators_laplacian_velocity(const struct weights *weights, struct operator
         for (; e < weights_walls(weights, row); e++) {
             const double *other = partner_at(weights, u, e);
             for (int d = 0; d < 3; d++)
-                sum[d] += weights->scalar[e] * (other[d] - own[d]);
+                sum[d] += weights_scalar(weights, e) * (other[d] - own[d]);
         }
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
             operators_mirror(weights, k, u, own, difference);
             for (int d = 0; d < 3; d++)
-                sum[d] += weights->scalar[e] * difference[d];
+                sum[d] += weights_scalar(weights, e) * difference[d];
         }
         for (int d = 0; d < 3; d++)
             out[row][d] = sum[d];
+    }
+}
+
+/* What the neighbours of a row add up to: of the pressure its gradient, of the velocity Laplacian and divergence. */
+struct stokes_sums {
+    double gradient[3], laplacian[3], divergence;
+};
+
+/* Adds the fluid neighbours of a row, in 2 or 3 dimensions. */
+static inline void stokes_inner(const struct weights *weights, size_t row, struct operators_values u,
+                                struct operators_values p, int dimension, struct stokes_sums *sums) {
+    const double *own = at(u, weights->first + row), pressure = *at(p, weights->first + row);
+    for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++) {
+        size_t j = pair_partner(weights->partner[e]);
+        const double *other = at(u, j), *b = weights_vector(weights, e);
+        double w = weights_scalar(weights, e), step = *at(p, j) - pressure;
+        for (int d = 0; d < dimension; d++) {
+            double difference = other[d] - own[d];
+            sums->divergence += b[d] * difference;
+            sums->laplacian[d] += w * difference;
+            sums->gradient[d] += b[d] * step;
+        }
+    }
+}
+
+/* Adds the wall neighbours of a row. */
+static void stokes_walls(const struct weights *weights, size_t row, struct operators_values u,
+                         struct operators_values p, struct stokes_sums *sums) {
+    const double *own = at(u, weights->first + row), pressure = *at(p, weights->first + row);
+    size_t e = weights_walls(weights, row);
+    for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
+        const double *b = weights_vector(weights, e);
+        double w = weights_scalar(weights, e), difference[3], relative[3],
+               factor = -weights_divergence_factor(weights, k), step = 0;
+        operators_mirror(weights, k, u, own, difference);
+        relative_to_wall(weights, k, own, relative);
+        if (weights->opens > 0) {
+            step = operators_pressure_step(weights, k, p, pressure);
+            if (weights_foot_of(weights, k)->open) {
+                factor = 1;
+                for (int d = 0; d < 3; d++)
+                    relative[d] = difference[d];
+            }
+        }
+        for (int d = 0; d < weights->dimension; d++) {
+            sums->divergence += factor * b[d] * relative[d];
+            sums->laplacian[d] += w * difference[d];
+            sums->gradient[d] += b[d] * step;
+        }
+    }
+}
+
+void operators_stokes(const struct weights *weights, struct operators_values u, struct operators_values p,
+                      const struct operators_stokes *factor, double *out) {
+    size_t rows = weights->rows, dimension = (size_t)weights->dimension;
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < rows; row++) {
+        struct stokes_sums sums = {{0}, {0}, 0};
+        if (dimension == 3)
+            stokes_inner(weights, row, u, p, 3, &sums);
+        else
+            stokes_inner(weights, row, u, p, 2, &sums);
+        stokes_walls(weights, row, u, p, &sums);
+        for (size_t d = 0; d < dimension; d++)
+            out[d * rows + row] = factor->gradient * sums.gradient[d] - factor->viscous * sums.laplacian[d];
+        out[dimension * rows + row] = -factor->divergence * sums.divergence;
     }
 }
 
@@ -151,7 +217,7 @@ void operators_divergence_inner(const struct weights *weights, struct operators_
         for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++) {
             const double *other = partner_at(weights, g, e);
             for (size_t d = 0; d < dimension; d++)
-                sum += weights->vector[e * dimension + d] * (other[d] - own[d]);
+                sum += weights_vector(weights, e)[d] * (other[d] - own[d]);
         }
         out[row] = sum;
     }
@@ -168,7 +234,7 @@ void operators_advection(const struct weights *weights, struct operators_values 
         for (; e < weights->start[row + 1]; e++) {
             double along = 0;
             for (size_t d = 0; d < dimension; d++)
-                along += way[d] * weights->vector[e * dimension + d];
+                along += way[d] * weights_vector(weights, e)[d];
             if (e >= walls)
                 operators_mirror(weights, wall++, u, own, difference);
             for (int d = 0; d < 3; d++)

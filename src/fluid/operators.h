@@ -33,6 +33,14 @@ void operators_divergence(const struct weights *weights, struct operators_values
 /* out[row] = div grad u, each component, mirrored (no slip, or the slip of the weights). */
 void operators_laplacian_velocity(const struct weights *weights, struct operators_values u, double (*out)[3]);
 
+/* The operator of Stokes' equations in one go, component after component: out[d rows + row] = gradient (grad p)_d -
+ * viscous (div grad u)_d for each direction d, then out[dimension rows + row] = -divergence div u. */
+struct operators_stokes {
+    double gradient, viscous, divergence; /* factors */
+};
+void operators_stokes(const struct weights *weights, struct operators_values u, struct operators_values p,
+                      const struct operators_stokes *factor, double *out);
+
 /* out[row] = (carrier . grad) u, mirrored; of the carrier the values of owned particles alone are read. */
 void operators_advection(const struct weights *weights, struct operators_values carrier,
                          struct operators_values u, double (*out)[3]);

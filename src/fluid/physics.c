@@ -15,14 +15,13 @@
 #include "particles/kinds.h"
 #include <math.h>
 
-/* Fluid meets fluid and boundary within the support, and grains whose surface is as near. The dimension is not
- * known here: a support that is left to the program is taken as that of three dimensions or two, the larger. */
+/* Fluid meets fluid and boundary within the support, and grains whose surface is as near. */
 static double range(const void *context, int kind_a, double radius_a, int kind_b, double radius_b) {
-    const struct fluid_options *options = context;
-    double support = fmax(fluid_support(options, 2), fluid_support(options, 3));
+    const struct fluid *own = context;
+    double support = own->support;
     bool fluid = kind_a == KIND_FLUID || kind_b == KIND_FLUID;
     bool grain = kind_a == KIND_GRAIN || kind_b == KIND_GRAIN;
-    bool rides = kind_a != kind_b && grain && fluid_carries(options);
+    bool rides = kind_a != kind_b && grain && fluid_carries(own->options);
     if (!(fluid || rides) || isinf(radius_a) || isinf(radius_b))
         return -INFINITY;
     if (!fluid) /* a boundary particle finds its grain */
@@ -166,6 +165,7 @@ static const struct timer_stage stages[] = {
 const struct physics fluid_physics = {.name = "fluid",
                                       .interactions = 1,
                                       .interaction = {{.name = "fluid", .range = range}},
+                                      .range_of_self = true,
                                       .passes = sizeof passes / sizeof passes[0],
                                       .pass = passes,
                                       .stage = stages,

@@ -45,24 +45,12 @@ static void spread(const struct steady *steady, const double *x) {
 
 /* y = the operator's value, walls that move included. */
 static void apply(struct steady *steady, const double *x, double *y) {
-    const struct weights *weights = steady->flow->weights;
-    size_t n = steady->rows, dimension = (size_t)weights->dimension;
     double dx = steady->options.spacing;
-    spread(steady, x);
-    operators_divergence(weights, flow_predicted(steady->flow), y + dimension * n);
     struct operators_values pressure = flow_increment(steady->flow);
     pressure.open = dx / steady->options.viscosity;
-    operators_gradient(weights, pressure, steady->vector);
-    for (size_t row = 0; row < n; row++) {
-        for (size_t d = 0; d < dimension; d++)
-            y[d * n + row] = dx * steady->vector[row][d];
-        y[dimension * n + row] *= -dx;
-    }
-    operators_laplacian_velocity(weights, flow_predicted(steady->flow), steady->vector);
-#pragma omp parallel for schedule(static)
-    for (size_t row = 0; row < n; row++)
-        for (size_t d = 0; d < dimension; d++)
-            y[d * n + row] -= dx * dx * steady->vector[row][d];
+    spread(steady, x);
+    operators_stokes(steady->flow->weights, flow_predicted(steady->flow), pressure,
+                     &(struct operators_stokes){.gradient = dx, .viscous = dx * dx, .divergence = dx}, y);
 }
 
 static void multiply(void *context, const double *x, double *y) {
@@ -174,6 +162,7 @@ static bool make_systems(struct steady *steady, struct solve *solve, const struc
     double dx = steady->options.spacing;
     struct solve_options options = solve_options_regular("fluid_u_");
     options.preconditioner = steady->options.preconditioner;
+    options.given_up = true;
     bool good = assembly_make(&assembly, flow, error);
     steady->systems = flow->weights->slip > 0 ? flow->weights->dimension : 1;
     for (int s = 0; good && s < steady->systems; s++) {

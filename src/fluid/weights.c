@@ -2,6 +2,7 @@
 /* Rows of weights from rows of pairs: count, scan, fill. Read weights.h first. */
 #include "fluid/weights.h"
 #include "core/memory.h"
+#include "fluid/stencil.h"
 #include "fluid/mls.h"
 #include "particles/kinds.h"
 #include <string.h>
@@ -116,8 +117,8 @@ static bool row_fit(const struct build *build, size_t row, const struct tensors_
     struct mls_options options = {wanted, weights->dimension, build->options->kernel.support,
                                   kernel_value(&build->options->kernel, 0)};
     for (; options.order >= least; options.order--)
-        if (mls_weigh(&options, neighbour, count, weights->vector + first * (size_t)weights->dimension,
-                      weights->scalar + first))
+        if (mls_weigh(&options, neighbour, count, weights->vectors + first * (size_t)weights->dimension,
+                      weights->scalars + first))
             break;
     return options.order == wanted;
 }
@@ -137,8 +138,8 @@ static bool row_weigh(const struct build *build, size_t row, struct tensors_neig
         good = tensors_make(&tensors, neighbour, count, dimension);
     weights->condition[row] = tensors.condition;
     for (size_t e = 0; e < count; e++)
-        weights->scalar[first + e] = tensors_weigh(&tensors, &neighbour[e], dimension,
-                                                   weights->vector + (first + e) * (size_t)dimension);
+        weights->scalars[first + e] = tensors_weigh(&tensors, &neighbour[e], dimension,
+                                                    weights->vectors + (first + e) * (size_t)dimension);
     if (build->options->operators == WEIGHTS_MLS)
         good = row_fit(build, row, neighbour, count) && (good || build->options->order > 1);
     return !good;
@@ -160,15 +161,21 @@ static void reserve_entries(struct weights *weights) {
     if (entries > weights->entry_room) {
         size_t room = weights->entry_room = entries;
         weights->partner = memory_resize(weights->partner, room, sizeof *weights->partner, "weights");
-        weights->scalar = memory_resize(weights->scalar, room, sizeof *weights->scalar, "weights");
-        weights->vector = memory_resize(weights->vector, room * (size_t)weights->dimension,
-                                        sizeof *weights->vector, "weights");
     }
     if (walls > weights->wall_room) {
         weights->wall_room = walls;
         weights->mirror = memory_resize(weights->mirror, walls, sizeof *weights->mirror, "weights");
         weights->wall_foot = memory_resize(weights->wall_foot, walls, sizeof *weights->wall_foot, "weights");
     }
+}
+
+static void reserve_values(struct weights *weights, size_t room) {
+    if (room <= weights->value_room)
+        return;
+    weights->value_room = room;
+    weights->scalars = memory_resize(weights->scalars, room, sizeof *weights->scalars, "weights");
+    weights->vectors = memory_resize(weights->vectors, room * (size_t)weights->dimension,
+                                     sizeof *weights->vectors, "weights");
 }
 
 static size_t longest_row(const struct weights *weights) {
@@ -180,10 +187,66 @@ static size_t longest_row(const struct weights *weights) {
     return longest;
 }
 
+/* The codes of all entries; false if a row has other neighbours than the lattice. */
+static bool rows_encode(const struct build *build, const struct stencil *stencil) {
+    struct weights *weights = build->weights;
+    bool good = true;
+#pragma omp parallel reduction(&& : good)
+    {
+        struct tensors_neighbour *neighbour =
+            memory_allocate(stencil->count + 1, sizeof *neighbour, "weights of a row");
+#pragma omp for schedule(static)
+        for (size_t row = 0; row < weights->rows; row++) {
+            size_t first = weights->start[row], count = weights->start[row + 1] - first;
+            for (size_t e = 0; good && count == stencil->count && e < count; e++)
+                neighbour_of(build->input, build->options, weights->first + row, weights->partner[first + e],
+                             &neighbour[e]);
+            good = good && stencil_find(stencil, neighbour, count, weights->code + first);
+        }
+        memory_free(neighbour);
+    }
+    return good;
+}
+
+/* Weighs the first row alone, for all, if the particles lie on a lattice on which rows are alike; else false, and nothing
+ * is done. */
+static bool lattice_weigh(const struct build *build) {
+    struct weights *weights = build->weights;
+    size_t count = weights->rows > 0 ? weights->start[1] : 0;
+    memory_free(weights->code);
+    weights->code = NULL;
+    if (count == 0 || count > STENCIL_NEIGHBOURS_MAX || !(build->options->volume > 0) ||
+        build->options->moving)
+        return false;
+    struct tensors_neighbour neighbour[STENCIL_NEIGHBOURS_MAX];
+    struct stencil *stencil = memory_allocate(1, sizeof *stencil, "lattice of the weights");
+    for (size_t e = 0; e < count; e++)
+        neighbour_of(build->input, build->options, weights->first, weights->partner[e], &neighbour[e]);
+    weights->code = memory_allocate(weights->start[weights->rows], sizeof *weights->code, "weights");
+    if (!stencil_make(stencil, neighbour, count, build->options->kernel.support) ||
+        !rows_encode(build, stencil)) {
+        memory_free(weights->code);
+        weights->code = NULL;
+    }
+    memory_free(stencil);
+    if (weights->code == NULL)
+        return false;
+    reserve_values(weights, count);
+    bool poor = row_weigh(build, 0, neighbour);
+    for (size_t row = 1; row < weights->rows; row++)
+        weights->condition[row] = weights->condition[0];
+    weights->poor = poor ? weights->rows : 0;
+    weights->poor_first = poor ? 0 : SIZE_MAX;
+    return true;
+}
+
 void weights_weigh(struct weights *weights, const struct weights_input *input,
                    const struct weights_options *options) {
     const struct build build = {weights, input, options};
     size_t poor = 0, poor_first = SIZE_MAX, longest = longest_row(weights);
+    if (lattice_weigh(&build))
+        return;
+    reserve_values(weights, weights->start[weights->rows]);
 #pragma omp parallel reduction(+ : poor) reduction(min : poor_first)
     {
         struct tensors_neighbour *neighbour =
@@ -242,8 +305,9 @@ void weights_free(struct weights *weights) {
     memory_free(weights->start);
     memory_free(weights->wall_start);
     memory_free(weights->partner);
-    memory_free(weights->scalar);
-    memory_free(weights->vector);
+    memory_free(weights->scalars);
+    memory_free(weights->vectors);
+    memory_free(weights->code);
     memory_free(weights->mirror);
     memory_free(weights->wall_foot);
     memory_free(weights->image);
@@ -255,9 +319,10 @@ void weights_free(struct weights *weights) {
 }
 
 size_t weights_memory(const struct weights *weights) {
-    size_t entry = sizeof *weights->partner + sizeof *weights->scalar +
-                   (size_t)weights->dimension * sizeof *weights->vector;
+    size_t entry = sizeof *weights->partner + (weights->code ? sizeof *weights->code : 0),
+           value = sizeof *weights->scalars + (size_t)weights->dimension * sizeof *weights->vectors;
     return weights->row_room * (3 * sizeof(size_t) + 2 * sizeof(double)) + weights->entry_room * entry +
+           weights->value_room * value +
            weights->wall_room * (sizeof *weights->mirror + sizeof *weights->wall_foot) +
            weights->foot_room * sizeof *weights->foot;
 }

@@ -68,13 +68,16 @@ struct weights_image {
  * start[k + 1] - 1, the last walls(k) of which are wall neighbours; these have numbers of their own,
  * wall_start[k] ... wall_start[k + 1] - 1. All zero: empty. */
 struct weights {
-    int dimension;             /* 2 or 3 */
-    size_t first, rows;        /* the fluid particles of this rank */
-    size_t *start;             /* [rows + 1] */
-    size_t *wall_start;        /* [rows + 1] */
-    uint32_t *partner;         /* number and image code (pair_partner, pair_image), as in a pair list */
-    double *scalar;            /* w_ij, 1 / length^2 */
-    double *vector;            /* b_ij: `dimension` components an entry, 1 / length */
+    int dimension;      /* 2 or 3 */
+    size_t first, rows; /* the fluid particles of this rank */
+    size_t *start;      /* [rows + 1] */
+    size_t *wall_start; /* [rows + 1] */
+    uint32_t *partner;  /* number and image code (pair_partner, pair_image), as in a pair list */
+    /* The values w_ij, 1 / length^2, and b_ij, `dimension` components each, 1 / length: read by weights_scalar and
+     * weights_vector. On a lattice all rows share the values of one row (stencil.h), and each entry has the number
+     * of its own in `code`; else (NULL) value k is that of entry k. */
+    double *scalars, *vectors;
+    uint8_t *code;
     double *mirror;            /* by wall entry: beta_ij = d_j / d_i, not capped */
     uint32_t *wall_foot;       /* by wall entry: number of its foot */
     struct weights_foot *foot; /* by row, then by body */
@@ -87,8 +90,23 @@ struct weights {
     size_t poor;       /* rows without the operators asked for: singular tensors, or too few neighbours */
     size_t poor_first; /* the first of them (a row) */
     size_t behind;     /* rows whose particle lies behind the surface of a body (mirror.h) */
-    size_t row_room, entry_room, wall_room, foot_room;
+    size_t row_room, entry_room, value_room, wall_room, foot_room;
 };
+
+/* The place of the values of an entry. */
+static inline size_t weights_value(const struct weights *weights, size_t entry) {
+    return weights->code ? weights->code[entry] : entry;
+}
+
+/* w_ij of an entry, 1 / length^2. */
+static inline double weights_scalar(const struct weights *weights, size_t entry) {
+    return weights->scalars[weights_value(weights, entry)];
+}
+
+/* b_ij of an entry: `dimension` components, 1 / length. */
+static inline const double *weights_vector(const struct weights *weights, size_t entry) {
+    return weights->vectors + weights_value(weights, entry) * (size_t)weights->dimension;
+}
 
 /* First wall entry of a row among its entries. */
 static inline size_t weights_walls(const struct weights *weights, size_t row) {

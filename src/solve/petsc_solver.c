@@ -94,6 +94,20 @@ static bool choose_method(struct petsc_system *system, const struct solve_option
     return true;
 }
 
+/* hypre keeps a copy of a matrix of PETSc's form: the matrix becomes one of hypre's own. */
+static bool give_up(struct petsc_system *system, struct error *error) {
+    struct petsc_library *library = system->library;
+    PetscBool hypre = PETSC_FALSE;
+    PC pc;
+    CALL(KSPGetPC, system->solver, &pc);
+    CALL(PetscObjectTypeCompare, (PetscObject)pc, PCHYPRE, &hypre);
+    if (!hypre)
+        return true;
+    CALL(MatConvert, system->matrix, MATHYPRE, MAT_INPLACE_MATRIX, &system->matrix);
+    CALL(KSPSetOperators, system->solver, system->matrix, system->matrix);
+    return true;
+}
+
 bool petsc_solver_make(struct petsc_system *system, const struct solve_options *options,
                        struct error *error) {
     struct petsc_library *library = system->library;
@@ -104,7 +118,7 @@ bool petsc_solver_make(struct petsc_system *system, const struct solve_options *
         return false;
     if (!petsc_call(library, KSPSetFromOptions(system->solver), "KSPSetFromOptions", error))
         error->kind = ERROR_USER; /* a type or value that PETSc does not know */
-    return error->kind == ERROR_NONE;
+    return error->kind == ERROR_NONE && (!options->given_up || give_up(system, error));
 }
 
 bool petsc_solver_set_up(void *self, bool keep, struct error *error) {

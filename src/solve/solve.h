@@ -62,6 +62,8 @@ struct solve_options {
     /* A preconditioner serves the matrix for which it was made, and after new values so many times more; 0: none.
      * It is made again sooner if a solve took more than half as many iterations again as the first one with it. */
     int reuse;
+    /* The preconditioner takes the matrix over where it would keep a copy: solve_values must not follow. */
+    bool given_up;
 };
 
 /* The options of a system whose matrix is singular (pressure: FGMRES, BoomerAMG, pin 1e-9) and of one that is
