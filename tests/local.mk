@@ -258,6 +258,6 @@ check_PROGRAMS += tests/test_fluid_operators
 tests_test_fluid_operators_SOURCES = tests/test_fluid_operators.c
 tests_test_fluid_operators_LDADD = $(FLUID_LIBS) $(TEST_LIBS)
 
-check_PROGRAMS += tests/test_fluid_stencil
-tests_test_fluid_stencil_SOURCES = tests/test_fluid_stencil.c
-tests_test_fluid_stencil_LDADD = $(FLUID_LIBS) $(TEST_LIBS)
+check_PROGRAMS += tests/test_fluid_pattern
+tests_test_fluid_pattern_SOURCES = tests/test_fluid_pattern.c
+tests_test_fluid_pattern_LDADD = $(FLUID_LIBS) $(TEST_LIBS)

@@ -33,6 +33,7 @@ BEGIN { pi = atan2(0, -1); points = points ? points : 400; step = 0.05 }
 /^#/ { next }
 { n++; r = $1; x[n] = $2; y[n] = $3; z[n] = $4 }
 END {
+    if (!(r > 0)) exit 1
     points_make()
     d = 2 * r
     low = 1.5 * d

@@ -33,10 +33,10 @@ finest=$(echo "$finest" | awk '{ gsub(/ /, ""); n = $0 + 0; u = $0; sub(/^[-+.0-
     f = u == "um" ? 1e-6 : u == "mm" ? 1e-3 : u == "m" || u == "" ? 1 : 0; if (n * f <= 0) exit 1; printf "%.15g", n * f }') ||
     { echo "run.sh: --spacing wants a length, as in 60um" >&2; exit 2; }
 
-# Processor seconds of all that this script has started and waited for
+# core: the processor seconds of all that this script has started and waited for
 core_seconds() {
     times >"$out/times"
-    awk 'NR == 2 { for (k = 1; k <= 2; k++) { split($k, t, /[ms]/); sum += 60 * t[1] + t[2] } print sum }' "$out/times"
+    core=$(awk 'NR == 2 { for (k = 1; k <= 2; k++) { split($k, t, /[ms]/); sum += 60 * t[1] + t[2] } print sum }' "$out/times")
 }
 . "$here/pour.sh"
 . "$here/flow.sh"
@@ -49,5 +49,6 @@ cat "$out/packing.json"
 for cells in $(awk -v h="$finest" -v height="$height" 'BEGIN { for (k = 2; k >= 0; k--) printf "%d ", int(height / (h * 1.25 ^ k) + 0.5) }'); do
     flow "$cells"
 done
-cat "$out/packing.json" "$out/flows.jsonl" | awk -v seconds="$(core_seconds)" -f "$here/summary.awk" | tee "$out/summary.json"
+core_seconds
+cat "$out/packing.json" "$out/flows.jsonl" | awk -v seconds="$core" -f "$here/summary.awk" | tee "$out/summary.json"
 [ -z "${PICTURE:-}" ] || "$here/picture.sh" "$out"

@@ -57,6 +57,8 @@ libfluid_la_SOURCES = \
 	src/fluid/operators.h \
 	src/fluid/path.c \
 	src/fluid/path.h \
+	src/fluid/pattern.c \
+	src/fluid/pattern.h \
 	src/fluid/physics.c \
 	src/fluid/pressure.c \
 	src/fluid/pressure.h \
@@ -84,8 +86,6 @@ libfluid_la_SOURCES = \
 	src/fluid/state.h \
 	src/fluid/steady.c \
 	src/fluid/steady.h \
-	src/fluid/stencil.c \
-	src/fluid/stencil.h \
 	src/fluid/tensors.c \
 	src/fluid/tensors.h \
 	src/fluid/watch.c \

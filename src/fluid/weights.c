@@ -2,7 +2,7 @@
 /* Rows of weights from rows of pairs: count, scan, fill. Read weights.h first. */
 #include "fluid/weights.h"
 #include "core/memory.h"
-#include "fluid/stencil.h"
+#include "fluid/pattern.h"
 #include "fluid/mls.h"
 #include "particles/kinds.h"
 #include <string.h>
@@ -188,20 +188,20 @@ static size_t longest_row(const struct weights *weights) {
 }
 
 /* The codes of all entries; false if a row has other neighbours than the lattice. */
-static bool rows_encode(const struct build *build, const struct stencil *stencil) {
+static bool rows_encode(const struct build *build, const struct pattern *pattern) {
     struct weights *weights = build->weights;
     bool good = true;
 #pragma omp parallel reduction(&& : good)
     {
         struct tensors_neighbour *neighbour =
-            memory_allocate(stencil->count + 1, sizeof *neighbour, "weights of a row");
+            memory_allocate(pattern->count + 1, sizeof *neighbour, "weights of a row");
 #pragma omp for schedule(static)
         for (size_t row = 0; row < weights->rows; row++) {
             size_t first = weights->start[row], count = weights->start[row + 1] - first;
-            for (size_t e = 0; good && count == stencil->count && e < count; e++)
+            for (size_t e = 0; good && count == pattern->count && e < count; e++)
                 neighbour_of(build->input, build->options, weights->first + row, weights->partner[first + e],
                              &neighbour[e]);
-            good = good && stencil_find(stencil, neighbour, count, weights->code + first);
+            good = good && pattern_find(pattern, neighbour, count, weights->code + first);
         }
         memory_free(neighbour);
     }
@@ -215,20 +215,20 @@ static bool lattice_weigh(const struct build *build) {
     size_t count = weights->rows > 0 ? weights->start[1] : 0;
     memory_free(weights->code);
     weights->code = NULL;
-    if (count == 0 || count > STENCIL_NEIGHBOURS_MAX || !(build->options->volume > 0) ||
+    if (count == 0 || count > PATTERN_NEIGHBOURS_MAX || !(build->options->volume > 0) ||
         build->options->moving)
         return false;
-    struct tensors_neighbour neighbour[STENCIL_NEIGHBOURS_MAX];
-    struct stencil *stencil = memory_allocate(1, sizeof *stencil, "lattice of the weights");
+    struct tensors_neighbour neighbour[PATTERN_NEIGHBOURS_MAX];
+    struct pattern *pattern = memory_allocate(1, sizeof *pattern, "lattice of the weights");
     for (size_t e = 0; e < count; e++)
         neighbour_of(build->input, build->options, weights->first, weights->partner[e], &neighbour[e]);
     weights->code = memory_allocate(weights->start[weights->rows], sizeof *weights->code, "weights");
-    if (!stencil_make(stencil, neighbour, count, build->options->kernel.support) ||
-        !rows_encode(build, stencil)) {
+    if (!pattern_make(pattern, neighbour, count, build->options->kernel.support) ||
+        !rows_encode(build, pattern)) {
         memory_free(weights->code);
         weights->code = NULL;
     }
-    memory_free(stencil);
+    memory_free(pattern);
     if (weights->code == NULL)
         return false;
     reserve_values(weights, count);

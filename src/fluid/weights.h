@@ -74,7 +74,7 @@ struct weights {
     size_t *wall_start; /* [rows + 1] */
     uint32_t *partner;  /* number and image code (pair_partner, pair_image), as in a pair list */
     /* The values w_ij, 1 / length^2, and b_ij, `dimension` components each, 1 / length: read by weights_scalar and
-     * weights_vector. On a lattice all rows share the values of one row (stencil.h), and each entry has the number
+     * weights_vector. On a lattice all rows share the values of one row (pattern.h), and each entry has the number
      * of its own in `code`; else (NULL) value k is that of entry k. */
     double *scalars, *vectors;
     uint8_t *code;

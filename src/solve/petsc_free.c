@@ -28,15 +28,20 @@ static PetscErrorCode precondition(PC pc, Vec r, Vec z) {
     return 0;
 }
 
-/* PETSc's own test, and each so many iterations the question to the caller, with the solution as it is now. */
+/* PETSc's own test, and each so many iterations the question to the caller, with the solution as it is now. Where GMRES
+ * starts again PETSc tests an iteration twice; the caller, who may compare with the solution before, is asked once. */
 static PetscErrorCode decide(KSP solver, PetscInt iteration, PetscReal residual, KSPConvergedReason *reason,
                              void *context) {
     struct petsc_system *system = context;
     const PetscScalar *x;
     Vec solution;
     PetscCall(KSPConvergedDefault(solver, iteration, residual, reason, system->test));
-    if (*reason != KSP_CONVERGED_ITERATING || iteration == 0 || iteration % system->work.every != 0)
+    if (iteration == 0)
+        system->asked = 0;
+    if (*reason != KSP_CONVERGED_ITERATING || iteration == system->asked ||
+        iteration % system->work.every != 0)
         return 0;
+    system->asked = iteration;
     PetscCall(KSPBuildSolution(solver, NULL, &solution));
     PetscCall(VecGetArrayRead(solution, &x));
     if (system->work.enough(system->work.context, (int)iteration, x, residual))

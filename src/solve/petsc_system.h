@@ -21,6 +21,7 @@ struct petsc_system {
     struct petsc_library *library;
     struct solve_free work; /* of a system without a matrix, else empty */
     void *test;             /* of convergence, PETSc's */
+    PetscInt asked;         /* the last iteration at which the caller was asked */
     PetscInt count;
     double pin;
     Mat matrix;
