@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # From the particles of a flow to what is drawn: awk -v out= -v spacing=MICROMETRES -v column=MILLIMETRES -f picture.awk dump.lammpstrj
 # Velocities are over the superficial one, U; that is flow over density and cross-section of the column.
+/^ITEM: TIMESTEP/ { beads = mean = 0 }
 /^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; reading = 1; next }
 /^ITEM/ { reading = 0 }
 !reading || NF < 5 { next }
 $at["radius"] > 0.6e-6 * spacing { # a bead
-    force[++beads] = $at["drag_z"]
-    mean += $at["drag_z"]
+    force[++beads] = $at["dragz"]
+    mean += $at["dragz"]
     next
 }
 $at["vx"] == 0 && $at["vy"] == 0 && $at["vz"] == 0 { next }

@@ -7,13 +7,13 @@ set size 0.56,1; set origin 0,0
 set size ratio -1
 set xlabel "x, mm"; set ylabel "z, mm" offset 1
 set cblabel "speed / superficial velocity"
-set xrange [-4.5:4.5]; set yrange [0:12.8]
 set cbrange [0:8]
 set palette defined (0 "#0b1d51", 0.25 "#1f6fb4", 0.5 "#5fc3c0", 0.75 "#f5e06e", 1 "#d7301f")
-stats out."section.txt" using 2 nooutput
-set yrange [0:(STATS_max > 6 ? 12.8 : 3.2)]
+stats out."section.txt" using 1:2 nooutput
+set xrange [STATS_min_x - 0.05:STATS_max_x + 0.05]
+set yrange [STATS_min_y - 0.05:STATS_max_y + 0.05]
 set title "Section through the axis"
-plot out."section.txt" using 1:2:3 with points pt 5 ps spacing / 105.0 palette notitle
+plot out."section.txt" using 1:2:3 with points pt 5 ps spacing / 23.0 / (STATS_max_y > 6 ? 4 : 2) / 2.3 palette notitle
 set size noratio
 unset colorbox
 set size 0.44,0.34; set origin 0.56,0.66

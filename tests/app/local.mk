@@ -33,7 +33,7 @@ dist_check_SCRIPTS += \
 
 dist_check_SCRIPTS += tests/app/ranks.sh tests/app/shear.sh tests/app/stress.sh
 
-dist_check_SCRIPTS += tests/app/drum.sh tests/app/verify.sh
+dist_check_SCRIPTS += tests/app/drum.sh tests/app/pores.sh tests/app/verify.sh
 
 dist_check_SCRIPTS += tests/app/reproducible.sh
 
