@@ -56,8 +56,9 @@ static void carry_balance(struct fluxes *fluxes, const struct flow *flow) {
                        weights_scalar(weights, e) * (phi.value[pair_partner(weights->partner[e])] - own));
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++)
             if (weights_foot_of(weights, k)->open)
-                fluxes->carry[e] = 0.5 * (fluxes->carry[e] -
-                                          weights_scalar(weights, e) * operators_pressure_step(weights, k, phi, own));
+                fluxes->carry[e] =
+                    0.5 * (fluxes->carry[e] -
+                           weights_scalar(weights, e) * operators_pressure_step(weights, k, phi, own));
     }
 }
 
