@@ -13,7 +13,7 @@ stats out."section.txt" using 1:2 nooutput
 set xrange [STATS_min_x - 0.05:STATS_max_x + 0.05]
 set yrange [STATS_min_y - 0.05:STATS_max_y + 0.05]
 set title "Section through the axis"
-plot out."section.txt" using 1:2:3 with points pt 5 ps spacing / 23.0 / (STATS_max_y > 6 ? 4 : 2) / 2.3 palette notitle
+plot out."section.txt" using 1:2:3 with points pt 5 ps spacing / 23.0 / (STATS_max_y > 6 ? 4 : 2) / 1.3 palette notitle
 set size noratio
 unset colorbox
 set size 0.44,0.34; set origin 0.56,0.66
