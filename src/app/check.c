@@ -2,6 +2,8 @@
 /* `scree check`: prints the parts that a scene needs, and the reasons. */
 #include "app/check.h"
 #include "app/cost.h"
+#include "app/layout.h"
+#include "files/lines.h"
 #include "engine/tune.h"
 #include "engine/step.h"
 #include "engine/notes.h"
@@ -16,7 +18,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { WHY_MAX = 256 };
+enum { WHY_MAX = 256, LAYOUT_MOST = 1000000 };
 
 /* Adds a word to a list. */
 static void add(char *list, size_t room, const char *word) {
@@ -382,8 +384,33 @@ static bool outputs_suit(const struct simulation *s, struct error *error) {
     return outputs_create(&outputs, s, &run, error) && outputs_close(&outputs, s->comm, error);
 }
 
+/* Reads a flag with a number of ranks or threads; 0: not given. */
+static bool number_read(const char *flag, const char *text, int64_t *number, struct error *error) {
+    *number = 0;
+    if (text == NULL || (lines_integer(text, number) && *number >= 1 && *number <= LAYOUT_MOST))
+        return true;
+    return error_set(error, ERROR_USER, "command line: --%s %s: must be a number from 1 to %d", flag, text,
+                     LAYOUT_MOST);
+}
+
+/* Reads the layout that --ranks and --threads ask about; no ranks: none is asked for. */
+static bool layout_read(const struct comm *comm, const struct command_line *line, int64_t *ranks,
+                        int64_t *threads, struct error *error) {
+    const char *wanted = line->list[ABLATE_THREADS];
+    if (!number_read("ranks", line->ranks, ranks, error) || !number_read("threads", wanted, threads, error))
+        return false;
+    if (wanted && !line->ranks)
+        return error_set(error, ERROR_USER, "command line: --threads goes with --ranks N");
+    return !line->ranks || comm->size == 1 ||
+           error_set(error, ERROR_USER, "command line: --ranks is for one rank; check was started on %d",
+                     comm->size);
+}
+
 int command_check(const struct comm *comm, const struct command_line *line, struct error *error) {
     int status = 0;
+    int64_t ranks, threads;
+    if (!layout_read(comm, line, &ranks, &threads, error))
+        return error->kind;
     struct scene *scene = command_scene(comm, line, NULL, 0, error);
     if (scene == NULL)
         return error->kind;
@@ -394,6 +421,8 @@ int command_check(const struct comm *comm, const struct command_line *line, stru
         if (comm->rank == 0)
             print_all(s, notes);
         physics_print(&s->physics, stdout);
+        if (ranks)
+            layout_print(s, (int)ranks, threads ? (int)threads : s->threads, error);
         cost_print(s);
         if (comm->rank == 0)
             print_notes(notes);

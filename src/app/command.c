@@ -3,6 +3,7 @@
 #include "app/command.h"
 #include "app/ablate.h"
 #include "app/check.h"
+#include "app/lookup.h"
 #include "app/pack.h"
 #include "formats/checkpoint.h"
 #include "engine/run.h"
@@ -20,8 +21,8 @@ static int run_convert(const struct comm *comm, const struct command_line *line,
 static const struct command commands[] = {
     {"run", "SCENE.yaml -o DIR", "runs a scene", 1, 1, "output set petsc resume overwrite quiet", run_run},
     {"check", "SCENE.yaml",
-     "validates a scene and prints what it needs and what a run will cost; writes nothing", 1, 1, "set",
-     command_check},
+     "validates a scene and prints what it needs and what a run will cost; writes nothing", 1, 1,
+     "set ranks threads", command_check},
     {"ablate", "SCENE.yaml -o DIR",
      "runs a scene over all indexes, threads and newton settings, a table of times; with --error over all "
      "that "
@@ -30,8 +31,9 @@ static const struct command commands[] = {
      "output set overwrite index threads newton steps error duration samples repeat members tolerance judge "
      "mean-from",
      command_ablate},
-    {"info", "FILE", "tells what is in a trajectory, checkpoint, LAMMPS data file or dump", 1, 1, "",
-     run_info},
+    {"info", "FILE",
+     "tells what is in a trajectory, checkpoint, LAMMPS data file or dump; or one value of a report or table",
+     1, 1, "get column row", run_info},
     {"convert", "IN OUT", "converts LAMMPS data, dumps and H5MD into each other; checkpoints, too", 2, 2,
      "to frame overwrite", run_convert},
     {"pack", "LAW FILE... [KEY=VALUE...]",
@@ -130,6 +132,19 @@ static bool one_rank(const struct comm *comm, const char *what, struct error *er
         error_set(error, ERROR_USER, "command line: scree %s runs on one rank; it was started on %d", what,
                   comm->size);
     return comm->size == 1;
+}
+
+int command_lookup(const struct command_line *line, struct error *error) {
+    if (line->row && !line->column)
+        error_set(error, ERROR_USER, "command line: --row goes with --column NAME");
+    else if (line->get && line->column)
+        error_set(error, ERROR_USER,
+                  "command line: --get reads a report, and --column a table: give one of them");
+    else if (line->get)
+        lookup_key(line->file[0], line->get, stdout, error);
+    else
+        lookup_column(line->file[0], line->column, line->row, stdout, error);
+    return error->kind;
 }
 
 static int run_info(const struct comm *comm, const struct command_line *line, struct error *error) {

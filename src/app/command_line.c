@@ -6,12 +6,6 @@
 #include "scene/scene_text.h"
 #include <string.h>
 
-struct flag {
-    const char *name; /* as in --name */
-    const char *argument, *help;
-    const char *only; /* the commands that this row is for; NULL: all that take the flag */
-};
-
 static const struct flag flags[] = {
     {"output", "DIR",
      "directory for the files of the run (also -o), made with its parents; with files in it: refused without "
@@ -41,8 +35,22 @@ static const struct flag flags[] = {
      NULL},
     {"to", "FORMAT", "lammps-data, lammps-dump, h5md or xdmf; else by the output's name", NULL},
     {"frame", "N", "one frame only, from 0, negative from the end", NULL},
+    {"get", "KEY",
+     "prints one value of report.json and nothing else: --get pairs, --get stages.contact.seconds; FILE may "
+     "be the "
+     "folder of the run",
+     NULL},
+    {"column", "NAME",
+     "prints one column of observables.csv or another table with commas, a line a row; FILE may be the "
+     "folder of the "
+     "run",
+     NULL},
+    {"row", "ROW", "with --column: first, last, or a number from 0, negative from the end; default: all rows",
+     NULL},
     {"index", "A,B,...", "the indexes to compare; default: all", NULL},
-    {"threads", "1,2,...", "the thread counts to compare; default: powers of two up to all cores", NULL},
+    {"ranks", "N", "tells what a layout of N ranks would need", NULL},
+    {"threads", "M", "with --ranks: threads of each rank; default: those of the scene", "check"},
+    {"threads", "1,2,...", "the thread counts to compare; default: powers of two up to all cores", "ablate"},
     {"newton", "on,off", "the newton settings to compare; default: both", NULL},
     {"steps", "N", "steps of each run; default: those of the scene", NULL},
     {"error", NULL,
@@ -83,6 +91,13 @@ static bool flag_fits(const struct flag *flag, const struct command *command) {
            (flag->only == NULL || word_in(flag->only, command->name, strlen(command->name)));
 }
 
+const struct flag *command_line_flag(const struct command *command, int k) {
+    for (int f = 0; f < FLAGS; f++)
+        if (flag_fits(&flags[f], command) && k-- == 0)
+            return &flags[f];
+    return NULL;
+}
+
 void command_line_flags(FILE *out, const struct command *command) {
     for (int f = 0; f < FLAGS; f++) {
         if (!flag_fits(&flags[f], command))
@@ -118,8 +133,9 @@ static bool flag_store(struct command_line *line, const char *name, const char *
     const struct {
         const char *name;
         const char **to;
-    } texts[] = {
-        {"output", &line->directory}, {"resume", &line->resume}, {"to", &line->to}, {"frame", &line->frame}};
+    } texts[] = {{"output", &line->directory}, {"resume", &line->resume}, {"to", &line->to},
+                 {"frame", &line->frame},      {"ranks", &line->ranks},   {"get", &line->get},
+                 {"column", &line->column},    {"row", &line->row}};
     for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++)
         if (strcmp(texts[k].name, name) == 0 && *texts[k].to)
             return error_set(error, ERROR_USER, "command line: --%s is given twice: %s and %s", name,

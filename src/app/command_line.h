@@ -37,6 +37,9 @@ struct command_line {
     const char *resume;             /* --resume */
     const char *to;                 /* --to */
     const char *frame;              /* --frame */
+    const char *get;                /* --get */
+    const char *column, *row;       /* --column, --row */
+    const char *ranks;              /* --ranks */
     char petsc[COMMAND_PETSC_MAX];  /* --petsc, as a setting */
     const char *list[ABLATE_FLAGS]; /* of ablate */
     bool overwrite, quiet;
@@ -54,6 +57,16 @@ struct command {
 /* Reads the arguments after the command's name. */
 bool command_line_read(struct command_line *line, const struct command *command, int argc, char **argv,
                        struct error *error);
+
+/* A flag as a command has it. */
+struct flag {
+    const char *name; /* as in --name */
+    const char *argument, *help;
+    const char *only; /* the commands that this row is for; NULL: all that take the flag */
+};
+
+/* Flag `k` of a command, NULL behind the last. */
+const struct flag *command_line_flag(const struct command *command, int k);
 
 /* Prints the flags of a command, each with its help. */
 void command_line_flags(FILE *out, const struct command *command);

@@ -15,6 +15,12 @@ libapp_la_SOURCES = \
 	src/app/command.h \
 	src/app/command_line.c \
 	src/app/command_line.h \
+	src/app/layout.c \
+	src/app/layout.h \
+	src/app/lookup.c \
+	src/app/lookup.h \
+	src/app/manual.c \
+	src/app/manual.h \
 	src/app/pack.c \
 	src/app/pack.h \
 	src/app/program.c \

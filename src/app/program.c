@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The program from its arguments to its exit status: help and version, MPI, the command, its error. */
 #include "app/command.h"
+#include "app/manual.h"
 #include "core/version.h"
 #include "formats/output.h"
 #include "scene/schema_help.h"
@@ -11,6 +12,14 @@
 #include <string.h>
 
 static int show_help(int argc, char **argv) {
+    if (argc == 3 && strcmp(argv[2], "--man") == 0) {
+        manual_page(stdout);
+        return 0;
+    }
+    if (argc == 3 && strcmp(argv[2], "--bash") == 0) {
+        manual_bash(stdout);
+        return 0;
+    }
     const struct command *command = argc > 2 ? command_find(argv[2]) : NULL;
     if (command && argc > 3) {
         bool known = command_usage(stdout, command, argv[3]);
@@ -71,6 +80,30 @@ static int run_command(const struct comm *comm, int argc, char **argv, struct er
     return command->run(comm, &line, error);
 }
 
+/* Prints an error, each of its lines after the name of the program. */
+static void print_error(const struct error *error) {
+    for (const char *line = error->text; line;) {
+        size_t length = strcspn(line, "\n");
+        fprintf(stderr, "scree: %.*s\n", (int)length, line);
+        line = line[length] ? line + length + 1 : NULL;
+    }
+}
+
+/* Answers `scree info FILE --get ...`, for scripts: without MPI, which takes longer than the answer. Returns -1 for
+ * other command lines. */
+static int answer_shortly(int argc, char **argv) {
+    static struct command_line line; /* large; read once */
+    struct error error = {0};
+    if (argc < 3 || strcmp(argv[1], "info") != 0 ||
+        !command_line_read(&line, command_find("info"), argc - 2, argv + 2, &error) ||
+        !(line.get || line.column || line.row))
+        return -1;
+    int status = command_lookup(&line, &error);
+    if (error.kind != ERROR_NONE)
+        print_error(&error);
+    return status;
+}
+
 /* Checks standard output at the end: a failed write must not end in success. */
 static int answer_end(int status) {
     bool lost = ferror(stdout) != 0;
@@ -82,19 +115,12 @@ static int answer_end(int status) {
     return status != 0 ? status : ERROR_SYSTEM;
 }
 
-/* Prints an error, each of its lines after the name of the program. */
-static void print_error(const struct error *error) {
-    for (const char *line = error->text; line;) {
-        size_t length = strcspn(line, "\n");
-        fprintf(stderr, "scree: %.*s\n", (int)length, line);
-        line = line[length] ? line + length + 1 : NULL;
-    }
-}
-
 int scree_main(int argc, char **argv) {
     struct comm comm;
     struct error error = {0};
     int status = answer_plainly(argc, argv);
+    if (status < 0)
+        status = answer_shortly(argc, argv);
     if (status >= 0)
         return answer_end(status);
     comm_start(&comm, &argc, &argv);

@@ -63,8 +63,7 @@ static size_t density_bin(const struct box *box, int d, double x) {
     return (size_t)fmin(fmax(at * DOMAIN_DENSITY_BINS, 0), DOMAIN_DENSITY_BINS - 1);
 }
 
-/* The map of the particles of all ranks; memory_free. */
-static double *density_map(const struct simulation *s) {
+double *load_map(const struct simulation *s) {
     enum { BINS = DOMAIN_DENSITY_BINS };
     double *density = memory_allocate_zero((size_t)BINS * BINS * BINS, sizeof *density, "map of particles");
     for (size_t k = 0; k < s->particles->owned; k++) {
@@ -94,7 +93,7 @@ void load_lay(struct simulation *s, const int resumed[3]) {
     if (grid_serves(s, resumed)) {
         memcpy(grid, resumed, sizeof grid);
     } else {
-        double *density = density_map(s);
+        double *density = load_map(s);
         domain_grid_choose(s->comm->size, &s->box, s->scene->domain.grid, density, grid);
         memory_free(density);
     }

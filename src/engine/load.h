@@ -10,6 +10,9 @@
  * bisection. Collective. */
 void load_lay(struct simulation *simulation, const int resumed[3]);
 
+/* The map of the particles of all ranks for domain_grid_choose; memory_free. Collective. */
+double *load_map(const struct simulation *simulation);
+
 /* Divides the box by the numbers of particles, once, before the first migration. Does nothing for bricks.
  * Collective. */
 void load_begin(struct simulation *simulation);
