@@ -38,9 +38,9 @@ on_ranks() {
     fi
 }
 
-# report_number DIR KEY: the first number of that name in the report of a run
+# report_number DIR KEY: a value of the report of a run
 report_number() {
-    sed -n 's/^ *"'"$2"'": \([-0-9.e+]*\),*$/\1/p' "$1/report.json" | head -n 1
+    "$SCREE" info "$1" --get "$2"
 }
 
 # median COLUMN FILE

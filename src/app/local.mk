@@ -40,3 +40,14 @@ libapp_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 bin_PROGRAMS += scree
 scree_SOURCES = src/app/main.c
 scree_LDADD = $(APP_LIBS)
+
+# The manual page and the completion of bash, which the program writes from its tables
+nodist_man_MANS = scree.1
+completionsdir = $(datadir)/bash-completion/completions
+nodist_completions_DATA = completions/scree
+CLEANFILES += scree.1 completions/scree
+scree.1: scree$(EXEEXT)
+	$(AM_V_GEN)./scree$(EXEEXT) help --man >$@.new && mv $@.new $@
+completions/scree: scree$(EXEEXT)
+	@$(MKDIR_P) completions
+	$(AM_V_GEN)./scree$(EXEEXT) help --bash >$@.new && mv $@.new $@

@@ -59,9 +59,14 @@ indexes() {
     "$scree" help index.name | sed -n 's/,//g; s/^ *one of \(.*\); default .*/\1/p'
 }
 
-# number FILE KEY: a number of a report.json
+# number FILE KEY: a value of a report.json
 number() {
-    sed -n 's/^ *"'"$2"'": \([-0-9.e+]*\),*$/\1/p' "$1" | head -n 1
+    "$scree" info "$1" --get "$2"
+}
+
+# last_of FILE COLUMN: the value of a column of a table, with its unit or without, in the last row
+last_of() {
+    "$scree" info "$1" --column "$2" --row last
 }
 
 # within A B BOUND: |A - B| <= BOUND, all of them numbers

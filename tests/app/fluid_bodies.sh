@@ -41,7 +41,7 @@ fi
 
 # value DIR COLUMN: the last value of a column, named without its unit
 value() {
-    awk -F , -v name="$2" 'NR == 1 { for (k = 1; k <= NF; k++) { sub(/\[.*/, "", $k); if ($k == name) c = k }; if (!c) print "no column " name; next } { last = $c } END { print last }' "$1/observables.csv"
+    last_of "$1" "$2"
 }
 run() { # RANKS SCENE SETTING...
     local ranks=$1 scene=$2

@@ -111,4 +111,66 @@ check 'no output but the end' repeats 0 1 --set 'observables=~'
 still() { "$scree" run scene.yaml -o still --quiet --set step.count=1 --set 'observables=~' >said 2>told && [ ! -s told ]; }
 check 'no notes where it is to be quiet' still
 
+echo '== single values'
+run_scene 1 scene.yaml short --set step.count=3 --set observables='{every: 1, list: [energy_kinetic, momentum]}'
+gets() { [ "$("$scree" info short --get "$1")" = "$2" ] && [ "$("$scree" info short/report.json --get "$1")" = "$2" ]; }
+check 'a key of the report' gets last_step 3
+check 'a text of the report' gets index.name "$(sed -n 's/.*"index": {"name": "\([a-z]*\)".*/\1/p' short/report.json)"
+stage() { "$scree" info short --get stages.contact.calls | grep -qx 3; }
+check 'a key of a stage' stage
+rows() { # ROW LINE: the values of the columns in that line of the file
+    [ "$("$scree" info short --column energy_kinetic --row "$1"),$("$scree" info short/observables.csv --column 'momentum_z[kg m/s]' --row "$1" 2>/dev/null || "$scree" info short --column momentum_z --row "$1")" = \
+        "$(sed -n "$2"p short/observables.csv | awk -F , '{ print $2 "," $5 }')" ]
+}
+check 'the last row of a column' rows last 5
+check 'the first row of a column' rows first 2
+check 'row 1, and row -2' eval 'rows 1 3 && rows -2 4'
+check 'a whole column' eval '[ "$("$scree" info short --column energy_kinetic)" = "$(awk -F , "NR > 1 { print \$2 }" short/observables.csv)" ]'
+refuses() { # WORDS ARGUMENT...: with status 2, and nothing on standard output
+    local words=$1
+    shift
+    "$scree" info "$@" >answer 2>said
+    [ $? = 2 ] && [ ! -s answer ] && [ "$(wc -l <said)" = 1 ] && holds said "$words"
+}
+check 'an unknown key' refuses 'at the top are' short --get colour
+check 'a key in several places' refuses 'stands in several places: stages.' short --get calls
+check 'a section' refuses 'is no single value; it has' short --get stages.contact
+check 'an unknown column' refuses 'there are time' short --column colour
+check 'a row that is not there' refuses 'there is no such row; there are 4' short --column energy_kinetic --row 4
+check 'a row that is no number' refuses 'must be first, last' short --column energy_kinetic --row next
+check 'a table for a report' refuses 'reads report.json' short/observables.csv --get pairs
+
+echo '== manual page and completion'
+described() { # every flag of every command stands in both
+    "$scree" help --man | sed 's/\\-/-/g' >page && "$scree" help --bash >completion && bash -n completion || return 1
+    for command in run check ablate info convert pack; do
+        "$scree" help "$command" | sed -n 's/^  \(--[a-z-]*\).*/\1/p' >flags
+        [ -s flags ] && holds page ".SS scree $command" || return 1
+        while read -r flag; do
+            holds page "$flag" && holds completion "$flag" || return 1
+        done <flags
+    done
+}
+check 'they have all flags' described
+completes() { # WORDS ANSWER
+    local answer
+    answer=$(bash -c 'source ./completion; COMP_WORDS=('"$1"'); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _scree; echo "${COMPREPLY[*]}"')
+    [ "$answer" = "$2" ] || { echo "  $answer"; return 1; }
+}
+check 'a command is completed' completes 'scree ab' ablate
+check 'a flag is completed' completes 'scree check --ra' --ranks
+
+echo '== a layout'
+foretold() { # copies of two ranks, foretold by one, are those of a run
+    "$scree" check scene.yaml --ranks 2 --threads 3 --set step.count=1 >said && holds said 'on 2 ranks of 3 threads (6 cores)' || return 1
+    run_scene 2 scene.yaml two --set step.count=1 --set output.checkpoint.at_end=false || return 1
+    sed -n 's/.*"particles": \([0-9]*\), "ghosts": \([0-9]*\), .*/\1 \2/p' two/report.json | sort -n >held
+    [ "$(wc -l <held)" = 2 ] && holds said "particles of a rank     $(sed -n '1s/ .*//p' held) to $(sed -n '2s/ .*//p' held)," &&
+        holds said "copies of a rank        $(sort -n -k 2 held | sed -n '1s/.* //p') to $(sort -n -k 2 held | sed -n '2s/.* //p'),"
+}
+check 'particles and copies of two ranks' foretold
+refused() { "$scree" check scene.yaml "$@" >/dev/null 2>said; [ $? = 2 ]; }
+check 'no ranks' refused --ranks 0
+check 'threads without ranks' refused --threads 2
+
 finish
