@@ -209,6 +209,7 @@ static void batch_fill(struct force_batch *b, const struct law *law, struct rand
     for (int k = 0; k < FORCE_BATCH; k++) {
         struct law_general in = random_contact(law, r);
         force_set_coefficients(b, k, &in.contact.coefficients);
+        force_set_sticky(b, k, &law->sticky[0][1]);
         b->overlap[k] = in.contact.overlap;
         b->mass[k] = in.contact.mass;
         b->extra[k] = in.extra;
@@ -230,14 +231,19 @@ static void test_rub(void **state) {
     (void)state;
     struct random_sequence r = random_sequence(3, RANDOM_TEST, 0);
     struct law_options o = law_options_default();
-    static struct force_batch plain, fast;
-    int tried = 0;
+    static struct force_batch plain;
+    static struct force_thread thread;
+    const struct force_batch *fast = &thread.batch;
+    int tried = 0, vectorised = 0, levels = 0;
+    for (int level = 0; level < 3; level++)
+        levels += force_kernel_find(walk_level_name(level)) != NULL;
     for (o.normal = (enum law_normal)0, o.cohesion = LAW_COHESION_NONE; next_cohesion(&o);)
         for (int kind = 0; kind < 6; kind++) {
             o.tangential = kind < 2 ? LAW_TANGENTIAL_NONE : LAW_TANGENTIAL_HISTORY;
             o.rolling = kind < 4 ? LAW_ROLLING_NONE : LAW_ROLLING_SPRING;
             o.synchronised = kind % 2;
             o.end = kind % 3 ? LAW_END_FORCE : LAW_END_OVERLAP;
+            o.damping = (enum law_damping)(kind % LAW_DAMPING_TSUJI);
             struct law law = law_of(o, sticky);
             if (!law_general_rubs(&law))
                 continue;
@@ -247,21 +253,24 @@ static void test_rub(void **state) {
                 if (kernel == NULL)
                     continue;
                 batch_fill(&plain, &law, &r);
-                fast = plain;
+                thread =
+                    (struct force_thread){.batch = plain, .kernel = kernel, .grip = kernel->grip_find(&o)};
+                vectorised += thread.grip != NULL;
                 force_general_respond(&law, step, &plain, FORCE_BATCH);
-                force_general_rub(&law, step, &fast, FORCE_BATCH, kernel);
+                force_general_rub(&law, step, &thread);
                 int sums = law.spin ? o.rolling ? 9 : 6 : 3;
                 for (int k = 0; k < FORCE_BATCH; k++) {
-                    assert_true(plain.active[k] == fast.active[k]);
+                    assert_true(plain.active[k] == fast->active[k]);
                     for (int c = 0; c < sums; c++)
-                        assert_true(plain.walk.out[c][k] == fast.walk.out[c][k]);
+                        assert_true(plain.walk.out[c][k] == fast->walk.out[c][k]);
                     for (int c = 0; c < law.history_components; c++)
-                        assert_true(plain.walk.history[c][k] == fast.walk.history[c][k]);
+                        assert_true(plain.walk.history[c][k] == fast->walk.history[c][k]);
                 }
                 tried++;
             }
         }
     assert_true(tried > 200);
+    assert_true(vectorised >= levels * 6 * 12); /* kinds, and laws with a cohesion that have a loop */
 }
 
 /* A contact that sticks holds up to the static limit; once it slides, the kinetic one counts until the force

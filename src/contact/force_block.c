@@ -2,6 +2,7 @@
 /* A batch of contacts through the law: coefficients, geometry, the law, sums (force_kernel.h). Compiled once
  * for each instruction set, under the name that FORCE_KERNEL gives. Read pairs/walk.h first. */
 #include "contact/force_account.h"
+#include "contact/force_grip.h"
 #include "contact/force_kernel.h"
 #include "contact/force_physics.h"
 #include "contact/law_general.h"
@@ -15,10 +16,22 @@ static inline void force_mix(const struct law *law, const uint8_t *material, str
             b, k, &law->pair[material_of(material, b->walk.i[k])][material_of(material, b->walk.j[k])]);
 }
 
-/* The same coefficients for all contacts of a batch. */
-static void force_mix_one(struct force_batch *b, const struct law_coefficients *c) {
+/* What contact k of a law with parts takes of the materials p and q. */
+static inline void force_set_parts(const struct law *law, struct force_batch *b, int k, int p, int q) {
+    force_set_coefficients(b, k, &law->pair[p][q]);
+    force_set_sticky(b, k, &law->sticky[p][q]);
+    b->extra[k] = &law->extra[p][q];
+}
+
+static void force_mix_parts(const struct law *law, const uint8_t *material, struct force_batch *b) {
+    for (int k = 0; k < b->walk.padded; k++)
+        force_set_parts(law, b, k, material_of(material, b->walk.i[k]), material_of(material, b->walk.j[k]));
+}
+
+/* The same coefficients for all contacts of all batches. */
+static void force_mix_one(const struct law *law, struct force_batch *b) {
     for (int k = 0; k < FORCE_BATCH; k++)
-        force_set_coefficients(b, k, c);
+        force_set_parts(law, b, k, 0, 0);
 }
 
 /* The springs of a law of the user's: its loop over the batch. */
@@ -52,12 +65,13 @@ static void force_begin(struct force_thread *thread, const struct force_context 
     thread->kernel = &FORCE_KERNEL;
     thread->rubs = !context->want_sums && law_general_rubs(context->law);
     thread->material = material_numbers(context->particles);
+    thread->grip = thread->rubs ? force_grip_find(options) : NULL;
     thread->measure = force_measure_find(options);
+    if (context->law->uniform)
+        force_mix_one(context->law, &thread->batch);
     if (context->law->general)
         return;
     thread->respond = force_respond_find(options, context->want_sums);
-    if (context->law->uniform)
-        force_mix_one(&thread->batch, &context->law->pair[0][0]);
     for (int k = 0; options->user && k < FORCE_BATCH; k++)
         force_parameters(options->user, &thread->batch, k, &context->law->extra[0][0]);
 }
@@ -110,5 +124,12 @@ static void force_rub_batch(const struct law_options *options, struct force_batc
     force_rub_find(options)(batch, step);
 }
 
-const struct force_kernel FORCE_KERNEL = {FORCE_KERNEL_NAME, force_begin,     force_compute, force_note,
-                                          force_add,         force_rub_batch, force_answer};
+const struct force_kernel FORCE_KERNEL = {.name = FORCE_KERNEL_NAME,
+                                          .begin = force_begin,
+                                          .compute = force_compute,
+                                          .note = force_note,
+                                          .account = force_add,
+                                          .mix = force_mix_parts,
+                                          .grip_find = force_grip_find,
+                                          .rub = force_rub_batch,
+                                          .respond = force_answer};

@@ -2,7 +2,6 @@
 /* A batch of contacts of a law with parts. Read force_general.h first. */
 #include "contact/force_general.h"
 #include "contact/law_general.h"
-#include "contact/material.h"
 #include <string.h>
 
 _Static_assert((int)LAW_MEMORY_MAX <= (int)HISTORY_COMPONENTS_MAX, "a law remembers more than history holds");
@@ -57,14 +56,13 @@ void force_general_respond(const struct law *law, struct law_step step, struct f
     }
 }
 
-void force_general_rub(const struct law *law, struct law_step step, struct force_batch *b, int count,
-                       const struct force_kernel *kernel) {
+/* The normal direction of a law that rubs, one contact after another. */
+static void grip_each(const struct law *law, struct law_step step, struct force_batch *b, int count) {
     struct law_general in = {0};
-    step.energies = false;
     for (int k = 0; k < count; k++) {
         struct law_push push;
         contact_take(law, b, k, &in);
-        b->active[k] = law_general_push(law, step, &in, &push);
+        b->springs[5][k] = law_general_push(law, step, &in, &push) ? 1.0 : 0.0;
         b->effective[k] = in.contact.radius;
         b->springs[0][k] = push.force;
         b->springs[1][k] = push.base;
@@ -74,7 +72,18 @@ void force_general_rub(const struct law *law, struct law_step step, struct force
         for (int c = law->history_odd; c < law->history_components; c++)
             b->walk.history[c][k] = in.value[c];
     }
-    kernel->rub(&law->options, b, step);
+}
+
+void force_general_rub(const struct law *law, struct law_step step, struct force_thread *thread) {
+    struct force_batch *b = &thread->batch;
+    step.energies = false;
+    if (thread->grip)
+        thread->grip(law, b);
+    else
+        grip_each(law, step, b, b->walk.padded);
+    for (int k = 0; k < b->walk.padded; k++)
+        b->active[k] = b->springs[5][k] > 0.0;
+    thread->kernel->rub(&law->options, b, step);
 }
 
 /* LAMMPS's slip of pair_style granular: the radii are the levers. */
@@ -91,17 +100,14 @@ void force_general_compute(const struct walk_task *task, struct walk_batch *batc
     struct force_thread *thread = (struct force_thread *)batch;
     struct force_batch *b = &thread->batch;
     thread->measure(b, thread->step);
-    for (int k = 0; k < batch->padded; k++) {
-        int p = material_of(thread->material, batch->i[k]), q = material_of(thread->material, batch->j[k]);
-        force_set_coefficients(b, k, &law->pair[p][q]);
-        b->extra[k] = &law->extra[p][q];
-        if (law->options.lammps_granular && law->spin)
-            slip_lammps(b, k);
-    }
+    if (!law->uniform)
+        thread->kernel->mix(law, thread->material, b);
+    for (int k = 0; law->options.lammps_granular && law->spin && k < batch->padded; k++)
+        slip_lammps(b, k);
     struct law_step step = law_general_step(&law->options, context->dt);
     step.energies = thread->energies;
     if (thread->rubs)
-        force_general_rub(law, step, b, batch->padded, thread->kernel);
+        force_general_rub(law, step, thread);
     else
         force_general_respond(law, step, b, batch->padded);
 }

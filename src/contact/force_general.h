@@ -10,10 +10,9 @@
  * history are filled in: fills out, history, energy and `active`. */
 void force_general_respond(const struct law *law, struct law_step step, struct force_batch *batch, int count);
 
-/* The same for a law that rubs, where no energies are asked for: the normal direction one contact after another, the rest
- * in a vectorised loop. The same bits. */
-void force_general_rub(const struct law *law, struct law_step step, struct force_batch *batch, int count,
-                       const struct force_kernel *kernel);
+/* The same for the pairs of a law that rubs, where no energies are asked for: the normal direction by thread->grip or one contact
+ * after another, the rest in a vectorised loop. The same bits. */
+void force_general_rub(const struct law *law, struct law_step step, struct force_thread *thread);
 
 /* `compute` and `note` of the client for a law with parts. */
 void force_general_compute(const struct walk_task *task, struct walk_batch *batch);

@@ -17,8 +17,9 @@
 #include "contact/force.h"
 #include "contact/law_kernel.h"
 #include "pairs/walk.h"
+#include <string.h>
 
-enum { FORCE_BATCH = WALK_BATCH, FORCE_LANES = WALK_LANES };
+enum { FORCE_BATCH = WALK_BATCH, FORCE_LANES = WALK_LANES, FORCE_STICKY = 13 };
 
 /* Places of the law's results in `out` of the walk's batch: components x y z each. */
 enum { FORCE_OUT = 0, FORCE_MOMENT = 3, FORCE_ROLLING = 6 };
@@ -38,8 +39,9 @@ struct force_batch {
     double surface[3][FORCE_BATCH];
     double spin[3][FORCE_BATCH];
     /* Of a law of the user's: force, stiffness, tangential, contact, energy. Of a law with parts that rubs: force with the
-     * damper, the damper's base, tangential, press (law_general.h), 1 where the surfaces touch. */
-    double springs[5][FORCE_BATCH];
+     * damper, the damper's base, tangential, press (law_general.h), 1 where the surfaces touch, 1 where they interact. */
+    double springs[6][FORCE_BATCH];
+    double sticky[FORCE_STICKY][FORCE_BATCH]; /* of a law with parts: the members of struct law_sticky */
     double parameter[LAW_PARAMETERS_MAX][FORCE_BATCH]; /* its input */
     double energy[3][FORCE_BATCH];                     /* normal, springs, work taken; if asked for */
     /* Of a law with parts or of the user's: coefficients of the parts; contact k interacts. */
@@ -48,6 +50,8 @@ struct force_batch {
 };
 
 typedef void force_physics(struct force_batch *batch, struct law_step step);
+/* The normal direction of a law that rubs, without energies: fills `springs`, `effective`, and what contacts remember of it. */
+typedef void force_gripper(const struct law *law, struct force_batch *batch);
 
 /* Writes the coefficients of contact k into a batch. */
 static inline void force_set_coefficients(struct force_batch *restrict b, int k,
@@ -58,6 +62,15 @@ static inline void force_set_coefficients(struct force_batch *restrict b, int k,
     b->coefficient[3][k] = c->c_t;
     b->coefficient[4][k] = c->friction;
     b->coefficient[5][k] = c->rolling_friction;
+}
+
+/* Writes what the cohesion of contact k takes into a batch. */
+static inline void force_set_sticky(struct force_batch *restrict b, int k, const struct law_sticky *sticky) {
+    double number[FORCE_STICKY];
+    _Static_assert(sizeof number == sizeof *sticky, "a number is missing");
+    memcpy(number, sticky, sizeof number);
+    for (int n = 0; n < FORCE_STICKY; n++)
+        b->sticky[n][k] = number[n];
 }
 
 /* Adds a contact with the branch d and the force f on its far end to a virial, `weight` times. */
@@ -88,6 +101,7 @@ struct force_thread {
     struct law_step step;
     const struct force_kernel *kernel; /* of the loop, of a law with parts */
     bool rubs;                         /* such a law goes through force_general_rub */
+    force_gripper *grip;               /* the loop of such a law; NULL: one contact after another */
     bool energies;
     const uint8_t *material;          /* NULL if all particles are of one material */
     force_physics *measure, *respond; /* the loops of this law */
@@ -102,6 +116,10 @@ struct force_kernel {
     void (*note)(const struct walk_task *task, struct walk_batch *batch);
     /* The sums of a batch besides the number of contacts. */
     void (*account)(const struct force_context *context, struct force_thread *thread);
+    /* Coefficients of each contact of a law with parts, where they differ between materials. */
+    void (*mix)(const struct law *law, const uint8_t *material, struct force_batch *batch);
+    /* The loop of the normal direction of a law that rubs; NULL: its contacts go one after another. */
+    force_gripper *(*grip_find)(const struct law_options *options);
     /* Sliding and rolling of a law that rubs (law_general.h), after its normal direction: fills force ... rolling, and the springs. */
     void (*rub)(const struct law_options *options, struct force_batch *batch, struct law_step step);
     /* The law alone over the first `count` contacts of a batch whose overlap ... spring are filled in, for

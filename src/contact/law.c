@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* From a scene's options and materials to the coefficients of each pair of materials. */
-#include "contact/law.h"
+#include "contact/law_cohesion.h"
 #include "contact/law_restitution.h"
 #include <math.h>
 #include <string.h>
@@ -196,6 +196,7 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
             law->pair[a][b] = law_combine(options, &material[a], &material[b], &pair[a][b]);
             law->pair[b][a] = law->pair[a][b];
             law->extra[a][b] = law->extra[b][a] = pair[a][b].extra;
+            law->sticky[a][b] = law->sticky[b][a] = law_sticky_of(options->cohesion, &pair[a][b].extra);
         }
     law->options = *options;
     law->materials = materials;
@@ -207,8 +208,7 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
         for (int b = 0; b < materials; b++)
             law->uniform = law->uniform &&
                            memcmp(&law->pair[a][b], &law->pair[0][0], sizeof law->pair[a][b]) == 0 &&
-                           memcmp(law->extra[a][b].parameter, law->extra[0][0].parameter,
-                                  sizeof law->extra[a][b].parameter) == 0;
+                           memcmp(&law->extra[a][b], &law->extra[0][0], sizeof law->extra[a][b]) == 0;
     law->spin = options->tangential != LAW_FRICTIONLESS;
     law->general = law_has_parts(law);
     law_lay_out(law);

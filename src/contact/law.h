@@ -68,6 +68,15 @@ struct law_memory {
     int past;   /* the numbers of a law with hysteresis, the largest overlap first */
 };
 
+/* What the formulas of cohesion (law_cohesion.h) and of luding take of a pair of materials, made once. */
+struct law_sticky {
+    double surface_energy, density; /* of jkr and dmt; of sjkr */
+    /* Of a bridge with r = 2 R*: force over r; volume, and volume over r^3; the gap at which it breaks, and that over r. */
+    double tension, volume, volume_share, rupture, rupture_share;
+    double hamaker, gap_least, cut_off; /* of van_der_waals */
+    double k_2, k_c, plasticity_depth;  /* of luding (struct law_extra) */
+};
+
 struct law {
     struct law_options options;
     bool general;  /* the law has parts: contacts go through law_general.h */
@@ -75,7 +84,8 @@ struct law {
     bool uniform;  /* all pairs of materials have the same coefficients */
     struct law_coefficients pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX]; /* symmetric */
     bool moduli; /* springs come from young and poisson of the materials */
-    struct law_extra extra[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX]; /* symmetric; of a law with parts */
+    struct law_extra extra[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];   /* symmetric; of a law with parts */
+    struct law_sticky sticky[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX]; /* symmetric; of a law with cohesion */
     struct law_memory memory;
     int history_components; /* doubles of history a contact */
     int history_odd;        /* as many of them are components of vectors */

@@ -1,109 +1,90 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The cohesive forces, one function each (law_cohesion.h; docs/physics.md). */
 #include "contact/law_cohesion.h"
-#include "contact/law_jkr.h"
 #include <stddef.h>
 
-/* Derjaguin, Muller and Toporov (1975): 2 pi W R*, W = 2 gamma, while the spheres touch. */
-static struct law_pull pull_dmt(const struct law_surfaces *s, double overlap) {
-    double force = 4.0 * M_PI * s->extra->surface_energy * s->effective;
-    if (!(overlap > 0.0))
-        return (struct law_pull){0};
-    return (struct law_pull){force, 0.0, -force * overlap};
+struct law_sticky law_sticky_of(enum law_cohesion cohesion, const struct law_extra *extra) {
+    struct law_sticky sticky = {.surface_energy = extra->surface_energy,
+                                .density = extra->cohesion_density,
+                                .hamaker = extra->hamaker,
+                                .gap_least = extra->gap_least,
+                                .cut_off = extra->cut_off,
+                                .k_2 = extra->k_2,
+                                .k_c = extra->k_c,
+                                .plasticity_depth = extra->plasticity_depth};
+    if (cohesion != LAW_COHESION_CAPILLARY || !(extra->surface_tension > 0.0))
+        return sticky;
+    double reach = 1.0 + 0.5 * extra->contact_angle;
+    sticky.tension = 2.0 * M_PI * extra->surface_tension * cos(extra->contact_angle);
+    sticky.volume = extra->bridge_volume;
+    if (!(extra->bridge_volume > 0.0))
+        sticky.volume_share = extra->bridge_fraction * 4.0 / 3.0 * M_PI;
+    sticky.rupture = reach * cbrt(sticky.volume);
+    sticky.rupture_share = reach * cbrt(sticky.volume_share);
+    return sticky;
 }
 
-/* Simplified JKR of LIGGGHTS: energy density times the area of the circle in which the spheres intersect. With
- * the distance D of the centres its radius obeys a^2 = (r_i^2 + r_j^2)/2 - D^2/4 - (r_i^2 - r_j^2)^2/(4 D^2). */
-static struct law_pull pull_sjkr(const struct law_surfaces *s, double overlap) {
+/* The integral of the force of simplified JKR from the touch to the overlap. */
+static double energy_sjkr(const struct law_surfaces *s, double overlap) {
     double density = M_PI * s->extra->cohesion_density, r = s->radius[0], q = s->radius[1];
-    if (!(overlap > 0.0))
-        return (struct law_pull){0};
     if (isinf(q))
-        return (struct law_pull){density * overlap * (2.0 * r - overlap), 2.0 * density * (r - overlap),
-                                 -density * overlap * overlap * (r - overlap / 3.0)};
+        return -density * overlap * overlap * (r - overlap / 3.0);
     double distance = r + q - overlap, sum = r * r + q * q, difference = (r - q) * (r + q);
     double odd = difference * difference / (4.0 * distance * distance);
     double touch = r + q, far = difference * difference / (4.0 * touch);
     double within = 0.5 * sum * touch - touch * touch * touch / 12.0 + far;
     double here = 0.5 * sum * distance - distance * distance * distance / 12.0 + odd * distance;
-    return (struct law_pull){density * (0.5 * sum - 0.25 * distance * distance - odd),
-                             density * (0.5 * distance - 2.0 * odd / distance), -density * (within - here)};
+    return -density * (within - here);
 }
 
-static double bridge_volume(const struct law_surfaces *s) {
-    double r = 2.0 * s->effective;
-    return s->extra->bridge_volume > 0.0 ? s->extra->bridge_volume
-                                         : s->extra->bridge_fraction * 4.0 / 3.0 * M_PI * r * r * r;
+/* The integral of a bridge's force from its rupture to the gap, and on to the overlap. */
+static double energy_capillary(const struct law_sticky *sticky, double effective, double overlap) {
+    double r = 2.0 * effective, gap = fmax(-overlap, 0.0), end = law_bridge_rupture(sticky, r);
+    double unit = sqrt(r / law_bridge_volume(sticky, r)), b = 1.05 * unit, c = 2.5 * unit * unit;
+    double root = sqrt(4.0 * c - b * b);
+    double area = 2.0 / root * (atan((2.0 * c * end + b) / root) - atan((2.0 * c * gap + b) / root));
+    return -sticky->tension * r * (area + fmax(overlap, 0.0));
 }
 
-/* Lian, Thornton and Adams (1993): (1 + theta/2) V^(1/3). */
-static double bridge_rupture(const struct law_surfaces *s) {
-    return (1.0 + 0.5 * s->extra->contact_angle) * cbrt(bridge_volume(s));
+static double energy_van_der_waals(const struct law_sticky *sticky, double effective, double overlap) {
+    double gap = fmax(-overlap, sticky->gap_least), scale = sticky->hamaker * effective / 6.0;
+    return -scale * (1.0 / gap - 1.0 / sticky->cut_off) - scale / (gap * gap) * (gap + overlap);
 }
 
-/* Willett et al. (2000), their closed form for small bridges: 2 pi R gamma cos(theta) / (1 + 1.05 S + 2.5 S^2)
- * with R = 2 R* and S = gap sqrt(R/V). */
-static struct law_pull pull_capillary(const struct law_surfaces *s, double overlap, bool energy) {
-    double r = 2.0 * s->effective, gap = fmax(-overlap, 0.0), area = 0.0;
-    double most = 2.0 * M_PI * r * s->extra->surface_tension * cos(s->extra->contact_angle);
-    if (!energy && overlap >= 0.0)
-        return (struct law_pull){most, 0.0, 0.0};
-    double end = bridge_rupture(s), unit = sqrt(r / bridge_volume(s)), b = 1.05 * unit, c = 2.5 * unit * unit;
-    double below = 1.0 + gap * (b + c * gap), root = sqrt(4.0 * c - b * b);
-    if (!(gap < end))
-        return (struct law_pull){0};
-    if (energy)
-        area = 2.0 / root * (atan((2.0 * c * end + b) / root) - atan((2.0 * c * gap + b) / root));
-    return (struct law_pull){most / below, overlap < 0.0 ? most * (b + 2.0 * c * gap) / (below * below) : 0.0,
-                             -most * (area + fmax(overlap, 0.0))};
-}
-
-/* Hamaker (1937) for spheres near each other: A R* / (6 gap^2), constant below the least gap. */
-static struct law_pull pull_van_der_waals(const struct law_surfaces *s, double overlap) {
-    const struct law_extra *e = s->extra;
-    double gap = fmax(-overlap, e->gap_least), scale = e->hamaker * s->effective / 6.0;
-    if (!(-overlap < e->cut_off))
-        return (struct law_pull){0};
-    double force = scale / (gap * gap);
-    return (struct law_pull){force, -overlap > e->gap_least ? 2.0 * force / gap : 0.0,
-                             -scale * (1.0 / gap - 1.0 / e->cut_off) - force * (gap + overlap)};
-}
-
-struct law_pull law_cohesion_pull(enum law_cohesion cohesion, const struct law_surfaces *s, double overlap,
-                                  bool energy) {
+static double pull_energy(enum law_cohesion cohesion, const struct law_sticky *sticky,
+                          const struct law_surfaces *s, double force, double overlap) {
     switch (cohesion) {
     case LAW_COHESION_DMT:
-        return pull_dmt(s, overlap);
+        return -force * overlap;
     case LAW_COHESION_SJKR:
-        return pull_sjkr(s, overlap);
+        return energy_sjkr(s, overlap);
     case LAW_COHESION_CAPILLARY:
-        return bridge_volume(s) > 0.0 ? pull_capillary(s, overlap, energy) : (struct law_pull){0};
+        return energy_capillary(sticky, s->effective, overlap);
     case LAW_COHESION_VAN_DER_WAALS:
-        return pull_van_der_waals(s, overlap);
+        return energy_van_der_waals(sticky, s->effective, overlap);
     case LAW_COHESION_NONE:
     case LAW_COHESION_JKR:
-    case LAW_COHESION_COUNT:
-        break;
-    }
-    return (struct law_pull){0};
-}
-
-double law_cohesion_range(const struct law_options *options, const struct law_surfaces *s) {
-    switch (options->cohesion) {
-    case LAW_COHESION_JKR:
-        return -law_jkr_end_overlap(law_modulus(s->c), s->extra->surface_energy, s->effective,
-                                    options->jkr_end);
-    case LAW_COHESION_CAPILLARY:
-        return s->extra->surface_tension > 0.0 ? bridge_rupture(s) : 0.0;
-    case LAW_COHESION_VAN_DER_WAALS:
-        return s->extra->hamaker > 0.0 ? s->extra->cut_off : 0.0;
-    case LAW_COHESION_NONE:
-    case LAW_COHESION_DMT:
-    case LAW_COHESION_SJKR:
     case LAW_COHESION_COUNT:
         break;
     }
     return 0.0;
+}
+
+struct law_pull law_cohesion_pull(enum law_cohesion cohesion, const struct law_surfaces *s, double overlap,
+                                  bool energy) {
+    struct law_sticky sticky = law_sticky_of(cohesion, s->extra);
+    struct law_pull pull = law_pull_at(cohesion, &sticky, s->radius[0], s->radius[1], s->effective, overlap);
+    if (energy && pull.force > 0.0)
+        pull.energy = pull_energy(cohesion, &sticky, s, pull.force, overlap);
+    return pull;
+}
+
+double law_cohesion_range(const struct law_options *options, const struct law_surfaces *s) {
+    struct law_sticky sticky = law_sticky_of(options->cohesion, s->extra);
+    if (options->cohesion == LAW_COHESION_JKR)
+        return -law_jkr_end_overlap(law_modulus(s->c), s->extra->surface_energy, s->effective,
+                                    options->jkr_end);
+    return law_pull_range(options->cohesion, &sticky, s->effective);
 }
 
 double law_cohesion_largest(enum law_cohesion cohesion, const struct law_surfaces *s) {

@@ -14,21 +14,6 @@ struct law_step law_general_step(const struct law_options *options, double dt) {
     return step;
 }
 
-/* The normal damper's coefficient over c_n: the base of all dampers. */
-static double damper_base(const struct law_options *options, const struct law_grip *grip, double mass) {
-    switch (options->damping) {
-    case LAW_DAMPING_COEFFICIENT:
-        return mass * grip->factor;
-    case LAW_DAMPING_VISCOELASTIC: /* A dF/dd of the spring alone */
-        return law_form_of(options)->tangent * grip->spring;
-    case LAW_DAMPING_RESTITUTION:
-    case LAW_DAMPING_TSUJI:
-    case LAW_DAMPING_COUNT:
-        break;
-    }
-    return sqrt(mass * grip->spring);
-}
-
 /* Energy lost by plastic flow in this step: the work of the elastic force less what it stores more. */
 static double plastic_loss(const struct law *law, const struct law_surfaces *surfaces,
                            const struct law_grip *now, double overlap, double growth, struct law_past past) {
@@ -72,22 +57,17 @@ bool law_general_push(const struct law *law, struct law_step step, struct law_ge
         &contact->coefficients, in->extra, {in->radius[0], in->radius[1]}, contact->radius};
     struct law_past past = past_of(law, in->value);
     past.no_energy = !step.energies;
-    push->before = past;
-    push->grip = law_grip_at(options, &surfaces, contact->overlap, &past);
-    if (!push->grip.interacts) {
+    struct law_past before = past;
+    struct law_grip grip = law_grip_at(options, &surfaces, contact->overlap, &past);
+    if (!grip.interacts) {
         memset(in->value, 0, sizeof in->value);
-        push->force = push->base = push->press = push->rate = 0.0;
+        *push = (struct law_push){0};
         return false;
     }
     past_put(law, &past, in->value);
-    const struct law_grip *grip = &push->grip;
-    push->rate = law_dot(contact->velocity, contact->normal);
-    push->base = grip->touches ? damper_base(options, grip, contact->mass) : 0.0;
-    push->force = grip->force - contact->coefficients.c_n * push->base * push->rate;
-    if (options->end == LAW_END_FORCE)
-        push->force = fmax(push->force, grip->least);
-    bool fixed = options->cohesion == LAW_COHESION_JKR || options->cohesion == LAW_COHESION_DMT;
-    push->press = fabs((fixed ? grip->force : push->force) + grip->press);
+    *push = law_push_of(law_manner_of(options), &grip, contact->coefficients.c_n, contact->mass,
+                        law_dot(contact->velocity, contact->normal));
+    push->before = before;
     return true;
 }
 
@@ -116,7 +96,7 @@ struct law_stiff law_general_stiff(const struct law *law, const struct law_surfa
                                    double overlap) {
     const struct law_options *options = &law->options;
     struct law_grip grip = law_grip_at(options, surfaces, overlap, &(struct law_past){.held = true});
-    double base = grip.touches ? damper_base(options, &grip, mass) : 0.0;
+    double base = law_damper_base(law_manner_of(options), &grip, mass);
     struct law_stiff stiff = {.k_n = fmax(grip.tangent, 0.0), .c_n = surfaces->c->c_n * base};
     if (law->spin && grip.touches)
         law_resist_stiff(law, surfaces, &(struct law_hold){&grip, 0.0, base}, mass, &stiff);

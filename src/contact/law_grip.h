@@ -36,6 +36,50 @@ struct law_past {
     bool no_energy;              /* nobody asks for the energy, which may cost more than the force */
 };
 
+/* JKR around the dent `left` (length) of spheres with the effective radius `radius`; updates `held`. Arithmetic without branches,
+ * as the next one: loops over contacts vectorise (force_grip.h). The energy counts from a = 0. */
+LAW_INLINE struct law_grip law_grip_jkr(const struct law_coefficients *c, double gamma, double radius,
+                                        double depth, enum law_jkr_end end, bool *held) {
+    double modulus = law_modulus(c);
+    bool holds = depth > 0.0 || (*held && depth > law_jkr_end_overlap(modulus, gamma, radius, end));
+    double largest = law_jkr_radius(modulus, gamma, radius, depth), a = holds ? largest : 0.0;
+    struct law_jkr now = law_jkr_at(modulus, gamma, radius, a);
+    *held = holds;
+    return (struct law_grip){.interacts = holds,
+                             .touches = holds,
+                             .force = now.force,
+                             .least = now.force < 0.0 ? now.force : 0.0,
+                             .press = holds ? 6.0 * M_PI * gamma * radius : 0.0,
+                             .a = a,
+                             .spring = c->k_n * a,
+                             .factor = a,
+                             .tangent = now.tangent,
+                             .tangential = c->k_t * a,
+                             .energy = now.energy};
+}
+
+/* The springs of a law at the overlap, 0 of a gap, and a cohesion other than JKR; updates `held`. */
+LAW_INLINE struct law_grip law_grip_join(enum law_cohesion cohesion, const struct law_springs *springs,
+                                         const struct law_pull *pull, double range, double overlap,
+                                         bool *held) {
+    bool touches = overlap > 0.0, remembers = law_cohesion_remembers(cohesion);
+    bool near = range > 0.0 && -overlap < range;
+    bool holds = touches | (remembers ? *held & near : near);
+    double force = touches ? springs->force : 0.0, press = touches ? springs->press : 0.0;
+    double attraction = holds ? pull->force : 0.0;
+    *held = holds;
+    return (struct law_grip){.interacts = holds,
+                             .touches = touches,
+                             .force = force - attraction,
+                             .least = (force < 0.0 ? force : 0.0) - attraction,
+                             .press = press + (cohesion == LAW_COHESION_DMT ? 2.0 : 1.0) * attraction,
+                             .spring = touches ? springs->stiffness : 0.0,
+                             .factor = springs->contact,
+                             .tangent = (touches ? springs->tangent : 0.0) - pull->slope,
+                             .tangential = springs->tangential,
+                             .energy = (touches ? springs->energy : 0.0) + pull->energy};
+}
+
 /* The normal direction at an overlap (negative: a gap); updates `past`. */
 struct law_grip law_grip_at(const struct law_options *options, const struct law_surfaces *surfaces,
                             double overlap, struct law_past *past);

@@ -15,30 +15,36 @@ LAW_INLINE struct law_springs law_luding_springs(const struct law_coefficients *
 }
 
 /* The slope of the unloading branch for a largest overlap. */
-static inline double law_luding_slope(const struct law_coefficients *c, const struct law_extra *extra,
-                                      double radius, double largest) {
+LAW_INLINE double law_luding_slope(const struct law_coefficients *c, const struct law_extra *extra,
+                                   double radius, double largest) {
     double full = extra->k_2 / (extra->k_2 - c->k_n) * extra->plasticity_depth * 2.0 * radius;
-    return largest < full ? c->k_n + (extra->k_2 - c->k_n) * largest / full : extra->k_2;
+    double slope = c->k_n + (extra->k_2 - c->k_n) * largest / law_most(full, 1e-300);
+    return largest < full ? slope : extra->k_2;
 }
 
-static inline struct law_springs law_luding_unload(const struct law_coefficients *c,
-                                                   const struct law_extra *extra, double radius,
-                                                   double overlap, double past[LAW_PAST_MAX]) {
-    double most = fmax(past[0], overlap), slope = law_luding_slope(c, extra, radius, most);
-    double force = fmin(c->k_n * overlap, slope * overlap - (slope - c->k_n) * most);
-    double pull = -extra->k_c * overlap;
-    if (force < pull) {
-        force = pull;
-        if (slope > c->k_n)
-            most = (slope + extra->k_c) / (slope - c->k_n) * overlap;
-    }
-    past[0] = most;
+/* Without branches: a loop over contacts vectorises (force_grip.h). */
+LAW_INLINE struct law_springs law_luding_branch(const struct law_coefficients *c,
+                                                const struct law_extra *extra, double radius, double overlap,
+                                                double *past) {
+    double most = law_most(*past, overlap), slope = law_luding_slope(c, extra, radius, most);
+    double load = c->k_n * overlap, unload = slope * overlap - (slope - c->k_n) * most;
+    double elastic = unload < load ? unload : load, pull = -extra->k_c * overlap;
+    bool adheres = elastic < pull;
+    double force = adheres ? pull : elastic;
+    double back = (slope + extra->k_c) / law_most(slope - c->k_n, 1e-300) * overlap;
+    *past = adheres && slope > c->k_n ? back : most;
     return (struct law_springs){.force = force,
                                 .stiffness = c->k_n,
                                 .tangent = extra->k_2,
                                 .tangential = c->k_t,
                                 .contact = 1.0,
                                 .energy = 0.5 * force * force / slope};
+}
+
+static inline struct law_springs law_luding_unload(const struct law_coefficients *c,
+                                                   const struct law_extra *extra, double radius,
+                                                   double overlap, double past[LAW_PAST_MAX]) {
+    return law_luding_branch(c, extra, radius, overlap, past);
 }
 
 /* A quarter of a period along k_n and one along k_2, which is at least as steep: at most half a period. */

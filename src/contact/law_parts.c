@@ -43,7 +43,3 @@ bool law_part_combines(const struct law_part_row *row, const char *traits) {
             return true;
     return false;
 }
-
-bool law_cohesion_remembers(enum law_cohesion cohesion) {
-    return cohesion == LAW_COHESION_JKR || cohesion == LAW_COHESION_CAPILLARY;
-}

@@ -106,6 +106,8 @@ bool law_part_combines(const struct law_part_row *row, const char *traits);
 enum law_jkr_end { LAW_JKR_END_DISTANCE, LAW_JKR_END_FORCE };
 
 /* True if two surfaces need to have touched to attract each other across a gap. */
-bool law_cohesion_remembers(enum law_cohesion cohesion);
+LAW_INLINE bool law_cohesion_remembers(enum law_cohesion cohesion) {
+    return cohesion == LAW_COHESION_JKR || cohesion == LAW_COHESION_CAPILLARY;
+}
 
 #endif

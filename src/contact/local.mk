@@ -7,6 +7,7 @@ libcontact_la_SOURCES = \
 	src/contact/force_contacts.c \
 	src/contact/force_general.c \
 	src/contact/force_general.h \
+	src/contact/force_grip.h \
 	src/contact/force_kernel.h \
 	src/contact/force_physics.h \
 	src/contact/law.c \

@@ -185,11 +185,15 @@ comes_and_goes() {
     done
 }
 
+# `make check-long` tries each case in each of these layouts, `make check` in every second, the even and the odd ones in turns
+settings=('1 2 linkcell brick auto' '2 1 multi bisection auto' '4 2 hgrid brick shadow' '8 1 bytype bisection shadow'
+    '4 1 auto brick auto' '2 2 hgrid bisection auto domain.threshold=1.001'
+    '1 1 bytype brick auto step.fused=false' '3 1 brute bisection auto newton=true ghosts=reduced')
+turn=0
 for case in bed ten boulder thin flow sheared; do
     check "$case: the reference moves enough" reference $case
-    for setting in '1 2 linkcell brick auto' '2 1 multi bisection auto' '4 2 hgrid brick shadow' '8 1 bytype bisection shadow' \
-        '4 1 auto brick auto' '2 2 hgrid bisection auto domain.threshold=1.001' \
-        '1 1 bytype brick auto step.fused=false' '3 1 brute bisection auto newton=true ghosts=reduced'; do
+    for ((k = ${SCREE_LONG:+0 *} turn++ % 2; k < ${#settings[@]}; k += ${SCREE_LONG:+-1} + 2)); do
+        setting=${settings[k]}
         case $setting$bisection in
         *threshold*brick) setting='2 2 hgrid brick auto' ;;
         esac

@@ -111,11 +111,11 @@ static void brute_orders_nothing(void **state) {
 /* Clouds large enough for the threaded paths; open, so that brute has one image only. */
 static void threads_find_the_same_pairs(void **state) {
     (void)state;
-    const struct cloud_spec specs[] = {{"dense", 12000, 60, CLOUD_BIDISPERSE, 6, .fraction = 0.7,
+    const struct cloud_spec specs[] = {{"dense", 8000, 60, CLOUD_BIDISPERSE, 6, .fraction = 0.7,
                                         .dimension = 3, .ghosts = 0.3, .newton = true},
-                                       {"sparse", 12000, 5, CLOUD_BIDISPERSE, 40, CLOUD_CLUSTERED,
+                                       {"sparse", 8000, 5, CLOUD_BIDISPERSE, 40, CLOUD_CLUSTERED,
                                         .edge = {9000, 9000, 9000}, .dimension = 3},
-                                       {"outliers", 12000, 0, CLOUD_POWER, 20, CLOUD_OUTLIERS,
+                                       {"outliers", 8000, 0, CLOUD_POWER, 20, CLOUD_OUTLIERS,
                                         .edge = {90, 90, 90}, .dimension = 3, .ghosts = 0.1}};
     struct index_params params = {0};
     for (size_t s = 0; s < sizeof specs / sizeof specs[0]; s++) {
@@ -212,7 +212,7 @@ static void memory_grows_with_particles_alone(void **state) {
     for (int k = 1; k < index_registry_count(); k++) {
         for (double edge = 1e4; edge < 1e8; edge *= 100) {
             struct cloud cloud;
-            cloud_make(&cloud, &(struct cloud_spec){.count = 20000,
+            cloud_make(&cloud, &(struct cloud_spec){.count = 5000,
                                                     .large = 2,
                                                     .sizes = CLOUD_BIDISPERSE,
                                                     .ratio = 1000,
@@ -220,7 +220,7 @@ static void memory_grows_with_particles_alone(void **state) {
                                                     .dimension = 3,
                                                     .periodic = {true, true, true}});
             struct index *index = cloud_index(&cloud, index_registry_get(k)->name, &params);
-            assert_in_range(index_memory(index), 20000 * 4, 20000 * 200 + (1 << 20));
+            assert_in_range(index_memory(index), 5000 * 4, 5000 * 200 + (1 << 20));
             struct index_description description;
             index_describe(index, &description);
             const char *name = index_registry_get(k)->name; /* auto may take cells that are large enough */
