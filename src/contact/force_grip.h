@@ -21,11 +21,11 @@ LAW_INLINE struct law_springs force_grip_springs(const struct force_grip *loop,
                                                  const struct law_coefficients *c,
                                                  const struct law_sticky *sticky, double radius,
                                                  double overlap, double *past) {
-    if (loop->normal != LAW_LUDING)
+    if (!law_branches(loop->normal))
         return law_springs(loop->normal, c, radius, overlap);
     struct law_extra extra = {
         .k_2 = sticky->k_2, .k_c = sticky->k_c, .plasticity_depth = sticky->plasticity_depth};
-    return law_luding_branch(c, &extra, radius, overlap, past);
+    return law_branch(loop->normal, c, &extra, radius, overlap, past);
 }
 
 LAW_INLINE struct law_grip force_grip_of(const struct force_grip *loop, const struct law_coefficients *c,
@@ -80,7 +80,7 @@ LAW_INLINE void force_grip_one(const struct force_grip *loop, struct force_batch
 
 LAW_INLINE void force_grip_all(enum law_normal normal, enum law_cohesion cohesion, const struct law *law,
                                struct force_batch *restrict b) {
-    const bool held = law_cohesion_remembers(cohesion), past = normal == LAW_LUDING;
+    const bool held = law_cohesion_remembers(cohesion), past = law_branches(normal);
     const struct force_grip loop = {.normal = normal,
                                     .cohesion = cohesion,
                                     .end = law->options.jkr_end,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* From a scene's options and materials to the coefficients of each pair of materials. */
-#include "contact/law_cohesion.h"
+#include "contact/law.h"
 #include "contact/law_restitution.h"
 #include <math.h>
 #include <string.h>

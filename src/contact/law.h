@@ -20,6 +20,7 @@
 #define SCREE_CONTACT_LAW_H
 
 #include "contact/law_parts.h"
+#include "contact/law_sticky.h"
 #include "contact/law_table.h"
 #include "core/error.h"
 
@@ -66,15 +67,6 @@ struct law_memory {
     int radius; /* contact radius one step ago */
     int slides; /* 1: the contact slid one step ago */
     int past;   /* the numbers of a law with hysteresis, the largest overlap first */
-};
-
-/* What the formulas of cohesion (law_cohesion.h) and of luding take of a pair of materials, made once. */
-struct law_sticky {
-    double surface_energy, density; /* of jkr and dmt; of sjkr */
-    /* Of a bridge with r = 2 R*: force over r; volume, and volume over r^3; the gap at which it breaks, and that over r. */
-    double tension, volume, volume_share, rupture, rupture_share;
-    double hamaker, gap_least, cut_off; /* of van_der_waals */
-    double k_2, k_c, plasticity_depth;  /* of luding (struct law_extra) */
 };
 
 struct law {

@@ -3,27 +3,6 @@
 #include "contact/law_cohesion.h"
 #include <stddef.h>
 
-struct law_sticky law_sticky_of(enum law_cohesion cohesion, const struct law_extra *extra) {
-    struct law_sticky sticky = {.surface_energy = extra->surface_energy,
-                                .density = extra->cohesion_density,
-                                .hamaker = extra->hamaker,
-                                .gap_least = extra->gap_least,
-                                .cut_off = extra->cut_off,
-                                .k_2 = extra->k_2,
-                                .k_c = extra->k_c,
-                                .plasticity_depth = extra->plasticity_depth};
-    if (cohesion != LAW_COHESION_CAPILLARY || !(extra->surface_tension > 0.0))
-        return sticky;
-    double reach = 1.0 + 0.5 * extra->contact_angle;
-    sticky.tension = 2.0 * M_PI * extra->surface_tension * cos(extra->contact_angle);
-    sticky.volume = extra->bridge_volume;
-    if (!(extra->bridge_volume > 0.0))
-        sticky.volume_share = extra->bridge_fraction * 4.0 / 3.0 * M_PI;
-    sticky.rupture = reach * cbrt(sticky.volume);
-    sticky.rupture_share = reach * cbrt(sticky.volume_share);
-    return sticky;
-}
-
 /* The integral of the force of simplified JKR from the touch to the overlap. */
 static double energy_sjkr(const struct law_surfaces *s, double overlap) {
     double density = M_PI * s->extra->cohesion_density, r = s->radius[0], q = s->radius[1];

@@ -22,9 +22,6 @@ struct law_pull {
     double force, slope, energy;
 };
 
-/* The numbers of a pair of materials that the formulas of a cohesion and of a law's springs take. */
-struct law_sticky law_sticky_of(enum law_cohesion cohesion, const struct law_extra *extra);
-
 /* Of a bridge between surfaces with r = 2 R*: its volume, and the gap at which the bridge breaks, (1 + theta/2) V^(1/3)
  * (Lian, Thornton and Adams 1993). */
 LAW_INLINE double law_bridge_volume(const struct law_sticky *sticky, double r) {

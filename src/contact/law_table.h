@@ -27,10 +27,14 @@
 #define LAW_GIVEN_NAME "custom"
 #define LAW_ELASTIC_TABLE(ROW) LAW_BUILT_TABLE(ROW) LAW_GIVEN_TABLE(ROW)
 
+/* Laws with hysteresis whose branches are chosen by arithmetic: law_NAME_branch (law_luding.h) in a loop vectorises. */
+#define LAW_BRANCH_TABLE(ROW)                                                                                \
+    ROW(LUDING, luding, "stiffness hysteresis",                                                              \
+        "plastic, adhesive grains: linear springs, steeper on unloading, with a pull after compression")
+
 /* Laws whose contacts go through the general loop (law_general.h); LAW_TABLE: all laws. */
 #define LAW_PLASTIC_TABLE(ROW)                                                                               \
-    ROW(LUDING, luding, "stiffness hysteresis",                                                              \
-        "plastic, adhesive grains: linear springs, steeper on unloading, with a pull after compression")     \
+    LAW_BRANCH_TABLE(ROW)                                                                                    \
     ROW(THORNTON, thornton, "moduli yield",                                                                  \
         "elastic, perfectly plastic spheres with a yield pressure: fast impacts; with the cohesion jkr "     \
         "sticky ones")                                                                                       \
@@ -77,6 +81,25 @@ LAW_INLINE struct law_springs law_springs(enum law_normal normal, const struct l
     case LAW_COUNT:
         break;
     }
+#undef LAW_CASE
+    return (struct law_springs){0};
+}
+
+/* True for a law of LAW_BRANCH_TABLE. */
+LAW_INLINE bool law_branches(enum law_normal normal) {
+#define LAW_CASE(NAME, name, traits, summary) || normal == LAW_##NAME
+    return false LAW_BRANCH_TABLE(LAW_CASE);
+#undef LAW_CASE
+}
+
+/* The springs of such a law, whose contacts remember `past`. */
+LAW_INLINE struct law_springs law_branch(enum law_normal normal, const struct law_coefficients *c,
+                                         const struct law_extra *extra, double radius, double overlap,
+                                         double *past) {
+#define LAW_CASE(NAME, name, traits, summary)                                                                \
+    if (normal == LAW_##NAME)                                                                                \
+        return law_##name##_branch(c, extra, radius, overlap, past);
+    LAW_BRANCH_TABLE(LAW_CASE)
 #undef LAW_CASE
     return (struct law_springs){0};
 }

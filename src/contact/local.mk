@@ -36,6 +36,8 @@ libcontact_la_SOURCES = \
 	src/contact/law_restitution.h \
 	src/contact/law_table.c \
 	src/contact/law_spring.h \
+	src/contact/law_sticky.c \
+	src/contact/law_sticky.h \
 	src/contact/law_springs.c \
 	src/contact/law_user.c \
 	src/contact/law_user.h \
