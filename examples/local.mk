@@ -24,10 +24,12 @@ nobase_dist_pkgdata_SCRIPTS += $(bidisperse)/check $(bidisperse)/run.sh
 
 nobase_dist_pkgdata_DATA += \
 	examples/cavity/README.md examples/cavity/scene.yaml \
+	examples/electroosmosis/README.md examples/electroosmosis/picture.gp examples/electroosmosis/scene.yaml \
 	examples/sphere_array/README.md examples/sphere_array/scene.yaml \
 	examples/taylor_green/README.md examples/taylor_green/scene.yaml
 nobase_dist_pkgdata_SCRIPTS += \
 	examples/cavity/check examples/cavity/run.sh \
+	examples/electroosmosis/check examples/electroosmosis/run.sh \
 	examples/sphere_array/check examples/sphere_array/run.sh \
 	examples/taylor_green/check examples/taylor_green/run.sh
 

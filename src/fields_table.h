@@ -12,7 +12,8 @@
     ROW(material_register, scene->materials > 1)                                                             \
     ROW(groups_register, scene->groups > 1)                                                                  \
     ROW(particles_count_images, scene->box.periodic[0] || scene->box.periodic[1] || scene->box.periodic[2])  \
-    ROW(fluid_scalars_register, false)
+    ROW(fluid_scalars_register, false)                                                                       \
+    ROW(fluid_electrolyte_register, false)
 
 struct particles;
 #define FIELDS_DECLARE(register_fields, needed) void register_fields(struct particles *particles);

@@ -52,6 +52,8 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/end-of-contact/scene.yaml \
 	examples/verify/fluid-cavity/scene.yaml \
 	examples/verify/fluid-couette/scene.yaml \
+	examples/verify/fluid-electroosmosis/porous.yaml \
+	examples/verify/fluid-electroosmosis/scene.yaml \
 	examples/verify/fluid-fluidised-bed/scene.yaml \
 	examples/verify/fluid-fluidised-bed/terminal.yaml \
 	examples/verify/fluid-operators/scene.yaml \
@@ -139,6 +141,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/end-of-contact/check \
 	examples/verify/fluid-cavity/check \
 	examples/verify/fluid-couette/check \
+	examples/verify/fluid-electroosmosis/check \
 	examples/verify/fluid-fluidised-bed/check \
 	examples/verify/fluid-operators/check \
 	examples/verify/fluid-poiseuille/check \

@@ -331,6 +331,11 @@ static const struct observable_kind kinds[] = {
     {INFO("speed", "m/s", "largest speed", 1), .of_rank = take_speed, .combine = OBSERVABLE_MAX},
     {INFO("divergence", "1/s", "largest divergence of the velocity", 1), .of_rank = take_divergence,
      .combine = OBSERVABLE_MAX},
+    {.info = {"fluid_charge", "fluid", "C", "charge of the ions of an electrolyte", OBSERVABLE_OF_ALL, 1,
+              "C/m"},
+     .parts = 1,
+     .relevant = shown_charged,
+     .of_rank = shown_charge},
     SCALAR("1", shown_scalar_1),
     SCALAR("2", shown_scalar_2),
     SCALAR("3", shown_scalar_3)};

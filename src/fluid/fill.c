@@ -4,6 +4,7 @@
 #include "core/memory.h"
 #include "fluid/body.h"
 #include "fluid/couple.h"
+#include "fluid/electrolyte.h"
 #include "fluid/fields.h"
 #include "fluid/fill_open.h"
 #include "fluid/marks.h"
@@ -146,7 +147,7 @@ static bool options_suit(const struct physics_context *context, struct error *er
             "steady goes with equations: stokes alone; for the steady flow of navier_stokes run a "
             "transient one until it no longer changes");
     return drive_suits(context, error) && motion_suits(context, error) && couple_suits(context, error) &&
-           scalars_suit(context, error);
+           scalars_suit(context, error) && electrolyte_suits(context, error);
 }
 
 /* Tells of gaps that the spacing does not resolve. In a packing grains touch, so a run goes on. */

@@ -36,6 +36,7 @@ struct flow {
     double *drift;           /* velocity of the particle less that of the fluid there, w - u */
     double *drift_advection; /* (drift . grad) u */
     double *gradient;        /* grad p; scratch of a step */
+    const double (*body)[3]; /* by row: force/volume beside that of the drive; NULL: none */
     int64_t *row;            /* global number of a fluid particle's row (flow_number) */
     bool pressed;            /* a pressure is given at an open side of each region: it has no free constant */
     int regions;             /* connected regions of the fluid on all ranks, >= 1 */

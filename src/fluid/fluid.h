@@ -119,6 +119,23 @@ struct fluid_scalar {
     struct fluid_value given[FLUID_SURFACES_MAX];
 };
 
+/* Ions in the fluid (electrolyte.h), and the charged surfaces around it. */
+enum fluid_ions { FLUID_POISSON_BOLTZMANN, FLUID_DEBYE_HUECKEL };
+struct fluid_charged {
+    struct fluid_surface at;
+    double zeta;   /* potential; NAN: not given */
+    double charge; /* charge/area; NAN: not given */
+    double period; /* > 0: the sign changes after each half of it, along `axis`; NAN: uniform */
+    int axis;
+};
+struct fluid_electrolyte {
+    enum fluid_ions equation;
+    double permittivity, debye_length, thermal_voltage;
+    double field[3]; /* applied, potential/length */
+    int surfaces;
+    struct fluid_charged surface[FLUID_SURFACES_MAX];
+};
+
 /* Lengths, times and masses in the units of the scene. */
 struct fluid_options {
     double spacing, density, viscosity; /* dynamic viscosity */
@@ -137,6 +154,8 @@ struct fluid_options {
     struct fluid_solver solver;
     int scalars;
     struct fluid_scalar scalar[FLUID_SCALARS_MAX];
+    int electrolytes; /* 0 or 1 */
+    struct fluid_electrolyte electrolyte;
 };
 
 /* The support radius, length. */

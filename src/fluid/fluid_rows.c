@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The section of a fluid in a scene. */
 #include "fluid/fluid.h"
+#include "fluid/electrolyte_rows.h"
 #include "fluid/scalars_rows.h"
 #include "physics_table.h"
 #include "scene/scene.h"
@@ -170,7 +171,7 @@ static const struct schema_row solver_rows[] = {
      .help = "how often the preconditioner of the pressure is kept for a matrix with new values, as particles that move make them; it is made "
              "again sooner if a solve takes more than half as many iterations again as the first one with it"},
     {.key = "petsc", .type = SCHEMA_TEXT, .fallback = "", AT(struct fluid_solver, petsc),
-     .help = "options for PETSc, as on a command line; prefixes fluid_u_, fluid_p_, fluid_s_, of scalars fluid_c_, fluid_f_",
+     .help = "options for PETSc, as on a command line; prefixes fluid_u_, fluid_p_, fluid_s_, of scalars fluid_c_, fluid_f_, of an electrolyte fluid_e_",
      .example = "-fluid_p_ksp_monitor"},
 };
 static const struct schema_table solver_table = TABLE(solver_rows);
@@ -208,6 +209,9 @@ static const struct schema_row section[] = {
      .help = "linear algebra, by PETSc"},
     {.key = "scalars", .type = SCHEMA_LIST, .sub = &scalars_table, ARRAY_AT(struct fluid_options, scalar, scalars),
      .help = "concentrations or temperatures that the fluid carries, and that do not act on the flow"},
+    {.key = "electrolyte", .type = SCHEMA_SECTION, .sub = &electrolyte_table, .optional = true,
+     .offset = offsetof(struct fluid_options, electrolyte), .count_offset = offsetof(struct fluid_options, electrolytes),
+     .help = "ions in the fluid, charged walls and grains, and an applied field that drives the ions and with them the fluid"},
 };
 const struct schema_table fluid_schema = TABLE(section);
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libfluid.la
 libfluid_la_SOURCES = \
+	src/fluid/applied.c \
+	src/fluid/applied.h \
 	src/fluid/assembly.c \
 	src/fluid/assembly.h \
 	src/fluid/body.c \
@@ -10,6 +12,12 @@ libfluid_la_SOURCES = \
 	src/fluid/drag.h \
 	src/fluid/drive.c \
 	src/fluid/drive.h \
+	src/fluid/electrolyte.c \
+	src/fluid/electrolyte.h \
+	src/fluid/electrolyte_fields.c \
+	src/fluid/electrolyte_fields.h \
+	src/fluid/electrolyte_rows.c \
+	src/fluid/electrolyte_rows.h \
 	src/fluid/feet.c \
 	src/fluid/feet.h \
 	src/fluid/fields.c \

@@ -6,6 +6,7 @@
 #include "core/memory.h"
 #include "fluid/couple.h"
 #include "fluid/drag.h"
+#include "fluid/electrolyte.h"
 #include "fluid/feet.h"
 #include "fluid/fields.h"
 #include "fluid/flow_fields.h"
@@ -115,6 +116,7 @@ void march_rebuilt(const struct physics_context *context) {
         projection_destroy(&fluid->projection);
         steady_destroy(&fluid->steady);
         scalars_forget(fluid->scalars);
+        electrolyte_forget(fluid->electrolyte);
         input_of(context, fluid);
         weights_of(context, fluid);
         if (!motion_moves(fluid->options))
@@ -274,9 +276,11 @@ static void step_run(const struct physics_context *context, struct fluid *fluid)
     walls_follow(context, fluid);
     if (fluid->error.kind != ERROR_NONE || !watch_begin(context))
         return;
-    if (fluid->options->time == FLUID_STEADY)
+    if (fluid->electrolyte != NULL)
+        electrolyte_step(context);
+    if (fluid->error.kind == ERROR_NONE && fluid->options->time == FLUID_STEADY)
         step_steady(context, fluid);
-    else
+    else if (fluid->error.kind == ERROR_NONE)
         step_transient(context, fluid);
     if (fluid->error.kind == ERROR_NONE && fluid->scalars != NULL)
         scalars_step(context, fluid->options->time == FLUID_TRANSIENT);
@@ -319,6 +323,7 @@ void march_end(void *self) {
     projection_destroy(&fluid->projection);
     steady_destroy(&fluid->steady);
     scalars_destroy(&fluid->scalars);
+    electrolyte_destroy(&fluid->electrolyte);
     if (fluid->solve) {
         solve_end(&fluid->solve, unused, sizeof unused);
         if (fluid->first && unused[0])

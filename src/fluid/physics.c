@@ -3,6 +3,7 @@
 #include "core/memory.h"
 #include "engine/physics.h"
 #include "fluid/couple.h"
+#include "fluid/electrolyte.h"
 #include "fluid/fields.h"
 #include "fluid/fill.h"
 #include "fluid/march.h"
@@ -46,6 +47,7 @@ static void *create(const struct physics_context *context) {
     if (fluid->riding)
         fluid_fields_riding(context->particles);
     fluid->scalars = scalars_create(context);
+    fluid->electrolyte = electrolyte_create(context);
     if (couple_free(fluid->options))
         fluid_fields_free(context->particles);
     return fluid;
@@ -108,6 +110,7 @@ static void print(const struct physics_context *context, FILE *file) {
             fluid->narrow > 0 ? "NOTE: " : "", (long long)fluid->narrow, NODES_GAP,
             fluid->narrowest / fluid->options->spacing);
     scalars_print(context, file);
+    electrolyte_print(context, file);
     if (!steady && fluid->options->equations == FLUID_NAVIER_STOKES)
         fprintf(file, "  time step    up to half a spacing over the largest speed\n");
 }

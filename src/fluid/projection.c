@@ -100,7 +100,8 @@ static void fill_side(struct projection *projection, const struct flow *flow, do
         for (int d = 0; d < 3; d++)
             projection->side[row][d] =
                 flow_velocity_of(flow, row)[d] +
-                dt * ((viscous * projection->viscous[row][d] - projection->gradient[row][d] + force[d]) /
+                dt * ((viscous * projection->viscous[row][d] - projection->gradient[row][d] +
+                       (flow->body != NULL ? force[d] + flow->body[row][d] : force[d])) /
                           density -
                       projection->advection[row][d]);
 }

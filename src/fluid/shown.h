@@ -35,6 +35,10 @@ void shown_scalar_carried(const struct observable_context *context, struct obser
 void shown_scalar_carried_finish(const struct output_view *view, const struct observable_item *item,
                                  double *part);
 
+/* Charge of the ions of an electrolyte; true if the scene has one. */
+void shown_charge(const struct observable_context *context, struct observable_item *item, double *part);
+bool shown_charged(const struct output_view *view);
+
 /* True if the scene has scalar 1, 2 or 3. */
 bool shown_scalar_1(const struct output_view *view);
 bool shown_scalar_2(const struct output_view *view);

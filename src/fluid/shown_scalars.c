@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Observables of scalars. Read shown.h and scalars.h first. */
+/* Observables of scalars and of an electrolyte. Read shown.h and scalars.h first. */
+#include "fluid/electrolyte_fields.h"
 #include "fluid/scalars.h"
 #include "fluid/scalars_fields.h"
 #include "fluid/shown.h"
@@ -94,4 +95,16 @@ void shown_scalar_carried_finish(const struct output_view *view, const struct ob
         carried += part[d] * part[3 + d];
     }
     part[0] = flow > 0 ? carried / flow : NAN;
+}
+
+bool shown_charged(const struct output_view *view) {
+    return electrolyte_charge(view->particles) != NULL;
+}
+
+void shown_charge(const struct observable_context *context, struct observable_item *item, double *part) {
+    const struct fluid *fluid = context->view->own[PHYSICS_fluid];
+    const double *charge = electrolyte_charge(context->view->particles);
+    (void)item;
+    for (size_t row = 0; fluid != NULL && charge != NULL && row < fluid->weights.rows; row++)
+        part[0] += fluid->weights.volume[row] * charge[fluid->weights.first + row];
 }

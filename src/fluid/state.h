@@ -10,6 +10,7 @@
 #include "fluid/steady.h"
 
 struct scalars;
+struct electrolyte;
 
 struct fluid {
     const struct fluid_options *options; /* borrowed */
@@ -38,13 +39,14 @@ struct fluid {
     struct forces forces;  /* of the last look */
     struct steady *steady; /* of a steady flow; NULL: no matrices yet */
     struct steady_report report;
-    int64_t solved;          /* 1: the steady flow is there */
-    struct scalars *scalars; /* scalars.h; NULL: none */
-    uint64_t done;           /* the last step that was made */
-    int64_t narrow;          /* gaps between grains that the spacing does not resolve (nodes.h) */
-    double narrowest;        /* length */
-    double work;             /* on grains that the fluid moves, since the start; energy */
-    struct error error;      /* until the guard takes it */
+    int64_t solved;                  /* 1: the steady flow is there */
+    struct scalars *scalars;         /* scalars.h; NULL: none */
+    struct electrolyte *electrolyte; /* electrolyte.h; NULL: none */
+    uint64_t done;                   /* the last step that was made */
+    int64_t narrow;                  /* gaps between grains that the spacing does not resolve (nodes.h) */
+    double narrowest;                /* length */
+    double work;                     /* on grains that the fluid moves, since the start; energy */
+    struct error error;              /* until the guard takes it */
 };
 
 #endif

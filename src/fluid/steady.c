@@ -233,7 +233,8 @@ static void fill_side(struct steady *steady, const double force[3]) {
     apply(steady, steady->solution, steady->still);
     for (size_t row = 0; row < n; row++) {
         for (size_t d = 0; d < dimension; d++) {
-            steady->side[d * n + row] = dx * dx / viscosity * force[d] - steady->still[d * n + row];
+            double push = flow->body != NULL ? force[d] + flow->body[row][d] : force[d];
+            steady->side[d * n + row] = dx * dx / viscosity * push - steady->still[d * n + row];
             steady->solution[d * n + row] = flow_velocity_of(flow, row)[d];
         }
         steady->side[dimension * n + row] = -steady->still[dimension * n + row];

@@ -8,11 +8,8 @@
 /* The systems of the schemes: the prefix of their options, their name in the report. */
 static const struct {
     const char *prefix, *name;
-} systems[] = {{"fluid_u_", "velocity"},
-               {"fluid_p_", "pressure"},
-               {"fluid_s_", "steady"},
-               {"fluid_c_", "scalars"},
-               {"fluid_f_", "fluxes"}};
+} systems[] = {{"fluid_u_", "velocity"}, {"fluid_p_", "pressure"}, {"fluid_s_", "steady"},
+               {"fluid_c_", "scalars"},  {"fluid_f_", "fluxes"},   {"fluid_e_", "potential"}};
 enum { SYSTEMS = sizeof systems / sizeof systems[0] };
 
 bool watch_begin(const struct physics_context *context) {

@@ -38,6 +38,7 @@ static const struct dump_column dump_columns[] = {
     {"image", "ix iy iz", 0},
     {"drag", "dragx dragy dragz", 0},
     {"vorticity", "curlx curly curlz", 0},
+    {"electric_field", "efieldx efieldy efieldz", 0},
 };
 enum {
     DUMP_COLUMNS = sizeof dump_columns / sizeof dump_columns[0],

@@ -14,16 +14,30 @@ struct symbol {
 };
 
 static const struct symbol symbols[] = {
-    {"m", {1, 0}, {1, 0, 0, 0, 0}, true},           {"g", {1, -3}, {0, 1, 0, 0, 0}, true},
-    {"s", {1, 0}, {0, 0, 1, 0, 0}, true},           {"N", {1, 0}, {1, 1, -2, 0, 0}, true},
-    {"Pa", {1, 0}, {-1, 1, -2, 0, 0}, true},        {"K", {1, 0}, {0, 0, 0, 0, 1}, true},
-    {"J", {1, 0}, {2, 1, -2, 0, 0}, true},          {"W", {1, 0}, {2, 1, -3, 0, 0}, true},
-    {"Hz", {1, 0}, {0, 0, -1, 0, 0}, true},         {"bar", {1, 5}, {-1, 1, -2, 0, 0}, true},
-    {"L", {1, -3}, {3, 0, 0, 0, 0}, true},          {"t", {1, 3}, {0, 1, 0, 0, 0}, false},
-    {"min", {60, 0}, {0, 0, 1, 0, 0}, false},       {"h", {3600, 0}, {0, 0, 1, 0, 0}, false},
-    {"rad", {1, 0}, {0, 0, 0, 1, 0}, true},         {"deg", {M_PI / 180, 0}, {0, 0, 0, 1, 0}, false},
-    {"°", {M_PI / 180, 0}, {0, 0, 0, 1, 0}, false}, {"rpm", {2 * M_PI / 60, 0}, {0, 0, -1, 1, 0}, false},
-    {"%", {1, -2}, {0, 0, 0, 0, 0}, false},         {"1", {1, 0}, {0, 0, 0, 0, 0}, false},
+    {"m", {1, 0}, {1, 0, 0, 0, 0, 0}, true},
+    {"g", {1, -3}, {0, 1, 0, 0, 0, 0}, true},
+    {"s", {1, 0}, {0, 0, 1, 0, 0, 0}, true},
+    {"N", {1, 0}, {1, 1, -2, 0, 0, 0}, true},
+    {"Pa", {1, 0}, {-1, 1, -2, 0, 0, 0}, true},
+    {"K", {1, 0}, {0, 0, 0, 0, 1, 0}, true},
+    {"J", {1, 0}, {2, 1, -2, 0, 0, 0}, true},
+    {"W", {1, 0}, {2, 1, -3, 0, 0, 0}, true},
+    {"Hz", {1, 0}, {0, 0, -1, 0, 0, 0}, true},
+    {"bar", {1, 5}, {-1, 1, -2, 0, 0, 0}, true},
+    {"L", {1, -3}, {3, 0, 0, 0, 0, 0}, true},
+    {"t", {1, 3}, {0, 1, 0, 0, 0, 0}, false},
+    {"min", {60, 0}, {0, 0, 1, 0, 0, 0}, false},
+    {"h", {3600, 0}, {0, 0, 1, 0, 0, 0}, false},
+    {"rad", {1, 0}, {0, 0, 0, 1, 0, 0}, true},
+    {"deg", {M_PI / 180, 0}, {0, 0, 0, 1, 0, 0}, false},
+    {"°", {M_PI / 180, 0}, {0, 0, 0, 1, 0, 0}, false},
+    {"rpm", {2 * M_PI / 60, 0}, {0, 0, -1, 1, 0, 0}, false},
+    {"%", {1, -2}, {0, 0, 0, 0, 0, 0}, false},
+    {"1", {1, 0}, {0, 0, 0, 0, 0, 0}, false},
+    {"V", {1, 0}, {2, 1, -3, 0, 0, -1}, true},
+    {"A", {1, 0}, {0, 0, 0, 0, 0, 1}, true},
+    {"C", {1, 0}, {0, 0, 1, 0, 0, 1}, true},
+    {"F", {1, 0}, {-2, -1, 4, 0, 0, 2}, true},
 };
 
 struct prefix {
@@ -102,6 +116,7 @@ static bool read_factor(const char **text, int power, struct units_scale *scale,
     dimension->time += exponent * symbol->dimension.time;
     dimension->angle += exponent * symbol->dimension.angle;
     dimension->temperature += exponent * symbol->dimension.temperature;
+    dimension->current += exponent * symbol->dimension.current;
     return true;
 }
 
@@ -136,23 +151,17 @@ double units_convert(double value, const struct units_scale *scale) {
 
 bool units_same(const struct units_dimension *a, const struct units_dimension *b) {
     return a->length == b->length && a->mass == b->mass && a->time == b->time && a->angle == b->angle &&
-           a->temperature == b->temperature;
+           a->temperature == b->temperature && a->current == b->current;
 }
 
 const char *units_name(const char *si) {
-    static const char *const names[][2] = {{"m", "length"},
-                                           {"s", "time"},
-                                           {"m/s", "velocity"},
-                                           {"m/s2", "acceleration"},
-                                           {"kg/m3", "density"},
-                                           {"Pa", "pressure"},
-                                           {"N/m", "stiffness"},
-                                           {"1/s", "rate"},
-                                           {"rad", "angle"},
-                                           {"K", "temperature"},
-                                           {"N", "force"},
-                                           {"kg/s", "mass rate"},
-                                           {"rad/s", "angular velocity"}};
+    static const char *const names[][2] = {{"m", "length"},       {"s", "time"},
+                                           {"m/s", "velocity"},   {"m/s2", "acceleration"},
+                                           {"kg/m3", "density"},  {"Pa", "pressure"},
+                                           {"N/m", "stiffness"},  {"1/s", "rate"},
+                                           {"rad", "angle"},      {"K", "temperature"},
+                                           {"V", "potential"},    {"N", "force"},
+                                           {"kg/s", "mass rate"}, {"rad/s", "angular velocity"}};
     for (size_t k = 0; k < sizeof(names) / sizeof(names[0]); k++)
         if (strcmp(names[k][0], si) == 0)
             return names[k][1];

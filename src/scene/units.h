@@ -5,12 +5,12 @@
 
 #include <stdbool.h>
 
-/* Powers of metre, kilogram, second, radian and kelvin. */
+/* Powers of metre, kilogram, second, radian, kelvin and ampere. */
 struct units_dimension {
-    int length, mass, time, angle, temperature;
+    int length, mass, time, angle, temperature, current;
 };
 
-/* One unit in SI base units (m, kg, s, rad, K): factor x 10^decimal. Apart, so that decimal prefixes lose no
+/* One unit in SI base units (m, kg, s, rad, K, A): factor x 10^decimal. Apart, so that decimal prefixes lose no
  * digit. */
 struct units_scale {
     double factor;
@@ -18,7 +18,7 @@ struct units_scale {
 };
 
 /* Reads a unit: factors, each a symbol with an SI prefix and an exponent ("cm3", "s^2", "m-3"), apart by
- * spaces, `*` or `/` (which divides by the one factor after it). Symbols: m g s K N Pa J W Hz rad deg rpm min h
+ * spaces, `*` or `/` (which divides by the one factor after it). Symbols: m g s K A N Pa J W V C F Hz rad deg rpm min h
  * t L bar %. Gives scale and dimension; false if it is none. "" and "1" are pure numbers. */
 bool units_parse(const char *text, struct units_scale *scale, struct units_dimension *dimension);
 

@@ -420,6 +420,61 @@ check "a grain that falls in a fluid, on 3 ranks" carried_falling 3
 check "a grain that falls in a fluid, after a resume" carried_falling 1 --resume one/checkpoint-20.h5
 check "free grains among particles at rest" scene_refused 'fluid.grains|lagrangian' falling.yaml --set fluid.motion=fixed
 
+# An electrolyte: charged grain and walls, a field that drives the flow; the same on other ranks (of the velocity as far as the steady solver goes)
+cat >ions.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [1, 1, 0], periodic: [true, false, false], dimension: 2}
+walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}, {name: ceiling, shape: plane, point: [0, 1, 0], normal: [0, -1, 0]}]
+particles: {from: single, position: [0.5, 0.5, 0], radius: 0.2, density: 1, group: bed}
+groups: [{name: bed, motion: frozen}]
+fluid:
+  spacing: 0.04166666666666667
+  density: 1
+  viscosity: 1
+  equations: stokes
+  time: steady
+  solver: {tolerance: 1e-8}
+  electrolyte:
+    permittivity: 2
+    debye_length: 0.2
+    thermal_voltage: 0.5
+    field: [1, 0, 0]
+    surfaces: [{wall: floor, charge: 30}, {wall: ceiling, zeta: 4, period: 1}, {group: bed, zeta: -1}]
+step: {count: 1}
+observables: {every: 1, list: [{name: fluid_velocity, components: x}, {name: fluid_charge}]}
+output: {checkpoint: {at_end: false}, dump: {every: 1, fields: [id, velocity, potential, charge_density, electric_field]}}
+YAML
+charged() { # frame: id type v E potential charge; a potential of 8 thermal voltages wants damped steps
+    run_scene 1 ions.yaml one --set threads=1 || return 1
+    awk '/^ITEM/ { n = 0 } !/^ITEM/ && NF == 10 { line[++n] = $0 } END { for (k = 1; k <= n; k++) print line[k] }' one/dump.lammpstrj | sort -n >one.frame
+    awk '$9 != 0 { n++; if ($9 > most) most = $9; if ($9 < least) least = $9; e += $6; u += $3 } END { printf "  %d particles, potential %g ... %g, field %g, velocity %g\n", n, least, most, e / n, u / n
+        exit !(n > 400 && most > 2 && least < -2 && e / n > 0.8 && e / n < 1.2 && u * u > 1e-6) }' one.frame
+}
+rm -rf one
+check "an electrolyte between charged walls, around a charged grain" charged
+charged_on() { # RANKS THREADS FLAG...
+    local ranks=$1 threads=$2
+    shift 2
+    rm -rf other
+    run_scene "$ranks" ions.yaml other --set threads="$threads" "$@" &&
+        awk '/^ITEM/ { n = 0 } !/^ITEM/ && NF == 10 { line[++n] = $0 } END { for (k = 1; k <= n; k++) print line[k] }' other/dump.lammpstrj | sort -n | paste -d ' ' one.frame - | awk '
+        { for (k = 1; k <= 10; k++) { d = $k - $(k + 10); d = d < 0 ? -d : d; bound = k == 3 || k == 4 ? 2e-3 : k == 10 ? 1e-7 : 1e-8; if (!(d <= bound)) bad++; if (k > 4 && !(d <= gap)) gap = d } }
+        END { printf "  %d particles, apart by %.1e\n", NR, gap; exit bad > 0 || NR < 500 }'
+}
+check "an electrolyte on 2 ranks x 2 threads" charged_on 2 2
+check "an electrolyte on 4 ranks, hgrid" charged_on 4 1 --set index=hgrid
+check "a surface with potential and charge" scene_refused 'fluid.electrolyte.surfaces[0]|one of zeta and charge, not both' ions.yaml --set 'fluid.electrolyte.surfaces=[{wall: floor, zeta: 1, charge: 1}]'
+check "a charged surface that is none" scene_refused 'fluid.electrolyte.surfaces[0]|one of wall, group and side' ions.yaml --set 'fluid.electrolyte.surfaces=[{zeta: 1}]'
+grep -v debye_length ions.yaml >uncertain.yaml
+check "an electrolyte without Debye length" scene_refused 'uncertain.yaml:13|fluid.electrolyte.debye_length|missing' uncertain.yaml
+check "a given flow of an electrolyte" scene_refused 'fluid.drive.mass_flow|electrolyte' ions.yaml --set fluid.drive.mass_flow=1
+check "an electrolyte in particles that move" scene_refused 'fluid.motion' ions.yaml --set fluid.motion=lagrangian
+
+rolls() {
+    SCREE=$scree "$top_srcdir/examples/electroosmosis/check" "$PWD/rolls"
+}
+check "the example of electroosmosis: rolls that mix" rolls
+
 check "a support below the diagonal" scene_refused 'fluid.kernel.support|from 1.42' sphere.yaml --set fluid.kernel.support=1.2
 check "two drives" scene_refused 'fluid.drive.mass_flow|exclude each other' sphere.yaml --set fluid.drive.mass_flow=1
 check "a drive towards a wall" scene_refused 'fluid.drive.pressure_drop|periodic' channel.yaml --set 'fluid.drive={pressure_drop: 1, axis: y}'
