@@ -24,7 +24,7 @@ static void side_make(const struct applied *applied, const double far[3], double
             if (e >= walls && !weights_foot_of(weights, w++)->open)
                 continue;
             weights_apart(weights, applied->input, row, e, apart);
-            sum[row] += weights->scalar[e] * dot(far, apart);
+            sum[row] += weights_scalar(weights, e) * dot(far, apart);
         }
     }
 }
@@ -37,8 +37,7 @@ static double determinant(const double a[3], const double b[3], const double c[3
 /* Adds the row of a wall entry to the matrix: - b (x) (the part of x_j - x_i along the wall), by columns. */
 static void add_wall(const struct weights *weights, size_t entry, size_t wall, const double apart[3],
                      double column[3][3]) {
-    const double *normal = weights_foot_of(weights, wall)->normal,
-                 *b = weights->vector + entry * (size_t)weights->dimension;
+    const double *normal = weights_foot_of(weights, wall)->normal, *b = weights_vector(weights, entry);
     double across = dot(apart, normal);
     for (int c = 0; c < weights->dimension; c++)
         for (int d = 0; d < weights->dimension; d++)
@@ -53,7 +52,7 @@ static void gradient_of(const struct applied *applied, size_t row, const double 
     double column[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     size_t walls = weights_walls(weights, row), w = weights->wall_start[row];
     for (size_t e = weights->start[row]; e < weights->start[row + 1]; e++) {
-        const double *b = weights->vector + e * (size_t)weights->dimension;
+        const double *b = weights_vector(weights, e);
         double apart[3], step;
         weights_apart(weights, applied->input, row, e, apart);
         if (e >= walls && !weights_foot_of(weights, w)->open) {
