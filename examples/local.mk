@@ -52,6 +52,10 @@ nobase_dist_pkgdata_DATA += \
 	$(crushing)/scene.yaml $(crushing)/summary.awk
 nobase_dist_pkgdata_SCRIPTS += $(crushing)/check $(crushing)/run.sh
 
+gate = examples/gate
+nobase_dist_pkgdata_DATA += $(gate)/README.md $(gate)/bottom.txt $(gate)/gate.txt $(gate)/picture.gp $(gate)/scene.yaml
+nobase_dist_pkgdata_SCRIPTS += $(gate)/check $(gate)/run.sh
+
 nobase_dist_pkgdata_DATA += examples/shear_cell/README.md examples/shear_cell/scene.yaml
 nobase_dist_pkgdata_SCRIPTS += examples/shear_cell/check examples/shear_cell/run.sh
 

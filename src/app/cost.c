@@ -163,15 +163,48 @@ static void time_print(struct simulation *s, uint64_t last, uint64_t steps) {
            1e3 * seconds, rebuilds, rebuilds == 1 ? "" : "s");
 }
 
+/* The stages of the scene, a line each. */
+static void stages_print(const struct scene *scene) {
+    if (scene->stages == 0)
+        return;
+    printf("\nstages, each with a checkpoint at its end\n");
+    for (int k = 0; k < scene->stages; k++) {
+        const struct scene_stage *stage = &scene->stage[k];
+        bool bounded = isfinite(stage->duration);
+        printf("  %-12s ", stage->name);
+        if (bounded)
+            printf("%s%.6g%s", stage->conditions ? "at most " : "", stage->duration,
+                   scene->units == SCENE_UNITS_NONE ? "" : " s");
+        for (int c = 0; c < stage->conditions; c++) {
+            const struct scene_condition *condition = &stage->condition[c];
+            const struct observable_request *request = &condition->request;
+            printf("%s%s%s%s",
+                   c         ? " and "
+                   : bounded ? ", until "
+                             : "until ",
+                   request->name, request->target[0] ? "/" : "", request->target);
+            if (!isnan(condition->at_least))
+                printf(" >= %.6g", condition->at_least);
+            if (!isnan(condition->at_most))
+                printf(" <= %.6g", condition->at_most);
+        }
+        if (stage->after > 0)
+            printf(", not before %.6g", stage->after);
+        printf("%s%s\n", stage->set[0] ? "; sets " : "", stage->set);
+    }
+}
+
 void cost_print(struct simulation *s) {
     uint64_t last = run_last_step(s), steps = last > s->clock.step ? last - s->clock.step : 0;
     if (s->comm->rank == 0) {
-        printf("\nwhat a run will cost\n");
+        stages_print(s->scene);
+        printf("\nwhat a run%s will cost\n", s->scene->stages > 0 ? " of the first stage" : "");
         if (steps < endless)
             printf("  steps        %" PRIu64 " of %.4g%s\n", steps, s->clock.dt,
                    s->scene->units == SCENE_UNITS_NONE ? "" : " s");
         else
-            printf("  steps        without end: the run goes on until a signal ends it\n");
+            printf("  steps        without end: the run goes on until %s\n",
+                   s->scene->stages > 0 ? "the conditions of the stage hold" : "a signal ends it");
     }
     files_print(s, steps);
     time_print(s, last, steps);

@@ -98,6 +98,11 @@ bool trial_run(const struct comm *comm, const struct scene *scene, struct trial 
     struct progress_options options = scene->output.progress;
     struct progress progress;
     *trial = (struct trial){0};
+    if (scene->stages > 0)
+        return error_set(
+            error, ERROR_USER,
+            "%s: stages: scree ablate compares runs without stages (--set 'stages=~' --set duration=...)",
+            scene->file);
     struct simulation *s = simulation_create(comm, scene, NULL, error);
     if (s == NULL)
         return false;

@@ -6,6 +6,8 @@ libengine_la_SOURCES = \
 	src/engine/classify.c \
 	src/engine/classify.h \
 	src/engine/clock.h \
+	src/engine/crossings.c \
+	src/engine/crossings.h \
 	src/engine/decide.c \
 	src/engine/decide.h \
 	src/engine/deform.c \
@@ -42,8 +44,12 @@ libengine_la_SOURCES = \
 	src/engine/resume_check.h \
 	src/engine/run.c \
 	src/engine/run.h \
+	src/engine/run_chain.c \
+	src/engine/run_directory.c \
 	src/engine/run_report.c \
 	src/engine/run_report.h \
+	src/engine/run_stages.c \
+	src/engine/run_stages.h \
 	src/engine/simulation.c \
 	src/engine/simulation.h \
 	src/engine/simulation_parts.c \

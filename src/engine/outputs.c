@@ -63,11 +63,23 @@ static bool contacts_write(struct outputs *o, const struct output_view *view, st
     return good;
 }
 
+const struct output_interval *outputs_grid_every(const struct output_options *options, int grid) {
+    const struct output_interval *own = &options->observables.grid[grid].every;
+    return output_interval_set(own) ? own : &options->observables.every;
+}
+
+static bool grid_due(const struct outputs *o, const struct simulation *s, int k) {
+    return output_interval_due(outputs_grid_every(o->options, k), s->clock.step, s->clock.time, s->clock.dt);
+}
+
 bool outputs_due(const struct outputs *o, const struct simulation *s) {
     const struct output_interval *every[] = {&o->options->observables.every, &o->options->trajectory.every,
                                              &o->options->trajectory.contacts, &o->options->dump.every};
     for (size_t k = 0; k < sizeof every / sizeof every[0]; k++)
         if (output_interval_due(every[k], s->clock.step, s->clock.time, s->clock.dt))
+            return true;
+    for (int k = 0; k < o->options->observables.grids; k++)
+        if (grid_due(o, s, k))
             return true;
     return false;
 }
@@ -88,6 +100,9 @@ bool outputs_write(struct outputs *o, const struct simulation *s, struct error *
     if (good && o->dump &&
         output_interval_due(&options->dump.every, s->clock.step, s->clock.time, s->clock.dt))
         good = frame_write(o, &view, false, error);
+    for (int k = 0; good && k < options->observables.grids; k++)
+        if (grid_due(o, s, k))
+            good = grid_write(o->grid[k], &view, error);
     return good && (!outputs_due(o, s) || outputs_tables(s, error));
 }
 

@@ -25,6 +25,9 @@ bool outputs_open(struct outputs *outputs, const struct simulation *simulation, 
 /* Tells whether the step to come writes observables that need sums, so that its forces compute them. */
 bool outputs_want_sums(const struct outputs *outputs, const struct simulation *simulation, uint64_t step);
 
+/* The interval of a grid: its own, or that of the observables. */
+const struct output_interval *outputs_grid_every(const struct output_options *options, int grid);
+
 /* True if dissipated energy or another sum over steps is observed. */
 bool outputs_sum_each_step(const struct outputs *outputs);
 

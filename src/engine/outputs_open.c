@@ -45,6 +45,15 @@ static bool observables_prepare(struct outputs *o, const struct simulation *s, s
            fail_at(s, "observables.list", error);
 }
 
+static bool grids_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
+    const struct output_view view = simulation_view(s);
+    bool good = true;
+    for (int k = 0; good && k < o->options->observables.grids; k++)
+        good = grid_open(&o->grid[k], &o->options->observables.grid[k], &view, o->run->directory,
+                         resumed ? s->clock.time : -1, error);
+    return good;
+}
+
 static bool files_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
     int64_t step = resumed ? (int64_t)s->clock.step : -1;
     char path[FILE_PATH_MAX];
@@ -68,16 +77,17 @@ static bool files_open(struct outputs *o, const struct simulation *s, bool resum
 
 struct output_run outputs_run(const struct simulation *s, const char *directory) {
     const struct scene *scene = s->scene;
-    struct output_run run = {
-        .directory = directory,
-        .scene = s->lineage.count > 0 ? s->lineage.run[s->lineage.count - 1].scene : NULL,
-        .lineage = &s->lineage,
-        .dimensionless = scene->units == SCENE_UNITS_NONE,
-        .varying = scene->insertions > 0 || scene->deletions > 0 || simulation_may_lose(s),
-        .seed = scene->seed,
-        .materials = scene->materials,
-        .material = scene->material,
-        .groups = scene->groups};
+    struct output_run run = {.directory = directory,
+                             .scene =
+                                 s->lineage.count > 0 ? s->lineage.run[s->lineage.count - 1].scene : NULL,
+                             .lineage = &s->lineage,
+                             .dimensionless = scene->units == SCENE_UNITS_NONE,
+                             .varying = scene->stages > 1 || scene->insertions > 0 || scene->deletions > 0 ||
+                                        simulation_may_lose(s),
+                             .seed = scene->seed,
+                             .materials = scene->materials,
+                             .material = scene->material,
+                             .groups = scene->groups};
     for (int g = 0; g < scene->groups; g++)
         run.group[g] = scene->group[g].name;
     return run;
@@ -105,7 +115,7 @@ bool outputs_create(struct outputs **outputs, const struct simulation *s, const 
 bool outputs_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
     bool good = o->observables == NULL || observables_open(o->observables, s->comm, o->run->directory,
                                                            resumed ? s->clock.time : -1, error);
-    good = good && files_open(o, s, resumed, error);
+    good = good && grids_open(o, s, resumed, error) && files_open(o, s, resumed, error);
     good = good &&
            physics_table_open(&s->physics, o->run->directory, resumed ? (int64_t)s->clock.step : -1, error);
     return comm_agree(s->comm, error) && good;
@@ -125,6 +135,8 @@ bool outputs_close(struct outputs **outputs, const struct comm *comm, struct err
         good = dump_close(&o->dump, here) && good;
     if (error->kind == ERROR_NONE)
         *error = own;
+    for (int k = 0; k < o->options->observables.grids; k++)
+        grid_close(&o->grid[k]);
     if (o->observables)
         observables_destroy(&o->observables);
     memory_free(o);

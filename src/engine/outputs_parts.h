@@ -6,6 +6,7 @@
 #include "engine/outputs.h"
 #include "formats/dump.h"
 #include "formats/h5md.h"
+#include "observe/grid.h"
 
 struct outputs {
     const struct output_options *options; /* borrowed from the scene */
@@ -14,6 +15,7 @@ struct outputs {
     bool row_written;                     /* of the observables */
     struct h5md *h5md;
     struct dump *dump;
+    struct grid *grid[OUTPUT_GRIDS_MAX];
 };
 
 #endif

@@ -2,6 +2,7 @@
 /* Writes checkpoints and resumes from them. A checkpoint step rebuilds, so the particles stand in the order
  * of a rebuild, and a resume on the same layout rebuilds into the same order. The trajectory of the resumed
  * run then equals that of the uninterrupted run, bit for bit. */
+#include "engine/crossings.h"
 #include "engine/deform.h"
 #include "engine/load.h"
 #include "engine/resume_check.h"
@@ -26,8 +27,15 @@ static void numbers_list(struct simulation *s, struct resume_numbers *own, struc
     restart_add(restart, RESTART_INTEGER, false, &s->clock.step_base, "step base");
     restart_add(restart, RESTART_REAL, false, &s->clock.time_base, "time base");
     restart_add(restart, RESTART_REAL, false, &own->fraction, "fraction of the stable step");
+    if (s->scene->stages > 0) {
+        restart_add(restart, RESTART_INTEGER, true, &s->stage.number, "stage: number");
+        restart_add(restart, RESTART_INTEGER, true, &s->stage.last, "stage: last step");
+        restart_add(restart, RESTART_REAL, true, &s->stage.began, "stage: began");
+    }
     restart_add(restart, RESTART_INTEGER, false, &s->sources.inserted, "inserted");
     restart_add(restart, RESTART_INTEGER, false, &s->sources.deleted, "deleted");
+    restart_add(restart, RESTART_SUM, true, &s->sources.deleted_mass, "deleted mass");
+    crossings_restart(s, restart);
     physics_restart(&s->physics, restart);
     deform_restart(s, restart);
     restart_add(restart, RESTART_SUM, false, &own->wall_work, "work of walls");

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The life of a run: folder, simulation, loop, signals, checkpoints, report. Read run.h first. */
+/* The life of a run, or of one of its stages: folder, simulation, loop, signals, checkpoints, report. Read run.h
+ * first. */
 #include "engine/run.h"
 #include "engine/simulation.h"
 #include "engine/stages.h"
@@ -13,17 +14,16 @@
 #include "engine/outputs.h"
 #include "engine/resume.h"
 #include "engine/run_report.h"
+#include "engine/run_stages.h"
 #include "core/memory.h"
 #include "formats/checkpoint.h"
 #include "observe/progress.h"
 #include "observe/report_json.h"
 #include "observe/report_print.h"
-#include <errno.h>
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <string.h>
-#include <sys/stat.h>
 
 /* The only variable that the signal handler changes. */
 static volatile sig_atomic_t run_signal;
@@ -58,41 +58,17 @@ struct run {
     bool checkpoint_due;    /* decided in the previous step */
     int lock;               /* handle of the folder's lock */
     bool crowd_told;        /* the message that other programs use the cores was printed */
+    struct run_stages stages;
+    struct run_chain *chain; /* borrowed; NULL: the scene has no stages */
 };
-
-/* Checks the directory before any file is made. */
-static bool directory_suits(const struct comm *comm, const struct run_options *options, struct error *error) {
-    if (options->directory == NULL)
-        return true;
-    if (options->directory[0] == '\0')
-        return error_set(error, ERROR_USER, "command line: -o: the name of the directory is empty");
-    return folder_check(comm, options->directory, error);
-}
-
-bool run_directory(const struct comm *comm, const struct run_options *options, struct error *error) {
-    if (!directory_suits(comm, options, error))
-        return false;
-    if (comm->rank == 0 && options->directory) {
-        struct stat found;
-        bool there = stat(options->directory, &found) == 0;
-        if (there && !options->overwrite && !options->resume && !folder_empty(options->directory))
-            error_set(error, ERROR_USER,
-                      "%s: exists already, and is not empty; nothing was written. Choose another -o, or give "
-                      "--overwrite or "
-                      "--resume FILE",
-                      options->directory);
-        else if (!there && !folder_make(options->directory))
-            error_set(error, ERROR_USER, "%s: cannot make this directory: %s", options->directory,
-                      strerror(errno));
-    }
-    return comm_agree(comm, error);
-}
 
 /* The largest number of steps of a run: a run of infinite or huge duration ends here, or by a signal. */
 static const uint64_t steps_most = (uint64_t)1 << 62;
 
 uint64_t run_last_step(const struct simulation *s) {
     const struct scene *scene = s->scene;
+    if (scene->stages > 0)
+        return run_stages_last(s, steps_most);
     if (scene->duration > 0) {
         double left = ceil((scene->duration - s->clock.time) / s->clock.dt - 1e-6);
         if (left >= (double)(steps_most - s->clock.step))
@@ -104,8 +80,9 @@ uint64_t run_last_step(const struct simulation *s) {
 
 static bool checkpoint_step(const struct run *run, uint64_t step) {
     uint64_t every = run->s->scene->output.checkpoint.every_steps;
-    return run->options->directory && (run->checkpoint_due || (every > 0 && step % every == 0) ||
-                                       (step == run->last && run->s->scene->output.checkpoint.at_end));
+    return run->options->directory &&
+           (run->checkpoint_due || (every > 0 && step % every == 0) ||
+            (step == run->last && (run->chain || run->s->scene->output.checkpoint.at_end)));
 }
 
 /* Sets the signals of this rank before the step; decide then sends the signals to all ranks. */
@@ -125,6 +102,10 @@ static bool checkpoint_regular(struct run *run, struct error *error) {
     if (!comm_agree(run->s->comm, &condemned))
         return true;
     run->checkpoint_last = timer_now();
+    if (run->chain && run->s->clock.step == run->last) {
+        run_stages_end(run->s);
+        run->chain->over = true;
+    }
     return (run->outputs == NULL || outputs_flush(run->outputs, run->s, error)) &&
            resume_write(run->s, &run->output, "", error);
 }
@@ -141,14 +122,24 @@ static void crowd_tell(struct run *run) {
             run->progress.mode == PROGRESS_BAR ? "\r\033[K" : "", text);
 }
 
+/* Looks at the conditions of the stage; the step after the present one may become the last. */
+static bool stage_look(struct run *run, struct error *error) {
+    run_stages_look(&run->stages, run->s, error);
+    run->last = run_last_step(run->s);
+    return error->kind == ERROR_NONE;
+}
+
 static bool step_once(struct run *run, struct error *error) {
     struct simulation *s = run->s;
     double dt = s->clock.dt;
     bool checkpoint = checkpoint_step(run, s->clock.step + 1);
     const struct run_watch *watch = run->options->watch;
     bool watched = watch && watch->due(watch->context, s->clock.step + 1);
+    bool looked = run_stages_due(&run->stages, s, s->clock.step + 1);
     signals_ask(run);
-    checked_step(s, watched || (run->outputs && outputs_want_sums(run->outputs, s, s->clock.step + 1)),
+    checked_step(s,
+                 watched || (looked && run_stages_need_sums(&run->stages)) ||
+                     (run->outputs && outputs_want_sums(run->outputs, s, s->clock.step + 1)),
                  checkpoint);
     if (s->clock.dt != dt) /* a shortened time step needs more steps to the end */
         run->last = run_last_step(s);
@@ -156,11 +147,13 @@ static bool step_once(struct run *run, struct error *error) {
     run->record.particle_steps += (double)s->total;
     int stage = stages_find(&s->timers, "output");
     timer_start(&s->timers, stage);
-    if (watched || (run->outputs && outputs_due(run->outputs, s)))
+    if (watched || looked || (run->outputs && outputs_due(run->outputs, s)))
         physics_look(&s->physics);
     bool good = run->outputs == NULL || outputs_write(run->outputs, s, error);
     if (good && watched)
         good = watch->look(watch->context, s, error);
+    if (good && looked)
+        good = stage_look(run, error);
     if (good && checkpoint)
         good = checkpoint_regular(run, error);
     run->checkpoint_due = s->agree.signals.stop || (s->agree.signals.checkpoint && !checkpoint);
@@ -190,10 +183,10 @@ static bool steps(struct run *run, struct error *error) {
     return true;
 }
 
-static bool report_out(const struct run *run, const struct report *report, struct error *error) {
+static bool report_out(const struct run *run, const struct report *report, bool shown, struct error *error) {
     if (run->s->comm->rank != 0)
         return true;
-    if (!run->options->quiet)
+    if (shown && !run->options->quiet)
         report_print(report, stdout);
     if (run->options->directory == NULL)
         return true;
@@ -298,34 +291,64 @@ static void tables_end(const struct run *run, struct error *error) {
         *error = own;
 }
 
-int run_scene(const struct comm *comm, const struct scene *scene, const struct run_options *options,
-              struct report *report, struct error *error) {
-    struct run run = {.options = options, .lock = -1};
+/* Fills and writes the report; between two stages the terminal gets none. */
+static void report_make(struct run *run, struct report *report, struct error *error) {
+    const struct run_chain *chain = run->chain;
+    struct error unwritten = {0};
+    report_create(report, run->s->comm->size);
+    run_report_fill(run->s, &run->record, report);
+    report->scene_stages = chain ? chain->done : 0;
+    if (chain)
+        memcpy(report->scene_stage, chain->row, sizeof report->scene_stage);
+    outputs_close(&run->outputs, run->s->comm, error);
+    bool more =
+        chain && chain->over && chain->number + 1 < run->s->scene->stages && error->kind == ERROR_NONE;
+    if (!report_out(run, report, !more, &unwritten) && error->kind == ERROR_NONE)
+        *error = unwritten;
+}
+
+/* Tells of the start: what a resume changes, and which stage begins. */
+static void start_tell(const struct run *run) {
+    const struct simulation *s = run->s;
+    const char *resume = run->options->resume;
+    char label[2 * OUTPUT_NAME_MAX];
+    if (s->comm->rank != 0 || run->options->quiet)
+        return;
+    if (run->chain)
+        run_stages_print(s, stderr);
+    if (run->chain && run->chain->done > 0) {
+        snprintf(label, sizeof label, "scree: stage '%s'", s->scene->stage[s->stage.number].name);
+        resume = label;
+    }
+    if (resume)
+        resume_print(s, resume, stderr);
+}
+
+int run_one(const struct comm *comm, const struct scene *scene, const struct run_options *options,
+            struct run_chain *chain, struct report *report, struct error *error) {
+    struct run run = {.options = options, .lock = -1, .chain = chain};
     struct report own;
     double start = timer_now();
-    if (!directory_suits(comm, options, error))
+    if (!run_directory_suits(comm, options, error))
         return error->kind;
     run.s = simulation_create(comm, scene, options->resume, error);
-    if (run.s == NULL || over_already(run.s, options->resume)) {
+    if (run.s == NULL || (chain == NULL && over_already(run.s, options->resume))) {
         simulation_destroy(&run.s);
         return error->kind;
     }
     run.output = outputs_run(run.s, options->directory);
-    if (comm->rank == 0 && options->resume && !options->quiet)
-        resume_print(run.s, options->resume, stderr);
+    start_tell(&run);
     run_signals_catch();
-    if (run_open(&run, error) && watch_begin(&run, error)) {
+    if (run_stages_open(&run.stages, run.s, &run.output, error) && run_open(&run, error) &&
+        watch_begin(&run, error)) {
         if (!options->quiet)
             notes_tell(run.s);
         run.record.setup = timer_now() - start;
         run_loop(&run, error);
         tables_end(&run, error);
-        report_create(&own, comm->size);
-        run_report_fill(run.s, &run.record, &own);
-        outputs_close(&run.outputs, comm, error);
-        struct error unwritten = {0};
-        if (!report_out(&run, &own, &unwritten) && error->kind == ERROR_NONE)
-            *error = unwritten;
+        if (chain)
+            run_stages_add(&run.stages, run.s, chain, timer_now() - run.record.began);
+        report_make(&run, &own, error);
         if (report)
             *report = own;
         else
@@ -333,6 +356,7 @@ int run_scene(const struct comm *comm, const struct scene *scene, const struct r
     }
     comm_agree(comm, error);
     outputs_close(&run.outputs, comm, error);
+    run_stages_close(&run.stages);
     folder_unlock(&run.lock);
     simulation_destroy(&run.s);
     if (error->kind != ERROR_NONE)

@@ -3,6 +3,7 @@
 #ifndef SCREE_ENGINE_RUN_H
 #define SCREE_ENGINE_RUN_H
 
+#include "engine/run_stages.h"
 #include "engine/simulation.h"
 #include "observe/progress.h"
 #include "observe/report.h"
@@ -33,11 +34,18 @@ struct run_options {
 int run_scene(const struct comm *comm, const struct scene *scene, const struct run_options *options,
               struct report *report, struct error *error);
 
+/* As run_scene, for a run without stages (`chain` NULL) or one stage, which `chain` names; takes its end. */
+int run_one(const struct comm *comm, const struct scene *scene, const struct run_options *options,
+            struct run_chain *chain, struct report *report, struct error *error);
+
 /* run_last_step: the number of the last step of a run. run_signals_catch: installs the signal handlers of a
  * run. run_signalled: the signal that this rank received, or 0. */
 uint64_t run_last_step(const struct simulation *simulation);
 void run_signals_catch(void);
 int run_signalled(void);
+
+/* Checks the directory before any file is made. Collective. */
+bool run_directory_suits(const struct comm *comm, const struct run_options *options, struct error *error);
 
 /* Prepares the directory: makes a missing one; exit 2 if the directory exists and is neither overwritten nor
  * resumed in. Collective. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Makes a simulation from a scene, and its parts. Read simulation.h first. */
 #include "engine/simulation.h"
+#include "engine/crossings.h"
 #include "engine/deform.h"
 #include "engine/simulation_parts.h"
 #include "engine/classify.h"
@@ -143,12 +144,14 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
     if (!comm_agree(s->comm, error)) /* ranks may have different CPUs */
         return false;
     struct rebuild_rows rows = {0};
+    crossings_prepare(s);
     bool good = resume ? resume_read(s, resume, &rows, error) : particles_make(s, error);
     if (!good || !particles_suit(s, error)) {
         rebuild_rows_free(&rows);
         return false;
     }
     bool begun = resume ? run_go_on(s, &rows, error) : run_begin(s, error);
+    crossings_begin(s);
     char *echo = scene_echo(s->scene);
     lineage_go_on(&s->lineage, s->clock.step, echo);
     memory_free(echo);

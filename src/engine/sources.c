@@ -3,6 +3,7 @@
  * happen only at a rebuild, while there are no copies. Every SOURCES_EVERY steps insertion regions are
  * checked, so that the steps at which particles appear do not depend on ranks, threads or index. */
 #include "engine/sources.h"
+#include "engine/crossings.h"
 #include "engine/rebuild_rows.h"
 #include "contact/material.h"
 #include "contact/spin.h"
@@ -160,6 +161,11 @@ static bool deleted_by_region(const struct simulation *s, const double x[3]) {
     return false;
 }
 
+static void account_removed(struct simulation *s, size_t k) {
+    s->sources.deleted_mass += groups_mass(s->particles, k);
+    crossings_account(s, k, 1);
+}
+
 static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
     struct particles *particles = s->particles;
     bool regions = deletions_due(s);
@@ -176,6 +182,8 @@ static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
         remove[k] = leave == BOX_DELETE || (regions && deleted_by_region(s, particles->state[k].x)) ||
                     is_taken(&s->sources.given, particles->id[k]);
         marked += remove[k];
+        if (remove[k])
+            account_removed(s, k);
     }
     if (marked > 0) {
         if (rows->pairs.start)
@@ -258,6 +266,7 @@ static void candidate_append(struct simulation *s, const struct insertion_candid
         group[k] = (uint8_t)candidate->group;
     if (density)
         density[k] = candidate->density;
+    crossings_account(s, k, -1);
 }
 
 /* Extends the starts of history rows for the appended particles, whose rows are empty. */

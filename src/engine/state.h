@@ -115,7 +115,8 @@ struct sources {
     struct insertion insertion[INSERTIONS_MAX];
     struct insertion_state state[INSERTIONS_MAX];
     uint64_t inserted, deleted;
-    uint64_t last_step; /* last step at which particles came or went */
+    double deleted_mass; /* this rank's part */
+    uint64_t last_step;  /* last step at which particles came or went */
     /* What the calling program adds and deletes at the next rebuild, the same on all ranks. */
     struct given {
         size_t added, added_room, taken, taken_room;
@@ -131,6 +132,13 @@ struct resumed {
     int grid[3];                  /* ranks per direction of that run */
     struct scene_changes changes; /* changes of the scene since the checkpoint */
     uint64_t masses;              /* number of particles whose mass was changed */
+};
+
+/* The place of a run among the stages of its scene (run_stages.h); all zero without stages. */
+struct stage_place {
+    uint64_t number; /* of the present stage, from 0 */
+    uint64_t last;   /* the step that ends the stage, as its conditions hold; 0: they do not */
+    double began;    /* time at the beginning of the stage */
 };
 
 /* Data of the guards (guards.h). */
@@ -168,6 +176,8 @@ struct simulation {
     bool classes_stale; /* radii may have changed: the next rebuild chooses classes again */
     uint64_t total;     /* particles on all ranks */
     struct clock clock;
+    struct stage_place stage;
+    struct output_crossing crossings[OUTPUT_PLANES_MAX]; /* crossings.h */
     struct timing timing;
     struct grains grains;
     struct search search;

@@ -28,6 +28,12 @@ struct output_view simulation_view(const struct simulation *s) {
                                         .bytes = ghosts.bytes,
                                         .work = timer_sum(&s->timers, TIMER_WORK, 0),
                                         .waiting = timer_sum(&s->timers, TIMER_WAIT, 0)}};
+    view.turnover = (struct output_turnover){.inserted = s->sources.inserted,
+                                             .deleted = s->sources.deleted,
+                                             .deleted_mass = s->sources.deleted_mass};
+    for (int k = 0; k < s->scene->insertions; k++)
+        view.turnover.inserted_mass += s->sources.state[k].mass;
+    view.crossing = s->crossings;
     physics_own(&s->physics, view.own);
     physics_energy(&s->physics, &view.held, &view.gone);
     view.gone -= physics_work(&s->physics);

@@ -34,6 +34,19 @@ struct output_load {
     double work, waiting;     /* seconds of work, and in communication, since the program's first step */
 };
 
+/* Particles that have come and gone since the start of the run, over resumes. */
+struct output_turnover {
+    uint64_t inserted, deleted;
+    double inserted_mass;
+    double deleted_mass; /* this rank's part */
+};
+
+/* Net crossings of a plane since the start, without the part that the particles of the moment tell (observe/crossing.h);
+ * this rank's part. */
+struct output_crossing {
+    double particles, mass;
+};
+
 /* The run at the end of a step: positions and forces of this moment, velocities of half a step before. */
 struct output_view {
     const struct comm *comm;
@@ -50,6 +63,8 @@ struct output_view {
     uint64_t step;
     double time;
     struct output_load load;
+    struct output_turnover turnover;
+    const struct output_crossing *crossing; /* by plane of the observables */
     const void
         *own[PHYSICS_COUNT]; /* the own data of the physics, for their observables; NULL: not in the run */
 };

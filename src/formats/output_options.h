@@ -9,7 +9,15 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { OUTPUT_NAME_MAX = 64, OUTPUT_FIELDS_MAX = 64, OUTPUT_REGIONS_MAX = 32, OUTPUT_REQUESTS_MAX = 64 };
+enum {
+    OUTPUT_NAME_MAX = 64,
+    OUTPUT_FIELDS_MAX = 64,
+    OUTPUT_REGIONS_MAX = 32,
+    OUTPUT_PLANES_MAX = 16,
+    OUTPUT_EXPRESSION_MAX = 256,
+    OUTPUT_GRIDS_MAX = 8,
+    OUTPUT_REQUESTS_MAX = 64
+};
 
 /* An interval of output: every so many steps, or the first step at or after each multiple of a time. */
 struct output_interval {
@@ -66,6 +74,13 @@ struct output_region {
     double length;             /* CYLINDER, in total; 0: infinite */
 };
 
+/* A plane that particles cross, in the user's coordinates. */
+struct output_plane {
+    char name[OUTPUT_NAME_MAX];
+    double point[3];
+    double normal[3]; /* crossings along it count as positive; any length > 0 */
+};
+
 /* One requested observable. The meaning of `target`, `id` and `components` depends on the observable
  * (observables.h). */
 struct observable_request {
@@ -74,6 +89,21 @@ struct observable_request {
     char target[OUTPUT_NAME_MAX]; /* name of a wall, region or material; "": all of them */
     int64_t id;                   /* particle */
     unsigned components;          /* bits 1 x, 2 y, 4 z; 0: all */
+    char of[OUTPUT_EXPRESSION_MAX], where[OUTPUT_EXPRESSION_MAX]; /* expressions over particles; "": none */
+    char unit[OUTPUT_NAME_MAX];                                   /* of the expression */
+};
+
+enum output_kernel { OUTPUT_KERNEL_CELLS, OUTPUT_KERNEL_GAUSS };
+
+/* Fields on a grid, DIR/grid-NAME.csv (observe/grid.h). */
+struct output_grid {
+    char name[OUTPUT_NAME_MAX];
+    struct output_interval every;
+    double lower[3], upper[3]; /* user's coordinates; NAN: the box */
+    int directions;            /* numbers given in `cells`: 3 */
+    int64_t cells[3];
+    enum output_kernel kernel;
+    double width; /* GAUSS: standard deviation, length unit */
 };
 
 /* DIR/observables.csv. */
@@ -83,6 +113,10 @@ struct observables_options {
     struct observable_request request[OUTPUT_REQUESTS_MAX]; /* none: energies, momentum, contacts */
     int regions;
     struct output_region region[OUTPUT_REGIONS_MAX];
+    int planes;
+    struct output_plane plane[OUTPUT_PLANES_MAX];
+    int grids;
+    struct output_grid grid[OUTPUT_GRIDS_MAX];
 };
 
 enum progress_mode { PROGRESS_AUTO, PROGRESS_BAR, PROGRESS_LINES, PROGRESS_OFF };

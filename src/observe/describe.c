@@ -51,8 +51,8 @@ static void print_columns(FILE *out, const struct observable_kind *kind) {
     bool of_one = info->target == OBSERVABLE_OF_WALL || info->target == OBSERVABLE_OF_PARTICLE ||
                   info->target == OBSERVABLE_OF_BODY;
     const char *stem = of_one ? stems[info->target] : info->name;
-    if (info->target == OBSERVABLE_OF_REGION)
-        fprintf(out, "`%s_REGION`", info->name);
+    if (info->target == OBSERVABLE_OF_REGION || info->target == OBSERVABLE_OF_PLANE)
+        fprintf(out, info->target == OBSERVABLE_OF_PLANE ? "`%s_PLANE`" : "`%s_REGION`", info->name);
     else if (info->components == 1)
         fprintf(out, "`%s`", stem);
     for (int c = 0; info->components > 1 && c < info->components; c++)
@@ -68,6 +68,8 @@ static void print_takes(FILE *out, const struct observable_info *info) {
                                         [OBSERVABLE_OF_PARTICLE] = "`id`",
                                         [OBSERVABLE_OF_REGION] = "`target`: a region",
                                         [OBSERVABLE_OF_ALL_OR_REGION] = "`target`: a region, or none",
+                                        [OBSERVABLE_OF_EXPRESSION] = "`of`, `where`, `unit`",
+                                        [OBSERVABLE_OF_PLANE] = "`target`: a plane",
                                         [OBSERVABLE_OF_BODY] =
                                             "`target`: a wall or a group, or `/BODY` after the name"};
     const char *target = takes[info->target];

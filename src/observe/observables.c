@@ -4,6 +4,7 @@
 #include "observe/observables.h"
 
 #include "core/memory.h"
+#include "observe/crossing.h"
 #include "observe/observables_kinds.h"
 #include "physics_table.h"
 
@@ -15,23 +16,33 @@
 static const struct observable_table *const of_physics[] = {PHYSICS_TABLE(OBSERVABLES_OF)};
 #undef OBSERVABLES_OF
 
+/* The files that define rows, in the order of docs/output.md. */
+static const struct {
+    int (*count)(void);
+    const struct observable_kind *(*row)(int k);
+} files[] = {{observables_bulk_count, observables_bulk},
+             {observables_state_count, observables_state},
+             {observables_flow_count, observables_flow},
+             {observables_single_count, observables_single},
+             {observables_expression_count, observables_expression}};
+
 int observables_kinds_count(void) {
-    int count = observables_bulk_count() + observables_flow_count() + observables_single_count();
+    int count = 0;
+    for (size_t f = 0; f < sizeof files / sizeof files[0]; f++)
+        count += files[f].count();
     for (int p = 0; p < PHYSICS_COUNT; p++)
         count += of_physics[p]->count;
     return count;
 }
 
 const struct observable_kind *observables_kind(int k) {
-    int bulk = observables_bulk_count(), flow = observables_flow_count(), single = observables_single_count(),
-        p = 0;
-    if (k < bulk)
-        return observables_bulk(k);
-    if (k < bulk + flow)
-        return observables_flow(k - bulk);
-    if (k < bulk + flow + single)
-        return observables_single(k - bulk - flow);
-    for (k -= bulk + flow + single; k >= of_physics[p]->count; p++)
+    int p = 0;
+    for (size_t f = 0; f < sizeof files / sizeof files[0]; f++) {
+        if (k < files[f].count())
+            return files[f].row(k);
+        k -= files[f].count();
+    }
+    for (; k >= of_physics[p]->count; p++)
         k -= of_physics[p]->count;
     return &of_physics[p]->rows[k];
 }
@@ -100,7 +111,7 @@ static void add_item(struct observables *o, struct observable_item item, const c
     item.first_column = o->columns;
     o->parts += kind->parts;
     bool listed = kind->needs_contacts && item.region;
-    o->needs_contacts = o->needs_contacts || listed;
+    o->needs_contacts = o->needs_contacts || listed || kind->lists_contacts;
     o->needs_sums = o->needs_sums || (kind->needs_sums && !listed);
     o->needs_work = o->needs_work || kind->needs_work;
     add_columns(o, &item, stem);
@@ -221,6 +232,46 @@ static bool add_regions(struct resolving *r, const struct observable_request *re
     return true;
 }
 
+static bool add_planes(struct resolving *r, const struct observable_request *request,
+                       struct observable_item item, struct error *error) {
+    char known[512] = "", stem[OBSERVABLE_COLUMN_MAX];
+    int found = 0;
+    item.planes = r->o->plane;
+    for (item.plane = 0; item.plane < r->o->planes; item.plane++) {
+        const struct output_plane *plane = &r->o->plane[item.plane];
+        list_name(known, sizeof known, plane->name);
+        if (request->target[0] && strcmp(request->target, plane->name) != 0)
+            continue;
+        if (!crossing_check(r->view->box, plane, error))
+            return false;
+        snprintf(stem, sizeof stem, "%s_%s", observables_get(item.kind)->name, plane->name);
+        add_item(r->o, item, request->label[0] ? request->label : stem);
+        found++;
+    }
+    if (found == 0)
+        return error_set(error, ERROR_USER, "observables: %s: there is no plane \"%s\"; there are: %s",
+                         request->name, request->target, known[0] ? known : "none");
+    return found == 1 || !request->label[0] ||
+           error_set(error, ERROR_USER,
+                     "observables: %s: the label \"%s\" would name several planes; give a target",
+                     request->name, request->label);
+}
+
+static bool add_expression(struct resolving *r, const struct observable_request *request,
+                           struct observable_item item, struct error *error) {
+    if (!observables_expression_make(&item.expression, request, r->view, error)) {
+        observables_expression_free(&item.expression);
+        return false;
+    }
+    add_item(r->o, item, request->label[0] ? request->label : observables_get(item.kind)->name);
+    if (request->unit[0] && !r->o->dimensionless && r->o->units_given < OUTPUT_REQUESTS_MAX) {
+        char *unit = r->o->units[r->o->units_given++];
+        snprintf(unit, OUTPUT_NAME_MAX, "%s", request->unit);
+        r->o->column[r->o->columns - 1].unit = unit;
+    }
+    return true;
+}
+
 static bool add_particle(struct resolving *r, const struct observable_request *request,
                          struct observable_item item, struct error *error) {
     if (request->id < 1)
@@ -232,17 +283,32 @@ static bool add_particle(struct resolving *r, const struct observable_request *r
     return true;
 }
 
+/* Refuses expressions of observables that have none. */
+static bool takes_expressions(const struct observable_request *request, const struct observable_info *info,
+                              struct error *error) {
+    return info->target == OBSERVABLE_OF_EXPRESSION || (!request->of[0] && !request->where[0]) ||
+           error_set(error, ERROR_USER,
+                     "observables: %s: takes neither `of` nor `where`; sum, mean, largest and least do",
+                     request->name);
+}
+
 static bool add_kind(struct resolving *r, const struct observable_request *request, int kind,
                      struct error *error) {
     const struct observable_info *info = observables_get(kind);
     struct observable_item item = {
         .kind = kind, .components = request->components, .material = -1, .group = -1, .id = request->id};
     bool whole_family = strcmp(request->name, info->name) != 0;
+    if (!takes_expressions(request, info, error))
+        return false;
     switch (info->target) {
     case OBSERVABLE_OF_WALL:
         return add_walls(r, request, item, error);
     case OBSERVABLE_OF_REGION:
         return add_regions(r, request, item, error);
+    case OBSERVABLE_OF_EXPRESSION:
+        return add_expression(r, request, item, error);
+    case OBSERVABLE_OF_PLANE:
+        return add_planes(r, request, item, error);
     case OBSERVABLE_OF_BODY:
         return add_bodies(r, request, item, error);
     case OBSERVABLE_OF_PARTICLE:
@@ -321,6 +387,8 @@ bool observables_create(struct observables **observables, const struct observabl
     o->regions = options->regions;
     o->last_time = -INFINITY;
     memcpy(o->region, options->region, sizeof o->region);
+    o->planes = options->planes;
+    memcpy(o->plane, options->plane, sizeof o->plane);
     struct resolving r = {.o = o, .view = view, .run = run};
     int count = options->count ? options->count : (int)(sizeof by_default / sizeof by_default[0]);
     bool good = true;
@@ -348,6 +416,8 @@ void observables_destroy(struct observables **observables) {
         return;
     if (o->file)
         fclose(o->file);
+    for (int k = 0; k < o->items; k++)
+        observables_expression_free(&o->item[k].expression);
     memory_free(o->item);
     memory_free(o->column);
     memory_free(o->value);

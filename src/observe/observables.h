@@ -16,6 +16,8 @@ enum observable_target {
     OBSERVABLE_OF_REGION,   /* a region, or "": every region; a material after a slash counts that alone
                                ("zone/glass") */
     OBSERVABLE_OF_ALL_OR_REGION, /* a region in the same way, or "": the whole run */
+    OBSERVABLE_OF_EXPRESSION,    /* `of` and `where` of the request */
+    OBSERVABLE_OF_PLANE,         /* a plane; "": every plane */
     OBSERVABLE_OF_BODY           /* a wall, or a group of grains; "": every wall and every group */
 };
 

@@ -4,8 +4,8 @@
  *
  * How to add an observable, in three steps:
  *   1. Write its function: `of_particle`, the part of one particle, or `of_rank`, this rank's part.
- *   2. Add its row: what concerns the whole run to observables_bulk.c, a wall, a particle or a region to
- *      observables_single.c, fields of a physics to NAME_observables (physics_table.h). `relevant` says in
+ *   2. Add its row: what concerns the whole run to observables_bulk.c or observables_state.c, a wall, a particle or a region
+ *      to observables_single.c, fields of a physics to NAME_observables (physics_table.h). `relevant` says in
  *      which scenes a family has the row; a request by its name is always served, so the function must do
  *      without its field.
  *   3. `make pages` writes docs/output.md.
@@ -19,6 +19,8 @@
 
 enum { OBSERVABLE_PARTS_MAX = 12 };
 
+struct observable_expression;
+
 /* A resolved request: what one kind observes of one target. */
 struct observable_item {
     int kind;
@@ -26,6 +28,9 @@ struct observable_item {
     int wall, material;                 /* material -1: all */
     int group;                          /* OBSERVABLE_OF_BODY: group of grains, where `wall` is -1 */
     const struct output_region *region; /* NULL: the whole run */
+    int plane;                          /* OBSERVABLE_OF_PLANE: its number in `planes` */
+    const struct output_plane *planes;
+    struct observable_expression *expression; /* OBSERVABLE_OF_EXPRESSION, else NULL; owned */
     int64_t id;
     int first_part, first_column;
     uint64_t revision; /* of the particles when `number` was found */
@@ -60,6 +65,7 @@ struct observable_kind {
     bool needs_sums;     /* force_sums beyond contacts and overlap */
     bool needs_work;     /* force_sums.taken of every step */
     bool needs_contacts; /* the contact list, of a region (then no sums) */
+    bool lists_contacts; /* the contact list, of a region or not */
     /* Add to this rank's parts, which begin as zero. A row has one of the two functions or both: for the whole
      * rank, called once and last, and for one particle, called for all owned grains, prescribed ones too, by
      * many threads at once (with `of_all_kinds` for particles of all kinds, kinds.h). With OBSERVABLE_MAX each takes the larger of its value and part[k],
@@ -81,7 +87,11 @@ struct observable_table {
     int count;
 };
 
-/* The rows of the three files that define them, and of all together. */
+/* The rows of the files that define them, and of all together. */
+int observables_expression_count(void);
+const struct observable_kind *observables_expression(int k);
+int observables_state_count(void);
+const struct observable_kind *observables_state(int k);
 int observables_flow_count(void);
 const struct observable_kind *observables_flow(int k);
 int observables_bulk_count(void);
@@ -98,6 +108,20 @@ bool observables_region_contains(const struct output_region *region, const doubl
  * Positions are wrapped first: copies stand beyond the box, and particles may, between rebuilds. */
 bool observables_item_counts(const struct output_view *view, const struct observable_item *item, size_t i);
 
+/* Reads the expressions of a request, whose variables are the fields of the view's particles. Fails (user) with the names
+ * of the variables. The result is to be freed even then. */
+bool observables_expression_make(struct observable_expression **expression,
+                                 const struct observable_request *request, const struct output_view *view,
+                                 struct error *error);
+void observables_expression_free(struct observable_expression **expression);
+
+/* Volume of the part of a region that lies in the box, in two dimensions area; NULL: of the box. */
+double observables_volume(const struct box *box, const struct output_region *region);
+
+/* True if the volume of a region is known. */
+bool observables_volume_check(const struct output_view *view, const struct output_region *region,
+                              struct error *error);
+
 /* The parts of the row "stress" (observables_stress.c has the formula). */
 void observables_stress_flux(const struct output_view *view, const struct observable_item *item, size_t i,
                              double *part);
@@ -105,8 +129,6 @@ void observables_stress_contacts(const struct observable_context *context, struc
                                  double *part);
 void observables_stress_finish(const struct output_view *view, const struct observable_item *item,
                                double *part);
-bool observables_stress_check(const struct output_view *view, const struct output_region *region,
-                              struct error *error);
 
 enum { OBSERVABLE_COLUMN_MAX = 3 * OUTPUT_NAME_MAX };
 
@@ -119,11 +141,15 @@ struct observables {
     bool dimensionless, flat; /* flat: the box has two dimensions */
     int regions;
     struct output_region region[OUTPUT_REGIONS_MAX];
+    int planes;
+    struct output_plane plane[OUTPUT_PLANES_MAX];
     int items, item_room, columns, column_room, parts;
     struct observable_item *item;
     struct observable_column *column;
-    double *value;             /* of the last row */
-    const char **name, **unit; /* of the columns */
+    double *value;                                    /* of the last row */
+    const char **name, **unit;                        /* of the columns */
+    char units[OUTPUT_REQUESTS_MAX][OUTPUT_NAME_MAX]; /* those that a request gives */
+    int units_given;
     char path[FILE_PATH_MAX];
     FILE *file;       /* rank 0, once opened */
     double last_time; /* of the file's last row; -INFINITY: none */

@@ -139,23 +139,25 @@ static double region_volume(const struct output_region *region, const struct box
     }
 }
 
-bool observables_stress_check(const struct output_view *view, const struct output_region *region,
+double observables_volume(const struct box *box, const struct output_region *region) {
+    if (region)
+        return region_volume(region, box);
+    return box->edge[0] * box->edge[1] * (box->dimension == 2 ? 1 : box->edge[2]);
+}
+
+bool observables_volume_check(const struct output_view *view, const struct output_region *region,
                               struct error *error) {
     return region_volume(region, view->box) > 0 ||
-           error_set(
-               error, ERROR_USER,
-               "observables: stress: the volume of region \"%s\" is not known: it must be a box (cut at "
-               "the simulation's sides), or lie inside of that; only a cylinder along x, y or z may be "
-               "longer",
-               region->name);
+           error_set(error, ERROR_USER,
+                     "observables: the volume of region \"%s\" is not known: it must be a box (cut at "
+                     "the simulation's sides), or lie inside of that; only a cylinder along x, y or z may be "
+                     "longer",
+                     region->name);
 }
 
 void observables_stress_finish(const struct output_view *view, const struct observable_item *item,
                                double *part) {
-    const struct box *box = view->box;
-    double volume = box->edge[0] * box->edge[1] * (box->dimension == 2 ? 1 : box->edge[2]);
-    if (item->region)
-        volume = region_volume(item->region, box);
+    double volume = observables_volume(view->box, item->region);
     for (int c = 0; c < 6; c++)
         part[c] /= volume;
 }

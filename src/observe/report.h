@@ -13,7 +13,8 @@ enum {
     REPORT_LEVELS_MAX = CLASS_MAX,
     REPORT_NAME_MAX = 64,
     REPORT_INSERTIONS_MAX = 32,
-    REPORT_SOLVERS_MAX = 8
+    REPORT_SOLVERS_MAX = 8,
+    REPORT_SCENE_STAGES_MAX = 32
 };
 
 struct report_level {
@@ -33,6 +34,15 @@ struct report_class {
 struct report_insertion {
     char name[REPORT_NAME_MAX];
     uint64_t asked, placed;
+};
+
+/* A stage of the scene that this program has run, wholly or in part. */
+struct report_scene_stage {
+    char name[REPORT_NAME_MAX];
+    uint64_t first, last;      /* numbers of the steps before and at the end */
+    double time;               /* simulated time at the end */
+    double seconds;            /* wall clock without set-up */
+    char end[REPORT_NAME_MAX]; /* why it ended */
 };
 
 /* The linear systems of one kind; seconds are the largest of a rank. */
@@ -100,6 +110,8 @@ struct report {
     uint64_t inserted, deleted;
     int insertions;
     struct report_insertion insertion[REPORT_INSERTIONS_MAX];
+    int scene_stages; /* 0: the scene has none */
+    struct report_scene_stage scene_stage[REPORT_SCENE_STAGES_MAX];
     uint64_t seed;
     bool dimensionless;
     bool reproducible;

@@ -180,6 +180,10 @@ static const struct line lines[] = {
     {.text = "  insertion {name}: {placed} of the {asked} particles due are placed{note}\n",
      .list = "insertions",
      .heading = "\n"},
+    {.text =
+         "  stage {name:-12} steps {first:12} ... {last:12}   t = {time:-10} {seconds:8} s, ended by {end}\n",
+     .list = "scene_stages",
+     .heading = "\n"},
 };
 
 static void print_list(const struct report *report, const struct line *line, FILE *file) {

@@ -135,6 +135,20 @@ static const struct report_row class_rows[] = {
      .help = "upper bound of the radii of the class"},
     {0}};
 
+static const struct report_row scene_stage_rows[] = {
+    {.name = "name", .unit = "", .type = REPORT_TEXT, AT(struct report_scene_stage, name), .help = "name in the scene"},
+    {.name = "first", .unit = "1", .type = REPORT_COUNT, AT(struct report_scene_stage, first),
+     .help = "number of the step before the first step of the stage"},
+    {.name = "last", .unit = "1", .type = REPORT_COUNT, AT(struct report_scene_stage, last),
+     .help = "number of its last step"},
+    {.name = "time", .unit = "s", .type = REPORT_REAL, AT(struct report_scene_stage, time), .print = "%.6g",
+     .help = "simulated time at its end"},
+    {.name = "seconds", .unit = "s", .type = REPORT_REAL, AT(struct report_scene_stage, seconds), .print = "%.3g",
+     .help = "wall clock without set-up"},
+    {.name = "end", .unit = "", .type = REPORT_TEXT, AT(struct report_scene_stage, end),
+     .help = "`duration`, `conditions`, `duration, before the conditions held`, or `broken off` by a signal or an error"},
+    {0}};
+
 static const struct report_row insertion_rows[] = {
     {.name = "name", .unit = "", .type = REPORT_TEXT, AT(struct report_insertion, name),
      .help = "name in the scene; without a name `insertions[0]` and so on"},
@@ -187,6 +201,10 @@ static const struct report_row solver_rows[] = {
     {.name = "seconds_products", .unit = "s", .type = REPORT_REAL, AT(struct report_solver, seconds_products),
      .help = "wall clock of these products; slowest rank"},
     {0}};
+
+static bool has_stages(const struct report *report) {
+    return report->scene_stages > 0;
+}
 
 static bool has_solvers(const struct report *report) {
     return report->solvers > 0;
@@ -295,6 +313,9 @@ const struct report_row report_rows[] = {
      .help = "size classes, from small to large"},
     {.name = "insertions", .unit = "", .type = REPORT_LIST, LIST(insertion, insertions), .rows = insertion_rows,
      .help = "regions of the scene's `insertions`, in the order of the scene"},
+    {.name = "scene_stages", .unit = "", .type = REPORT_LIST, LIST(scene_stage, scene_stages), .rows = scene_stage_rows,
+     .shown = has_stages,
+     .help = "stages of the scene's `stages` that this program has run; absent without. All other entries are of the last of them"},
     {.name = "stages", .unit = "s", .type = REPORT_STAGES, AT(struct report, stage), .rows = stage_rows,
      .help = "wall clock of each stage, exclusive of the others: `min`, `mean` and `max` over ranks"},
     {.name = "setup_stages", .unit = "s", .type = REPORT_STAGES, AT(struct report, setup_stage), .rows = stage_rows,

@@ -3,6 +3,7 @@
  * defaults that depend on other keys. */
 #include "scene/finish.h"
 #include "scene/scene_files.h"
+#include "scene/scene_stage.h"
 
 #include "core/memory.h"
 #include "integrate/timestep.h"
@@ -172,7 +173,8 @@ static bool names_differ(const struct scene *scene, const struct tree_node *root
 }
 
 bool finish_names(const struct scene *scene, const struct tree_node *root, struct error *error) {
-    static const char *const list[] = {"materials", "walls", "groups", "observables.regions"};
+    static const char *const list[] = {"materials",          "walls", "groups", "observables.regions",
+                                       "observables.planes", "stages"};
     for (size_t k = 0; k < sizeof(list) / sizeof(list[0]); k++)
         if (!names_differ(scene, root, list[k], error))
             return false;
@@ -393,6 +395,7 @@ bool finish_scene(struct scene *scene, struct error *error) {
         !finish_fields(scene, error))
         return false;
     finish_step(scene);
+    scene_stages_finish(scene);
     finish_motion(scene);
     finish_newton(scene);
     /* both ends of a bond compute the same bits, from the same positions */

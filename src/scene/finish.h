@@ -11,7 +11,7 @@ struct tree_node;
 void finish_prepare(struct scene *scene);
 
 /* Before the tree `root` is read, as a name that stands twice makes all that refers to it unclear: the names
- * of materials, walls, groups and regions of observables, each list for itself, differ. Fails (user) with the
+ * of materials, walls, groups, regions of observables and stages, each list for itself, differ. Fails (user) with the
  * lines of both. */
 bool finish_names(const struct scene *scene, const struct tree_node *root, struct error *error);
 

@@ -25,6 +25,8 @@ libscene_la_SOURCES = \
 	src/scene/scene_check.h \
 	src/scene/scene_check_box.c \
 	src/scene/scene_check_box.h \
+	src/scene/scene_check_output.c \
+	src/scene/scene_check_output.h \
 	src/scene/scene_check_walls.c \
 	src/scene/scene_check_walls.h \
 	src/scene/scene_files.c \
@@ -35,6 +37,8 @@ libscene_la_SOURCES = \
 	src/scene/scene_read.h \
 	src/scene/scene_sections.h \
 	src/scene/scene_share.h \
+	src/scene/scene_stage.c \
+	src/scene/scene_stage.h \
 	src/scene/scene_text.c \
 	src/scene/scene_text.h \
 	src/scene/schema.c \
@@ -56,6 +60,9 @@ libscene_la_SOURCES = \
 	src/scene/schema_rows.h \
 	src/scene/schema_search.c \
 	src/scene/schema_search.h \
+	src/scene/schema_set.c \
+	src/scene/schema_stage.c \
+	src/scene/schema_stage.h \
 	src/scene/schema_unknown.c \
 	src/scene/schema_unknown.h \
 	src/scene/schema_value.c \
@@ -82,6 +89,7 @@ libscene_la_SOURCES = \
 	src/scene/tree_advice.c \
 	src/scene/tree_advice.h \
 	src/scene/tree_parse.c \
+	src/scene/tree_write.c \
 	src/scene/unique.c \
 	src/scene/unique.h \
 	src/scene/units.c \

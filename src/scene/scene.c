@@ -13,6 +13,10 @@ void scene_free(struct scene **scene) {
     if (!*scene)
         return;
     tree_free(&(*scene)->tree);
+    for (int k = 0; k < (*scene)->settings; k++)
+        memory_free((*scene)->setting[k]);
+    memory_free((*scene)->setting);
+    memory_free((*scene)->text);
     memory_free(*scene);
     *scene = NULL;
 }

@@ -32,6 +32,9 @@ struct scene {
     char note[SCENE_NOTE_MAX];   /* message of the reader to the user; "" if none */
     char folder[SCENE_PATH_MAX]; /* start of relative paths, ends with '/' or is empty */
     struct tree_node *tree;      /* the parsed text, for places in messages; owned */
+    char *text;                  /* of the file, if there are stages, else NULL; owned */
+    int settings;                /* of the command line, beside `text` */
+    char **setting;              /* owned */
     char title[256];
     enum scene_units units;
     uint64_t seed;
@@ -47,6 +50,8 @@ struct scene {
     int leave_side[3][2];
     double gravity[3];
     double duration; /* time; 0: by step.count */
+    int stages;
+    struct scene_stage stage[STAGES_MAX];
     struct scene_step step;
     char integrator[SCENE_NAME_MAX];
     int threads; /* 0: as many as OpenMP offers */

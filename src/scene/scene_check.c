@@ -3,7 +3,9 @@
 #include "scene/scene_check.h"
 #include "scene/mistakes.h"
 #include "scene/scene_check_box.h"
+#include "scene/scene_check_output.h"
 #include "scene/scene_check_walls.h"
+#include "scene/scene_stage.h"
 
 #include <math.h>
 #include <string.h>
@@ -304,7 +306,11 @@ static bool check_groups(const struct scene *scene, struct error *error) {
 static bool check_step(const struct scene *scene, struct error *error) {
     if (scene->step.dt > 0 && scene->step.fraction > 0)
         return scene_fail(scene, error, "step.fraction", "beside step.dt; %s", one_of_two);
-    return scene->duration >= 0 || scene->step.count >= 0 ||
+    if (scene->stages > 0 && (scene->duration >= 0 || scene->step.count >= 0))
+        return scene_fail(scene, error, scene->duration >= 0 ? "duration" : "step.count",
+                          "the scene has stages, which have durations of their own; take it out (--set %s=~)",
+                          scene->duration >= 0 ? "duration" : "step.count");
+    return scene->duration >= 0 || scene->step.count >= 0 || scene->stages > 0 ||
            scene_fail(scene, error, "duration", "is missing; give duration or step.count");
 }
 
@@ -339,39 +345,10 @@ static bool check_search(const struct scene *scene, struct error *error) {
     return true;
 }
 
-static bool check_interval(const struct scene *scene, const struct output_interval *every, const char *key,
-                           struct error *error) {
-    return every->steps == 0 || every->time == 0 ||
-           scene_fail(scene, error, key, "steps and time both; %s", one_of_two);
-}
-
-static bool check_output(const struct scene *scene, struct error *error) {
-    const struct output_options *output = &scene->output;
-    if (!check_interval(scene, &output->trajectory.every, "output.trajectory.every", error) ||
-        !check_interval(scene, &output->trajectory.contacts, "output.trajectory.contacts", error) ||
-        !check_interval(scene, &output->dump.every, "output.dump.every", error) ||
-        !check_interval(scene, &output->observables.every, "observables.every", error))
-        return false;
-    for (int k = 0; k < output->observables.regions; k++) {
-        const struct output_region *region = &output->observables.region[k];
-        char key[80];
-        snprintf(key, sizeof(key), "observables.regions[%d].upper", k);
-        for (int d = 0; region->shape == OUTPUT_REGION_BOX && d < 3; d++)
-            if (!(region->upper[d] > region->lower[d]))
-                return scene_fail(scene, error, key, "%c: %g is not above the lower corner's %g", "xyz"[d],
-                                  region -> upper[d], region -> lower[d]);
-        snprintf(key, sizeof(key), "observables.regions[%d].axis", k);
-        if (region->shape == OUTPUT_REGION_CYLINDER && region->axis[0] == 0 && region->axis[1] == 0 &&
-            region->axis[2] == 0)
-            return scene_fail(scene, error, key, "[0, 0, 0] has no direction");
-    }
-    return true;
-}
-
 bool scene_check(const struct scene *scene, struct error *error) {
     static bool (*const checks[])(const struct scene *scene, struct error *error) = {
-        check_law,    scene_check_box, check_step,    check_plane,      scene_check_walls,
-        check_search, check_groups,    check_sources, check_insertions, check_output};
+        check_law,    scene_check_box, check_step,       check_plane,        scene_check_walls, check_search,
+        check_groups, check_sources,   check_insertions, scene_check_output, scene_stages_check};
     for (size_t k = 0; k < sizeof(checks) / sizeof(checks[0]); k++) {
         struct error found = {0};
         if (!checks[k](scene, &found))

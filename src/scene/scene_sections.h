@@ -3,6 +3,7 @@
 #ifndef SCREE_SCENE_SCENE_SECTIONS_H
 #define SCREE_SCENE_SCENE_SECTIONS_H
 
+#include "formats/output_options.h"
 #include "index/index.h"
 #include "scene/region.h"
 #include <stdbool.h>
@@ -72,6 +73,26 @@ struct scene_group {
     int64_t id[SCENE_IDS_MAX];
     double radius_above, radius_upto; /* radius in (above, upto] */
     bool selects;                     /* true if any of the criteria was given */
+};
+
+/* Stages (scene_stage.h). */
+enum { STAGES_MAX = 32, STAGE_CONDITIONS_MAX = 8, STAGE_SET_MAX = 4096 };
+
+/* A bound on an observable with one column. */
+struct scene_condition {
+    struct observable_request request;
+    double at_least, at_most; /* in base units of the observable; NAN: no such bound */
+};
+
+/* A stage ends when its duration is over, or when all conditions hold at a look. */
+struct scene_stage {
+    char name[OUTPUT_NAME_MAX];
+    double duration; /* time; INFINITY: until the conditions hold */
+    double after;    /* time of the stage before which nobody looks at the conditions */
+    int64_t every;   /* steps between two looks */
+    int conditions;
+    struct scene_condition condition[STAGE_CONDITIONS_MAX];
+    char set[STAGE_SET_MAX]; /* keys and values, as YAML in one line; "": none */
 };
 
 /* Which copies a rank gets, as the scene says it. */

@@ -282,6 +282,7 @@ void schema_allowed(const struct schema_row *row, char *text, size_t room) {
         [SCHEMA_PATH] = "a path, relative to the scene file",
         [SCHEMA_REF] = "a name out of",
         [SCHEMA_REFS] = "a list of names out of",
+        [SCHEMA_KEYS] = "keys of the scene, each with a value",
         [SCHEMA_SECTION] = "a section with keys of its own",
         [SCHEMA_LIST] = "a list of sections (`- key: value`)",
     };

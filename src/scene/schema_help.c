@@ -180,32 +180,37 @@ static void print_subsection(void *context, const struct schema_row *row, const 
 }
 
 void scene_document(FILE *out) {
-    fprintf(out,
-            "# The scene file\n\n"
-            "The program writes this page from the table by which it reads scenes; `scree help KEY` "
-            "explains one key.\n\n"
-            "- A scene is a YAML file. Unknown, duplicate and ill-typed keys, values out of range and "
-            "impossible combinations stop the\n"
-            "  program before the run, with file, line, key and the allowed values,\n"
-            "  up to ten mistakes at once.\n"
-            "- Numbers are in SI base units (m, kg, s, rad) unless a unit follows: `5 mm`, `2 GPa`, "
-            "`0.1 ms`, `20 rpm`, `2.5 g/cm3`. Prefixes n, u,\n"
-            "  m, c, d, h, k, M, G, T stand before m, g, s, N, Pa, J, W, Hz, rad, bar, L; the units t, "
-            "min, h, deg, rpm, %% have no prefix. With `units: none`\n"
-            "  a unit is an error.\n"
-            "- `&name` names a value or section, `*name` repeats it, and `<<: *name` takes in the keys of a "
-            "section that are not given beside it.\n"
-            "- `--set KEY=VALUE` on the command line overrides any key: `--set step.dt=1e-6`, `--set "
-            "walls[0].radius=\"5 cm\"`, `--set index=multi`.\n"
-            "  Lists count from 0; the number after the last appends an entry. `~` (or `null`) removes "
-            "a key, so that another key may take its place:\n"
-            "  `--set 'step.fraction=~' --set step.dt=1e-6`, with quotes, because shells treat `~` in "
-            "their own way.\n"
-            "- Paths are relative to the folder of the scene file.\n"
-            "- In two dimensions vectors may have two components.\n"
-            "- The program writes the effective scene, defaults included, into `trajectory.h5` (as "
-            "`/parameters/scene`) and into checkpoints;\n"
-            "  `scree run` accepts this scene as input.\n");
+    fprintf(
+        out,
+        "# The scene file\n\n"
+        "The program writes this page from the table by which it reads scenes; `scree help KEY` "
+        "explains one key.\n\n"
+        "- A scene is a YAML file. Unknown, duplicate and ill-typed keys, values out of range and "
+        "impossible combinations stop the\n"
+        "  program before the run, with file, line, key and the allowed values,\n"
+        "  up to ten mistakes at once.\n"
+        "- Numbers are in SI base units (m, kg, s, rad) unless a unit follows: `5 mm`, `2 GPa`, "
+        "`0.1 ms`, `20 rpm`, `2.5 g/cm3`. Prefixes n, u,\n"
+        "  m, c, d, h, k, M, G, T stand before m, g, s, N, Pa, J, W, Hz, rad, bar, L; the units t, "
+        "min, h, deg, rpm, %% have no prefix. With `units: none`\n"
+        "  a unit is an error.\n"
+        "- `&name` names a value or section, `*name` repeats it, and `<<: *name` takes in the keys of a "
+        "section that are not given beside it.\n"
+        "- `--set KEY=VALUE` on the command line overrides any key: `--set step.dt=1e-6`, `--set "
+        "walls[0].radius=\"5 cm\"`, `--set index=multi`.\n"
+        "  Lists count from 0; the number after the last appends an entry. `~` (or `null`) removes "
+        "a key, so that another key may take its place:\n"
+        "  `--set 'step.fraction=~' --set step.dt=1e-6`, with quotes, because shells treat `~` in "
+        "their own way.\n"
+        "- An element of a list that has a name is also found by it: `--set walls[gate].radius=\"5 cm\"`, "
+        "`--set 'walls[gate]=~'`;\n"
+        "  a whole element under a new name is appended. Pairs of materials: `material_pairs[glass, "
+        "steel]`.\n"
+        "- Paths are relative to the folder of the scene file.\n"
+        "- In two dimensions vectors may have two components.\n"
+        "- The program writes the effective scene, defaults included, into `trajectory.h5` (as "
+        "`/parameters/scene`) and into checkpoints;\n"
+        "  `scree run` accepts this scene as input.\n");
     print_section(out, &schema_root, "Top level", "The sections, and the keys outside of any");
     schema_walk(print_subsection, out);
 }

@@ -77,7 +77,7 @@ static const struct schema_row output_rows[] = {
 const struct schema_table schema_output = TABLE(output_rows);
 
 /* Rows of the registry and their families, each name once. */
-static const char *observable_choice(int k, const char **help) {
+const char *schema_observable_choice(int k, const char **help) {
     for (int row = 0; row < observables_count(); row++) {
         const struct observable_info *info = observables_get(row);
         bool new_family = info->family[0] != '\0';
@@ -95,21 +95,29 @@ static const char *observable_choice(int k, const char **help) {
     return NULL;
 }
 
-static const struct schema_name component_names[] = {
+const struct schema_name schema_components[] = {
     {"all", 0, NULL}, {"x", 1, NULL},  {"y", 2, NULL},  {"z", 4, NULL},
     {"xy", 3, NULL},  {"xz", 5, NULL}, {"yz", 6, NULL}, {0}};
 
 static const struct schema_row request_rows[] = {
-    {.key = "name", .type = SCHEMA_CHOICE, .choice = observable_choice, .required = true,
+    {.key = "name", .type = SCHEMA_CHOICE, .choice = schema_observable_choice, .required = true,
      .with_target = true, AT(struct observable_request, name), .help = "the observable; NAME/TARGET gives its target, too", .example = "position"},
     {.key = "label", .type = SCHEMA_TEXT, .fallback = "", .in_column = true, AT(struct observable_request, label),
      .help = "first part of the column's name; left out: the target's name", .example = "ball"},
     {.key = "target", .type = SCHEMA_TEXT, .fallback = "", AT(struct observable_request, target),
-     .help = "wall, region or group, `region/material` for one material; left out: all of them, for stress the whole box",
+     .help = "wall, region, plane or group, `region/material` for one material; left out: all of them, for stress the whole box",
      .example = "floor"},
     {.key = "id", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0",
      AT(struct observable_request, id), .help = "id of the observed particle", .example = "25001"},
-    {.key = "components", .type = SCHEMA_NAME, .names = component_names, .fallback = "all",
+    {.key = "of", .type = SCHEMA_TEXT, .fallback = "", AT(struct observable_request, of),
+     .help = "for sum, mean, largest, least: an expression in the syntax of muParser over t, x, y, z, vx, vy, vz, fx, fy, fz (force "
+             "of contacts and walls), wx, wy, wz, radius, mass, id, material, group (numbers from 0), and the scene's further "
+             "fields of one number, in base units", .example = "0.5*mass*(vx^2+vy^2+vz^2)"},
+    {.key = "where", .type = SCHEMA_TEXT, .fallback = "", AT(struct observable_request, where),
+     .help = "an expression that is not 0 for the particles that count; left out: all", .example = "z > 0.1 && material == 1"},
+    {.key = "unit", .type = SCHEMA_TEXT, .fallback = "", .in_column = true, AT(struct observable_request, unit),
+     .help = "unit of the expression, for the head of the column; left out: 1", .example = "J"},
+    {.key = "components", .type = SCHEMA_NAME, .names = schema_components, .fallback = "all",
      AT(struct observable_request, components), .help = "components of a vector", .example = "z"},
 };
 static const struct schema_table request_table = TABLE(request_rows);
@@ -142,12 +150,51 @@ static const struct schema_row region_rows[] = {
 };
 static const struct schema_table region_table = TABLE(region_rows);
 
+static const struct schema_row plane_rows[] = {
+    {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = true, AT(struct output_plane, name),
+     .help = "name of the plane for observables", .example = "outlet"},
+    {.key = "point", .type = SCHEMA_VECTOR, .unit = "m", .required = true, AT(struct output_plane, point),
+     .help = "a point of the plane", .example = "[0, 0, 0]"},
+    {.key = "normal", .type = SCHEMA_VECTOR, .required = true, AT(struct output_plane, normal),
+     .help = "direction in which crossings count as positive; any length; along a periodic direction, or across all of them",
+     .example = "[0, 0, -1]"},
+};
+static const struct schema_table plane_table = TABLE(plane_rows);
+
+static const struct schema_name kernel_names[] = {
+    {"cells", OUTPUT_KERNEL_CELLS, "a particle counts in the cell of its centre; sums over the cells are exact"},
+    {"gauss", OUTPUT_KERNEL_GAUSS, "a Gaussian around each centre, cut at four widths: smooth fields"},
+    {0}};
+static const struct schema_row grid_rows[] = {
+    {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = true, AT(struct output_grid, name),
+     .help = "the file is grid-NAME.csv", .example = "height"},
+    {.key = "every", EVERY(struct output_grid, every), .help = "interval; left out: that of the observables"},
+    {.key = "cells", .type = SCHEMA_LONGS, .range = "[1, 100000]", .required = true,
+     ARRAY_AT(struct output_grid, cells, directions),
+     .help = "cells along x, y and z; with 1 along two directions the grid is a profile along the third", .example = "[1, 1, 50]"},
+    {.key = "lower", .type = SCHEMA_VECTOR, .unit = "m", AT(struct output_grid, lower),
+     .help = "lower corner; left out, with upper: the box, also where the box moves", .example = "[0, 0, 0]"},
+    {.key = "upper", .type = SCHEMA_VECTOR, .unit = "m", AT(struct output_grid, upper), .help = "upper corner",
+     .example = "[5 cm, 5 cm, 10 cm]"},
+    {.key = "kernel", .type = SCHEMA_NAME, .names = kernel_names, .fallback = "cells", AT(struct output_grid, kernel),
+     .help = "how particles and contacts are spread over the grid"},
+    {.key = "width", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .when = "kernel=gauss", .required = true,
+     AT(struct output_grid, width), .help = "standard deviation of the Gaussian; about a diameter is usual", .example = "3 mm"},
+};
+static const struct schema_table grid_table = TABLE(grid_rows);
+
 static const struct schema_row observables_rows[] = {
     {.key = "every", EVERY(struct observables_options, every),
      .help = "interval of the rows; a bare number counts steps, {time: ...} is simulated time"},
     {.key = "regions", .type = SCHEMA_LIST, .sub = &region_table,
      ARRAY_AT(struct observables_options, region, regions),
      .help = "regions in which particles are counted by their centres; lower faces belong to a region"},
+    {.key = "planes", .type = SCHEMA_LIST, .sub = &plane_table,
+     ARRAY_AT(struct observables_options, plane, planes),
+     .help = "planes that particles cross, for crossed and crossed_mass"},
+    {.key = "grids", .type = SCHEMA_LIST, .sub = &grid_table,
+     ARRAY_AT(struct observables_options, grid, grids),
+     .help = "profiles and coarse-grained fields: density, velocity, granular temperature, stress in cells"},
     {.key = "list", .type = SCHEMA_LIST, .sub = &request_table,
      ARRAY_AT(struct observables_options, request, count),
      .help = "the observables; left out: energies, momentum, contacts"},

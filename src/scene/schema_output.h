@@ -7,4 +7,8 @@
 
 extern const struct schema_table schema_output, schema_observables;
 
+/* The names of observables and their families; the names of components. */
+const char *schema_observable_choice(int k, const char **help);
+extern const struct schema_name schema_components[];
+
 #endif

@@ -5,6 +5,7 @@
 #include "scene/schema_contact.h"
 #include "scene/schema_output.h"
 #include "scene/schema_particles.h"
+#include "scene/schema_stage.h"
 #include "scene/schema_walls.h"
 
 /* One row a key, packed to the line: */
@@ -303,6 +304,9 @@ static const struct schema_row root_rows[] = {
      AT(struct scene, gravity), .help = "acceleration of free particles", .example = "[0, 0, -9.81]"},
     {.key = "duration", .type = SCHEMA_REAL, .unit = "s", .range = "[0, inf]", AT(struct scene, duration),
      .help = "time to simulate; .inf: until a signal ends the run; overrides step.count", .example = "0.1 s"},
+    {.key = "stages", .type = SCHEMA_LIST, .sub = &schema_stages, ARRAY_AT(struct scene, stage, stages),
+     .help = "phases of the run, one after another, each with an end and with changes of the scene; instead of duration and "
+             "step.count. Each end writes a checkpoint"},
     {.key = "step", .type = SCHEMA_SECTION, .sub = &step_table, .offset = offsetof(struct scene, step),
      .help = "the time step"},
     {.key = "integrator", .type = SCHEMA_CHOICE, .choice = integrator_choice,

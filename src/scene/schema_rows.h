@@ -40,6 +40,7 @@ enum schema_type {
     SCHEMA_PATH,    /* char[size], a path relative to the scene file */
     SCHEMA_REF,     /* int: number of an entry of the list `target`, by its name; without default: -1 */
     SCHEMA_REFS,    /* int[max], count */
+    SCHEMA_KEYS,    /* char[size]: a mapping of full keys of the scene to values, as YAML in one line */
     SCHEMA_SECTION, /* a mapping with keys of its own */
     SCHEMA_LIST     /* a list of such mappings: element[max] of `size` bytes, count */
 };

@@ -298,6 +298,29 @@ static bool read_bools(struct schema_reader *reader, const struct schema_row *ro
     return true;
 }
 
+/* A mapping, kept as text. */
+static bool read_keys(struct schema_reader *reader, const struct schema_row *row,
+                      const struct tree_node *node, const char *key, char *value) {
+    if (is_null(node)) {
+        value[0] = '\0';
+        return true;
+    }
+    if (node->kind != TREE_MAP)
+        return refuse(reader, row, node, key, "not a section with keys (`key: value`)");
+    char *text = NULL;
+    size_t size = 0;
+    FILE *out = open_memstream(&text, &size);
+    if (!out)
+        error_fatal("out of memory while reading the scene");
+    tree_write(out, node);
+    fclose(out);
+    bool fits = size < row->size;
+    if (fits)
+        memcpy(value, text, size + 1);
+    free(text);
+    return fits || refuse(reader, row, node, key, "too many keys");
+}
+
 bool schema_value(struct schema_reader *reader, const struct schema_row *row, const struct tree_node *node,
                   const char *key, char *base) {
     char *value = base + row->offset;
@@ -329,6 +352,8 @@ bool schema_value(struct schema_reader *reader, const struct schema_row *row, co
         return read_path(reader, row, node, key, value);
     case SCHEMA_REF:
         return read_reference(reader, row, node, key, (int *)value);
+    case SCHEMA_KEYS:
+        return read_keys(reader, row, node, key, value);
     default:
         return read_items(reader, row, node, key, base);
     }

@@ -83,6 +83,7 @@ static bool is_given(const struct schema_row *row, const char *base) {
     case SCHEMA_CHOICE:
     case SCHEMA_TEXT:
     case SCHEMA_PATH:
+    case SCHEMA_KEYS:
         return value[0] != '\0';
     default:
         return count_of(row, base) > 0;
@@ -145,6 +146,7 @@ static void write_value(const struct writer *writer, const struct schema_row *ro
         fprintf(out, "%s", name_of(row, value));
         break;
     case SCHEMA_CHOICE:
+    case SCHEMA_KEYS:
         fprintf(out, "%s", value);
         break;
     case SCHEMA_TEXT:

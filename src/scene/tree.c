@@ -76,6 +76,22 @@ void tree_add(struct tree_node *map, char *key, struct tree_node *child) {
     map->child[map->children++] = child;
 }
 
+struct tree_node *tree_copy(const struct tree_node *node) {
+    struct tree_node *twin = tree_new(node->kind, node->line);
+    twin->quoted = node->quoted;
+    twin->implied = node->implied;
+    if (node->text)
+        twin->text = tree_text(node->text, strlen(node->text));
+    for (size_t k = 0; k < node->children; k++) {
+        struct tree_node *child = tree_copy(node->child[k]);
+        if (node->kind == TREE_MAP)
+            tree_add(twin, tree_text(node->key[k], strlen(node->key[k])), child);
+        else
+            tree_append(twin, child);
+    }
+    return twin;
+}
+
 void tree_put(struct tree_node *map, const char *key, struct tree_node *child) {
     long k = find_key(map, key);
     if (k >= 0) {

@@ -8,6 +8,7 @@
 #include "core/error.h"
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 enum tree_kind { TREE_SCALAR, TREE_LIST, TREE_MAP };
 
@@ -32,6 +33,9 @@ struct tree_node *tree_get(const struct tree_node *map, const char *key);
 
 /* A new empty node. */
 struct tree_node *tree_new(enum tree_kind kind, long line);
+
+/* A copy of a node and of all below it. */
+struct tree_node *tree_copy(const struct tree_node *node);
 
 /* A copy of `length` bytes of a text, for a node or a key (memory_free). */
 char *tree_text(const char *text, size_t length);
@@ -58,6 +62,9 @@ void tree_clear(struct tree_node *node, enum tree_kind kind);
 
 /* The node of a full key, or the deepest one on the way to it. */
 const struct tree_node *tree_nearest(const struct tree_node *root, const char *key);
+
+/* Writes a node as YAML in one line that reads back to the same tree; only the lines are lost. */
+void tree_write(FILE *out, const struct tree_node *node);
 
 /* "FILE:LINE" or "command line". Returns `place`. */
 const char *tree_place(const struct tree_node *node, const char *file, char *place, size_t room);

@@ -22,11 +22,13 @@ dist_check_SCRIPTS += \
 	tests/app/lammps.sh \
 	tests/app/layouts.sh \
 	tests/app/needs.sh \
+	tests/app/observables.sh \
 	tests/app/pack.sh \
 	tests/app/physics.sh \
 	tests/app/restart.sh \
 	tests/app/resume.sh \
 	tests/app/stability.sh \
+	tests/app/stages.sh \
 	tests/app/terminal.sh \
 	tests/app/user_law.sh \
 	tests/app/threads.sh

@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Net crossings of the planes that the observables ask for (observe/crossing.h): the part of the sum that does not follow
+ * from the particles of the moment. */
+#ifndef SCREE_ENGINE_CROSSINGS_H
+#define SCREE_ENGINE_CROSSINGS_H
+
+#include "engine/state.h"
+
+/* Before particles are made or read: no sum is known. */
+void crossings_prepare(struct simulation *simulation);
+
+/* With the particles of the start, or of a checkpoint, which may lack the sums of new planes: these begin now. */
+void crossings_begin(struct simulation *simulation);
+
+/* Particle i, owned, is about to be deleted (sign 1), or was inserted (sign -1). */
+void crossings_account(struct simulation *simulation, size_t i, double sign);
+
+/* Adds the numbers that a resume needs. */
+void crossings_restart(struct simulation *simulation, struct restart *restart);
+
+#endif

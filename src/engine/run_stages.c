@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The ends of stages: by duration, or by conditions on observables. Read run_stages.h first. */
+#include "engine/run_stages.h"
+#include "engine/view.h"
+#include "formats/checkpoint.h"
+#include <assert.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static_assert((int)STAGES_MAX <= (int)REPORT_SCENE_STAGES_MAX, "a report has room for all stages");
+
+/* One condition as an observable; needs one column. */
+static bool condition_open(struct run_stages *stages, const struct simulation *s,
+                           const struct output_run *run, int k, struct error *error) {
+    struct observables_options options = s->scene->output.observables;
+    struct output_view view = simulation_view(s);
+    char key[64];
+    struct error plain = {0};
+    options.count = 1;
+    options.request[0] = stages->stage->condition[k].request;
+    snprintf(key, sizeof key, "stages[%d].until[%d]", (int)s->stage.number, k);
+    if (!observables_create(&stages->condition[k], &options, &view, run, &plain))
+        return scene_fail(s->scene, error, key, "stage '%s': %s", stages->stage->name, plain.text);
+    stages->conditions = k + 1;
+    return observables_columns(stages->condition[k]) == 1 ||
+           scene_fail(s->scene, error, key, "stage '%s': the condition has %d columns; needed: one",
+                      stages->stage->name, observables_columns(stages->condition[k]));
+}
+
+bool run_stages_open(struct run_stages *stages, struct simulation *s, const struct output_run *run,
+                     struct error *error) {
+    *stages = (struct run_stages){.first = s->clock.step};
+    if (s->scene->stages == 0)
+        return true;
+    stages->stage = &s->scene->stage[s->stage.number];
+    for (int k = 0; k < stages->stage->conditions; k++) {
+        if (!condition_open(stages, s, run, k, error))
+            return false;
+        s->grains.sums_each_step = s->grains.sums_each_step || observables_need_work(stages->condition[k]);
+    }
+    return true;
+}
+
+void run_stages_close(struct run_stages *stages) {
+    for (int k = 0; k < stages->conditions; k++)
+        observables_destroy(&stages->condition[k]);
+    stages->conditions = 0;
+}
+
+bool run_stages_due(const struct run_stages *stages, const struct simulation *s, uint64_t step) {
+    return stages->conditions > 0 && s->stage.last == 0 && step % (uint64_t)stages->stage->every == 0;
+}
+
+bool run_stages_need_sums(const struct run_stages *stages) {
+    bool needed = false;
+    for (int k = 0; k < stages->conditions; k++)
+        needed = needed || observables_need_sums(stages->condition[k]);
+    return needed;
+}
+
+void run_stages_look(struct run_stages *stages, struct simulation *s, struct error *error) {
+    struct output_view view = simulation_view(s);
+    int64_t missed = s->clock.time - s->stage.began < stages->stage->after * (1 - 1e-12);
+    for (int k = 0; k < stages->conditions; k++) {
+        const struct scene_condition *condition = &stages->stage->condition[k];
+        if (!observables_write(stages->condition[k], &view, error))
+            return;
+        double value = observables_values(stages->condition[k])[0];
+        bool low = !isnan(condition->at_least) && !(value >= condition->at_least);
+        bool high = !isnan(condition->at_most) && !(value <= condition->at_most);
+        missed += low || high;
+    }
+    comm_max_int(s->comm, &missed, 1);
+    if (missed == 0) {
+        s->stage.last = s->clock.step + 1;
+        stages->met = true;
+    }
+}
+
+uint64_t run_stages_last(const struct simulation *s, uint64_t most) {
+    const struct scene_stage *stage = &s->scene->stage[s->stage.number];
+    double left = ceil((s->stage.began + stage->duration - s->clock.time) / s->clock.dt - 1e-6);
+    uint64_t last = most;
+    if (left < (double)(most - s->clock.step))
+        last = left > 0 ? s->clock.step + (uint64_t)left : s->clock.step;
+    return s->stage.last > 0 && s->stage.last < last ? s->stage.last : last;
+}
+
+void run_stages_end(struct simulation *s) {
+    s->stage = (struct stage_place){.number = s->stage.number + 1, .began = s->clock.time};
+}
+
+void run_stages_add(const struct run_stages *stages, const struct simulation *s, struct run_chain *chain,
+                    double seconds) {
+    const char *end = "broken off";
+    if (chain->over && stages->met)
+        end = "conditions";
+    else if (chain->over)
+        end = stages->conditions > 0 ? "duration, before the conditions held" : "duration";
+    chain->row[chain->done] = (struct report_scene_stage){
+        .first = stages->first, .last = s->clock.step, .time = s->clock.time, .seconds = seconds};
+    snprintf(chain->row[chain->done].name, REPORT_NAME_MAX, "%s", stages->stage->name);
+    snprintf(chain->row[chain->done].end, REPORT_NAME_MAX, "%s", end);
+    chain->done++;
+    chain->step = s->clock.step;
+}
+
+bool run_stages_first(const struct comm *comm, const struct scene *scene, const char *resume, int *first,
+                      struct error *error) {
+    struct checkpoint_loaded loaded = {0};
+    struct restart list = {0};
+    uint64_t number = 0;
+    *first = 0;
+    if (resume == NULL)
+        return true;
+    if (!checkpoint_read_head(comm, resume, &loaded, error))
+        return false;
+    restart_add(&list, RESTART_INTEGER, true, &number, "stage: number");
+    bool good = restart_take(&list, &loaded.restart, resume, error);
+    restart_free(&list);
+    checkpoint_loaded_free(&loaded);
+    if (good && number > (uint64_t)scene->stages)
+        error_set(error, ERROR_USER, "%s: it was written in stage %d of a scene; this scene has %d stages",
+                  resume, (int)number + 1, scene->stages);
+    *first = good ? (int)number : 0;
+    return comm_agree(comm, error) && good;
+}
+
+void run_stages_print(const struct simulation *s, FILE *file) {
+    fprintf(file, "scree: stage '%s' (%d of %d) from step %" PRIu64 ", t = %.9g\n",
+            s->scene->stage[s->stage.number].name, (int)s->stage.number + 1, s->scene->stages, s->clock.step,
+            s->clock.time);
+}
