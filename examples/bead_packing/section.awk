@@ -50,7 +50,7 @@ END {
     for (r = 1; r <= runs; r++)
         if (r in limit)
             printf "| %d | %.2f | %s | %.2f | %s | %.3g | %.3g |\n", r, limit[r], order[r], reference[r], percent(away[r]), permeability[r], kozeny[r]
-    print "\nTwo spacings give no order; below eight spacings a diameter a single pressure drop scatters by about 2 %, and a limit from two of them by three times as much.\nThe limit supposes that the flow at a given pressure drop approaches its limit with the square of the spacing, from the two finest spacings. Eisfeld and Schnitzlein's correlation"
+    print "\nBelow eight spacings a diameter a single pressure drop scatters by about 2 %, and a limit from two of them by three times as much.\nThe limit supposes that the flow at a given pressure drop approaches its limit with the square of the spacing, from the two finest spacings. Eisfeld and Schnitzlein's correlation"
     print "(2001, spheres: K1 = 154, k1 = 1.15, k2 = 0.87) is taken at the porosity and flow of this packing. Kozeny and Carman: porosity^3 d^2 / (180 (1 - porosity)^2).\n"
     print "### Beside published codes\n"
     print "| code | spacing, um | pressure drop, Pa | from 14.29 Pa | wall clock x processors |"
