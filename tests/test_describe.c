@@ -148,7 +148,7 @@ static void write_report(char path[]) {
             snprintf(setup ? report.setup_stage[k].name : report.stage[k].name, sizeof report.stage[k].name,
                      "%s", stages.stage[k].name);
     snprintf(report.choice, sizeof report.choice, "hgrid");
-    report.levels = report.classes = report.insertions = report.solvers = 2;
+    report.levels = report.classes = report.insertions = report.solvers = report.scene_stages = 2;
     int file = mkstemp(path);
     assert_true(file >= 0);
     close(file);
