@@ -15,6 +15,9 @@ enum { EVERY = 10, RESTART = 30 };
 /* The momentum's residual, as a part of the force, that is small enough. */
 #define RESIDUAL_ENOUGH 1e-3
 
+/* A mean flow below so much of the speed is none, and does not judge convergence. */
+#define STILL 1e-4
+
 struct steady {
     struct steady_options options;
     const struct flow *flow; /* during a solve */
@@ -25,6 +28,7 @@ struct steady {
     double *still;                /* [unknowns]: the operator's value of a fluid at rest: walls that move */
     double *side, *solution, *product; /* [unknowns] */
     double flow_before[3];             /* mean velocity ten iterations ago */
+    double speed_before;               /* root mean square of the velocity then */
     double change, residual;
 };
 
@@ -132,6 +136,16 @@ static double length(const double v[3]) {
     return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
 }
 
+/* Root mean square of the velocity. */
+static double mean_speed(const struct steady *steady, const double *x) {
+    size_t momentum = (size_t)steady->flow->weights->dimension * steady->rows;
+    double sum[2] = {0, (double)steady->rows};
+    for (size_t k = 0; k < momentum; k++)
+        sum[0] += x[k] * x[k];
+    comm_sum(steady->flow->comm, sum, 2);
+    return sqrt(sum[0] / sum[1]);
+}
+
 static bool enough(void *context, int iteration, const double *x, double residual) {
     struct steady *steady = context;
     double mean[3], difference[3], divergence;
@@ -141,7 +155,12 @@ static bool enough(void *context, int iteration, const double *x, double residua
         difference[d] = mean[d] - steady->flow_before[d];
         steady->flow_before[d] = mean[d];
     }
-    steady->change = length(mean) > 0 ? length(difference) / length(mean) : 1;
+    double speed = mean_speed(steady, x), faster = fabs(speed - steady->speed_before);
+    steady->speed_before = speed;
+    if (length(mean) > STILL * speed)
+        steady->change = length(difference) / length(mean);
+    else /* rolls without a net flow */
+        steady->change = speed > 0 ? faster / speed : 1;
     steady->residual = momentum_residual(steady, x, &divergence);
     return steady->change <= steady->options.tolerance && steady->residual <= RESIDUAL_ENOUGH;
 }
@@ -263,6 +282,7 @@ bool steady_solve(struct steady *steady, const struct flow *flow, const double f
     double mean[3], divergence;
     steady->flow = flow;
     memset(steady->flow_before, 0, sizeof steady->flow_before);
+    steady->speed_before = 0;
     for (int s = 0; s < steady->systems; s++)
         solve_prepare(steady->velocity[s]);
     fill_side(steady, force);
