@@ -255,8 +255,12 @@ tests_test_bodies_SOURCES = tests/test_bodies.c
 tests_test_bodies_LDADD = libbodies.la $(CORE_LIBS) $(TEST_LIBS)
 
 check_PROGRAMS += tests/test_fluid_operators
-tests_test_fluid_operators_SOURCES = tests/test_fluid_operators.c
-tests_test_fluid_operators_LDADD = $(FLUID_LIBS) $(TEST_LIBS)
+tests_test_fluid_operators_SOURCES = tests/test_fluid_operators.c tests/fluid_cloud.c tests/fluid_cloud.h
+tests_test_fluid_operators_LDADD = $(FLUID_LIBS) $(SCENE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_fluid_mls
+tests_test_fluid_mls_SOURCES = tests/test_fluid_mls.c tests/fluid_cloud.c tests/fluid_cloud.h
+tests_test_fluid_mls_LDADD = $(FLUID_LIBS) $(SCENE_LIBS) $(TEST_LIBS)
 
 check_PROGRAMS += tests/test_fluid_pattern
 tests_test_fluid_pattern_SOURCES = tests/test_fluid_pattern.c

@@ -52,6 +52,7 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/end-of-contact/scene.yaml \
 	examples/verify/fluid-cavity/scene.yaml \
 	examples/verify/fluid-couette/scene.yaml \
+	examples/verify/fluid-cylinder/scene.yaml \
 	examples/verify/fluid-electroosmosis/porous.yaml \
 	examples/verify/fluid-electroosmosis/scene.yaml \
 	examples/verify/fluid-fluidised-bed/scene.yaml \
@@ -141,6 +142,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/end-of-contact/check \
 	examples/verify/fluid-cavity/check \
 	examples/verify/fluid-couette/check \
+	examples/verify/fluid-cylinder/check \
 	examples/verify/fluid-electroosmosis/check \
 	examples/verify/fluid-fluidised-bed/check \
 	examples/verify/fluid-operators/check \

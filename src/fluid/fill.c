@@ -72,7 +72,7 @@ static void append(const struct nodes *nodes, const struct physics_context *cont
  * nor solid. -1: there is none. Collective. */
 static int64_t open_find(const struct nodes *nodes) {
     int(*steps)[3];
-    size_t count = nodes_steps(nodes, &steps);
+    size_t count = arrangement_around(&nodes->lattice, nodes->spacing, nodes->support, &steps);
     int64_t open = INT64_MAX;
 #pragma omp parallel for schedule(static) reduction(min : open)
     for (int64_t node = 0; node < nodes->all; node++) {
@@ -91,14 +91,28 @@ static int64_t open_find(const struct nodes *nodes) {
     return open > -INT64_MAX ? -open : -1;
 }
 
+/* Refuses a lattice without fluid, and says where its nodes are. Collective. */
+static bool dry(const struct nodes *nodes, const struct physics_context *context, struct error *error) {
+    int64_t solid[2] = {0, 0}; /* in grains; behind walls and sides */
+    for (int64_t node = 0; node < nodes->all; node++)
+        if (nodes->state[node] == NODES_SOLID && nodes_own(nodes, node) && nodes->wanted > 0)
+            solid[nodes->owner[node] < 0]++;
+    comm_sum_int(nodes->comm, solid, 2);
+    if (nodes->wanted == 0)
+        return scene_fail(context->scene, error, "fluid.fill",
+                          "there is no fluid: no node of the lattice lies in the region and in the box");
+    return scene_fail(
+        context->scene, error, "fluid.fill",
+        "there is no fluid: grains or walls stand at all %lld nodes of the lattice in the region (%lld "
+        "nodes lie in grains, %lld behind walls, those outside of the region counted)",
+        (long long)nodes->wanted, (long long)solid[0], (long long)solid[1]);
+}
+
 /* Refuses a lattice without fluid, or with a side that nothing bounds. */
 static bool suits(const struct nodes *nodes, const struct regions *regions,
                   const struct physics_context *context, struct error *error) {
     if (regions->count == 0)
-        return scene_fail(
-            context->scene, error, "fluid.fill",
-            "there is no fluid: no node of the lattice lies in the region, in the box, outside of "
-            "grains and before all walls");
+        return dry(nodes, context, error);
     int64_t open = open_find(nodes);
     if (open < 0)
         return true;
@@ -150,18 +164,6 @@ static bool options_suit(const struct physics_context *context, struct error *er
            scalars_suit(context, error) && electrolyte_suits(context, error);
 }
 
-/* Tells of gaps that the spacing does not resolve. In a packing grains touch, so a run goes on. */
-static void gaps_note(const struct nodes *nodes, const struct physics_context *context) {
-    char place[512];
-    log_tell(
-        context->log,
-        "note: %s: fluid.spacing: is too coarse for %lld gaps between grains, which are below %g spacings; "
-        "the narrowest, between grains %lld and %lld, is %.3g spacings",
-        scene_place(context->scene, "fluid.spacing", place, sizeof place), (long long)nodes->narrow,
-        NODES_GAP, (long long)nodes->narrowest_of[0], (long long)nodes->narrowest_of[1],
-        nodes->narrowest / nodes->spacing);
-}
-
 bool fill_run(const struct physics_context *context, const struct physics_share *share, struct error *error) {
     struct nodes nodes = {0};
     struct regions regions = {0};
@@ -175,17 +177,18 @@ bool fill_run(const struct physics_context *context, const struct physics_share 
         good && suits(&nodes, &regions, context, error) && fill_open_suits(&nodes, &regions, context, error);
     for (int64_t node = 0; good && node < nodes.all; node++) {
         bool deep = nodes.state[node] == NODES_SOLID && nodes.depth[node] >= nodes.support;
-        if (nodes.state[node] != NODES_VOID && !deep && nodes_own(&nodes, node))
+        bool wanted = nodes.state[node] == NODES_FLUID || (nodes.state[node] == NODES_SOLID && !deep);
+        if (wanted && nodes_own(&nodes, node))
             append(&nodes, context, node, share->first_id);
     }
     if (good && regions.pocket > 0 && context->comm->rank == 0)
         log_tell(context->log, "note: %lld of %lld nodes of the fluid lie in closed pockets, and are solid",
                  (long long)regions.pocket, (long long)(regions.pocket + regions.fluid));
-    if (good && nodes.narrow > 0 && context->comm->rank == 0)
-        gaps_note(&nodes, context);
     struct fluid *fluid = context->self;
-    fluid->narrow = nodes.narrow;
-    fluid->narrowest = nodes.narrowest;
+    if (good)
+        fluid->gaps = gaps_find(&nodes, context);
+    if (good && context->comm->rank == 0)
+        gaps_note(&fluid->gaps, context);
     nodes_free(&nodes);
     return good;
 }

@@ -11,15 +11,16 @@ static const double balance_worst = 0.01;
 
 /* The fluid at one side. */
 struct at_side {
-    double nodes, flow; /* flow: into the box, speed x nodes */
+    double nodes, flow; /* flow: into the box, speed x area */
 };
 
 /* Goes through the fluid nodes next to a side; reached[region] counts those of each region. */
 static struct at_side side_find(const struct nodes *nodes, const struct physics_context *context,
                                 const struct fluid_open *open, double *reached) {
-    int d = open->side / 2, step[3] = {0};
+    int d = open->side / 2, out = open->side % 2 == 1 ? 1 : -1, step[3] = {0};
     struct at_side at = {0};
-    step[d] = open->side % 2 == 1 ? 1 : -1;
+    double area = nodes->lattice.volume / nodes->lattice.step[d];
+    step[d] = nodes->lattice.arrangement == FLUID_CUBIC ? out : 2 * out;
     for (int64_t node = 0; node < nodes->all; node++) {
         bool own = nodes->state[node] == NODES_FLUID && nodes_own(nodes, node);
         int64_t next = own ? nodes_neighbour(nodes, node, step) : -1;
@@ -29,7 +30,7 @@ static struct at_side side_find(const struct nodes *nodes, const struct physics_
         nodes_place(nodes, nodes_number(nodes, node), x);
         open_velocity(open, context->box, x, velocity);
         at.nodes++;
-        at.flow -= isnan(velocity[d]) ? 0 : step[d] * velocity[d];
+        at.flow -= isnan(velocity[d]) ? 0 : out * velocity[d] * area;
         if (isnan(velocity[d]))
             reached[nodes->owner[node]]++;
     }

@@ -4,11 +4,13 @@
 
 double fluid_support(const struct fluid_options *options, int dimension) {
     static const double of_order[] = {0, 2.2, 2.6, 3.1, 3.6}; /* moving least squares */
+    static const double of_lattice[][2] = {
+        [FLUID_CUBIC] = {2.3, 2.2}, [FLUID_BCC] = {2.3, 1.95}, [FLUID_HEXAGONAL] = {2.4, 2.2}};
     double support = options->kernel.support;
     bool displaced = options->fill.jitter > 0 || options->motion.name != FLUID_FIXED;
     if (!isnan(support))
         return support * options->spacing;
-    support = displaced ? (dimension == 2 ? 3.1 : 2.8) : dimension == 2 ? 2.3 : 2.2;
+    support = displaced ? (dimension == 2 ? 3.1 : 2.8) : of_lattice[options->fill.arrangement][dimension - 2];
     if (options->operators.name == WEIGHTS_MLS)
         support = fmax(support, of_order[options->operators.order]);
     return support * options->spacing;

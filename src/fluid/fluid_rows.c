@@ -35,7 +35,11 @@ static const struct schema_name operators_names[] = {
 static const struct schema_name kernel_names[] = {
     {"wendland_c2", KERNEL_WENDLAND_C2, NULL}, {"wendland_c4", KERNEL_WENDLAND_C4, NULL},
     {"wendland_c6", KERNEL_WENDLAND_C6, NULL}, {"quintic", KERNEL_QUINTIC, "spline"}, {0}};
-static const struct schema_name arrangement_names[] = {{"cubic", FLUID_CUBIC, "simple cubic, in two dimensions square"}, {0}};
+static const struct schema_name arrangement_names[] = {
+    {"cubic", FLUID_CUBIC, "simple cubic, in two dimensions square"},
+    {"bcc", FLUID_BCC, "body-centred cubic, in three dimensions"},
+    {"hexagonal", FLUID_HEXAGONAL, "six neighbours each, in two dimensions"},
+    {0}};
 static const struct schema_name profile_names[] = {
     {"uniform", FLUID_UNIFORM, "the same velocity everywhere"},
     {"taylor_green", FLUID_TAYLOR_GREEN, "vortices of a periodic box, one wave an edge: u = U sin kx cos ky, v = -U cos kx sin ky"},
@@ -91,7 +95,7 @@ static const struct schema_row kernel_rows[] = {
     {.key = "name", .type = SCHEMA_NAME, .names = kernel_names, .fallback = "wendland_c2",
      AT(struct fluid_kernel, name), .help = "the smoothing kernel"},
     {.key = "support", .type = SCHEMA_REAL, .range = "(1.42, 6]", AT(struct fluid_kernel, support),
-     .help = "support radius over spacing; left out: 2.2 on a lattice (in two dimensions 2.3), 2.8 (3.1) with jitter",
+     .help = "support radius over spacing; left out: on lattices 2.2, bcc 1.95, in two dimensions 2.3, hexagonal 2.4; with jitter 2.8 (3.1)",
      .example = "2.2"},
 };
 static const struct schema_table kernel_table = TABLE(kernel_rows);
@@ -100,7 +104,7 @@ static const struct schema_row fill_rows[] = {
     {.key = "region", .type = SCHEMA_SECTION, .sub = &schema_region, .offset = offsetof(struct fluid_fill, region),
      .help = "the region that the fluid fills, except for grains and for the space behind walls"},
     {.key = "arrangement", .type = SCHEMA_NAME, .names = arrangement_names, .fallback = "cubic",
-     AT(struct fluid_fill, arrangement), .help = "the lattice"},
+     AT(struct fluid_fill, arrangement), .help = "the lattice; those other than cubic are stretched by up to a tenth in each direction to fit the box"},
     {.key = "jitter", .type = SCHEMA_REAL, .range = "[0, 0.8]", .fallback = "0", AT(struct fluid_fill, jitter),
      .help = "displaces each particle at random, by up to half of this times the spacing in each direction"},
     {.key = "offset", .type = SCHEMA_VECTOR, .unit = "m", .fallback = "[0, 0, 0]", AT(struct fluid_fill, offset),
@@ -178,7 +182,8 @@ static const struct schema_table solver_table = TABLE(solver_rows);
 
 static const struct schema_row section[] = {
     {.key = "spacing", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .required = true,
-     AT(struct fluid_options, spacing), .help = "distance of neighbours on the lattice of fluid particles", .example = "60 um"},
+     AT(struct fluid_options, spacing), .help = "edge of the cube (in two dimensions the square) that is a fluid particle's; on the cubic lattice the distance of neighbours",
+     .example = "60 um"},
     {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "(0, inf)", .required = true,
      AT(struct fluid_options, density), .help = "mass of a volume", .example = "997.561"},
     {.key = "viscosity", .type = SCHEMA_REAL, .unit = "Pa s", .range = "(0, inf)", .required = true,

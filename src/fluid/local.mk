@@ -3,6 +3,8 @@ noinst_LTLIBRARIES += libfluid.la
 libfluid_la_SOURCES = \
 	src/fluid/applied.c \
 	src/fluid/applied.h \
+	src/fluid/arrangement.c \
+	src/fluid/arrangement.h \
 	src/fluid/assembly.c \
 	src/fluid/assembly.h \
 	src/fluid/body.c \
@@ -37,6 +39,8 @@ libfluid_la_SOURCES = \
 	src/fluid/fluxes.h \
 	src/fluid/forces.c \
 	src/fluid/forces.h \
+	src/fluid/gaps.c \
+	src/fluid/gaps.h \
 	src/fluid/given.c \
 	src/fluid/given.h \
 	src/fluid/kernel.c \

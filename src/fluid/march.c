@@ -60,7 +60,7 @@ static void volumes_share(const struct physics_context *context, const struct fl
     if (volume == NULL)
         return;
     for (size_t k = 0; k < context->particles->owned; k++)
-        volume[k] = kernel_power(fluid->options->spacing, context->box->dimension);
+        volume[k] = fluid->lattice.volume;
     memcpy(volume + fluid->weights.first, fluid->weights.volume,
            fluid->weights.rows * sizeof *fluid->weights.volume);
     flow_fields_forward(context, FLOW_VOLUME);
@@ -309,8 +309,7 @@ void march_look(const struct physics_context *context) {
     memcpy(fluid_condition(context->particles) + fluid->weights.first, fluid->weights.condition,
            fluid->weights.rows * sizeof *fluid->weights.condition);
     drag_look(&fluid->forces, context, &fluid->flow, fluid->options->viscosity);
-    look_viscous(&fluid->flow,
-                 fluid->options->viscosity * kernel_power(fluid->options->spacing, context->box->dimension),
+    look_viscous(&fluid->flow, fluid->options->viscosity * fluid->lattice.volume,
                  fluid_drag(context->particles));
     look_vorticity(&fluid->flow);
     if (fluid->scalars != NULL)

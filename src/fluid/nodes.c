@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double same = 1e-6; /* part of a spacing by which lengths may differ from whole numbers of it */
+static const double same = 1e-6; /* part of a step by which lengths may differ from whole numbers of it */
 
 static int64_t wrap(int64_t value, int64_t count) {
     return (value % count + count) % count;
@@ -40,7 +40,7 @@ static int64_t join(const struct nodes *nodes, const int64_t at[3]) {
 /* The place that a node has, not wrapped. */
 static void place_at(const struct nodes *nodes, const int64_t at[3], double x[3]) {
     for (int d = 0; d < 3; d++)
-        x[d] = nodes->first[d] + (double)at[d] * nodes->spacing;
+        x[d] = nodes->first[d] + (double)at[d] * nodes->lattice.step[d];
 }
 
 /* The displacement of the node of that number. */
@@ -106,51 +106,25 @@ int64_t nodes_neighbour(const struct nodes *nodes, int64_t node, const int step[
     return join(nodes, at);
 }
 
-int nodes_edges(const struct nodes *nodes, const int (**steps)[3]) {
-    static const int cubic[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-    *steps = cubic;
-    return 2 * nodes->dimension;
-}
-
-size_t nodes_steps(const struct nodes *nodes, int (**steps)[3]) {
-    int far = (int)ceil(nodes->support / nodes->spacing), flat = nodes->dimension == 2 ? 0 : far;
-    size_t count = 0, room = (size_t)(2 * far + 1) * (size_t)(2 * far + 1) * (size_t)(2 * flat + 1);
-    double reach = nodes->support / nodes->spacing;
-    *steps = memory_allocate(room, sizeof **steps, "neighbours on the lattice");
-    for (int z = -flat; z <= flat; z++)
-        for (int y = -far; y <= far; y++)
-            for (int x = -far; x <= far; x++) {
-                int square = x * x + y * y + z * z;
-                if (square == 0 || square >= reach * reach)
-                    continue;
-                int *step = (*steps)[count++];
-                step[0] = x;
-                step[1] = y;
-                step[2] = z;
-            }
-    return count;
+/* The planes within the support of one. */
+static int64_t margin_of(const struct nodes *nodes, int d) {
+    return (int64_t)ceil(nodes->support / nodes->lattice.step[d]);
 }
 
 /* Lays the lattice: how many nodes, and where the first one is. */
 static bool lay(struct nodes *nodes, const struct physics_context *context,
                 const struct fluid_options *options, struct error *error) {
     const struct box *box = context->box;
-    int64_t margin = (int64_t)ceil(nodes->support / nodes->spacing);
+    const struct arrangement *lattice = &nodes->lattice;
     for (int d = 0; d < 3; d++) {
-        double spacings = box->edge[d] / nodes->spacing;
-        nodes->whole[d] = llround(spacings);
-        nodes->first[d] = 0.5 * nodes->spacing + options->fill.offset[d];
+        nodes->whole[d] = lattice->planes[d];
+        nodes->first[d] = 0.5 * lattice->step[d] + options->fill.offset[d];
         if (d == 2 && nodes->dimension == 2) {
             nodes->whole[d] = 1;
             nodes->first[d] = 0.5 * box->edge[d];
         } else if (!box->periodic[d]) {
-            nodes->whole[d] = (int64_t)ceil(spacings - same) + 2 * margin;
-            nodes->first[d] -= (double)margin * nodes->spacing;
-        } else if (fabs(spacings - (double)nodes->whole[d]) > same * spacings || nodes->whole[d] < 1) {
-            double more = fmax((double)nodes->whole[d], 1);
-            return scene_fail(context->scene, error, "fluid.spacing",
-                              "%g does not divide the periodic %c edge, %g; the nearest that does is %.15g",
-                              nodes->spacing, 'x' + d, box->edge[d], box->edge[d] / more);
+            nodes->whole[d] = (int64_t)ceil(box->edge[d] / lattice->step[d] - same) + 2 * margin_of(nodes, d);
+            nodes->first[d] -= (double)margin_of(nodes, d) * lattice->step[d];
         }
         if (box->periodic[d] && box->edge[d] <= 2 * nodes->support)
             return scene_fail(context->scene, error, "fluid.spacing",
@@ -162,7 +136,7 @@ static bool lay(struct nodes *nodes, const struct physics_context *context,
 
 void nodes_deal(struct nodes *nodes) {
     int cut = nodes->cut = nodes->dimension - 1;
-    int64_t margin = (int64_t)ceil(nodes->support / nodes->spacing), whole = nodes->whole[cut];
+    int64_t margin = margin_of(nodes, cut), whole = nodes->whole[cut];
     nodes->own[0] = plane_of(nodes, nodes->comm->rank);
     nodes->own[1] = plane_of(nodes, nodes->comm->rank + 1);
     int64_t from = nodes->own[0] - margin, to = nodes->own[1] + margin;
@@ -207,7 +181,8 @@ static void gather(struct nodes *nodes, const struct physics_context *context) {
 }
 
 void nodes_claim(struct nodes *nodes, int64_t node, int32_t owner, double depth) {
-    if (nodes->state[node] == NODES_SOLID && !((float)depth > nodes->depth[node]))
+    if (nodes->state[node] == NODES_ABSENT ||
+        (nodes->state[node] == NODES_SOLID && !((float)depth > nodes->depth[node])))
         return;
     nodes->state[node] = NODES_SOLID;
     nodes->owner[node] = owner;
@@ -218,7 +193,7 @@ static void claim_if_inside(struct nodes *nodes, int32_t number, const int64_t a
     const struct nodes_grain *grain = &nodes->grain[number];
     int64_t node = join(nodes, at);
     double x[3], square = 0;
-    if (node < 0)
+    if (node < 0 || !arrangement_has(&nodes->lattice, at))
         return;
     place_at(nodes, at, x);
     displace(nodes, nodes_number(nodes, node), x);
@@ -243,8 +218,9 @@ static void grain_mark(struct nodes *nodes, int32_t number) {
     double reach = grain->radius + nodes->jitter * nodes->spacing;
     for (int d = 0; d < 3; d++) {
         bool flat = d >= nodes->dimension;
-        from[d] = flat ? 0 : (int64_t)floor((grain->x[d] - reach - nodes->first[d]) / nodes->spacing);
-        to[d] = flat ? 0 : (int64_t)ceil((grain->x[d] + reach - nodes->first[d]) / nodes->spacing);
+        double step = nodes->lattice.step[d];
+        from[d] = flat ? 0 : (int64_t)floor((grain->x[d] - reach - nodes->first[d]) / step);
+        to[d] = flat ? 0 : (int64_t)ceil((grain->x[d] + reach - nodes->first[d]) / step);
     }
     for (at[2] = from[2]; at[2] <= to[2]; at[2]++)
         for (at[1] = from[1]; at[1] <= to[1]; at[1]++) {
@@ -261,6 +237,8 @@ static void wall_mark(struct nodes *nodes, const struct walls *walls, int wall) 
     for (int64_t node = 0; node < nodes->all; node++) {
         struct wall_foot foot;
         double x[3];
+        if (nodes->state[node] == NODES_ABSENT)
+            continue;
         place_of(nodes, node, x);
         walls_foot(walls, wall, x, INFINITY, &foot);
         if (foot.distance <= 0)
@@ -268,7 +246,7 @@ static void wall_mark(struct nodes *nodes, const struct walls *walls, int wall) 
     }
 }
 
-/* Marks the nodes in the region and in the box as fluid. */
+/* Marks the nodes in the region and in the box as fluid, and counts them. */
 static void region_mark(struct nodes *nodes, const struct fluid_options *options) {
     const struct box *box = nodes->box;
     struct region_space space = {.dimension = nodes->dimension, .plane = box->origin[2] + 0.5 * box->edge[2]};
@@ -277,17 +255,26 @@ static void region_mark(struct nodes *nodes, const struct fluid_options *options
                          region.axis[2] * region.axis[2]);
     for (int d = 0; d < 3 && length > 0; d++)
         region.axis[d] /= length;
-#pragma omp parallel for schedule(static)
+    int64_t wanted = 0;
+#pragma omp parallel for schedule(static) reduction(+ : wanted)
     for (int64_t node = 0; node < nodes->all; node++) {
         double x[3], user[3];
+        int64_t at[3];
         bool inside = true;
+        split(nodes, node, at);
+        nodes->state[node] = NODES_ABSENT;
+        if (!arrangement_has(&nodes->lattice, at))
+            continue;
         nodes_place(nodes, nodes_number(nodes, node), x);
         for (int d = 0; d < 3; d++) {
             inside = inside && x[d] >= 0 && x[d] <= box->edge[d];
             user[d] = x[d] + box->origin[d];
         }
         nodes->state[node] = inside && region_contains(&region, &space, user, 0) ? NODES_FLUID : NODES_VOID;
+        wanted += nodes->state[node] == NODES_FLUID && nodes_own(nodes, node);
     }
+    comm_sum_int(nodes->comm, &wanted, 1);
+    nodes->wanted = wanted;
 }
 
 /* Meshes must be closed, in three dimensions. */
@@ -361,33 +348,11 @@ static int by_x(const void *a, const void *b) {
     return (x->x[0] > y->x[0]) - (x->x[0] < y->x[0]);
 }
 
-/* Counts narrow gaps between grains; grains are sorted along x. */
-static void gaps_count(struct nodes *nodes) {
-    double largest = 0, narrow = NODES_GAP * nodes->spacing;
-    nodes->narrowest = INFINITY;
-    for (size_t k = 0; k < nodes->grains; k++)
-        largest = fmax(largest, nodes->grain[k].radius);
-    for (size_t i = 0; i < nodes->grains; i++) {
-        const struct nodes_grain *a = &nodes->grain[i];
-        for (size_t j = i + 1; j < nodes->grains; j++) {
-            const struct nodes_grain *b = &nodes->grain[j];
-            if (b->x[0] - a->x[0] > a->radius + largest + narrow)
-                break;
-            double gap = sqrt(box_distance2(nodes->box, a->x, b->x)) - a->radius - b->radius;
-            if (gap < nodes->narrowest) {
-                nodes->narrowest = gap;
-                nodes->narrowest_of[0] = a->id < b->id ? a->id : b->id;
-                nodes->narrowest_of[1] = a->id < b->id ? b->id : a->id;
-            }
-            nodes->narrow += gap < narrow;
-        }
-    }
-}
-
 bool nodes_make(struct nodes *nodes, const struct physics_context *context, struct error *error) {
     const struct fluid_options *options = context->options;
     *nodes = (struct nodes){.dimension = context->box->dimension,
                             .spacing = options->spacing,
+                            .lattice = arrangement_make(options, context->box),
                             .support = fluid_support(options, context->box->dimension),
                             .jitter = options->fill.jitter,
                             .box = context->box,
@@ -395,14 +360,13 @@ bool nodes_make(struct nodes *nodes, const struct physics_context *context, stru
                             .seed = context->scene->seed};
     bool rest = grains_rest(context, error);
     if (!comm_agree(context->comm, error) || !rest || !walls_suit(context, error) ||
-        !lay(nodes, context, options, error))
+        !arrangement_suits(&nodes->lattice, context, error) || !lay(nodes, context, options, error))
         return false;
     nodes_deal(nodes);
     gather(nodes, context);
     if (!grains_suit(nodes, context, error))
         return false;
     qsort(nodes->grain, nodes->grains, sizeof *nodes->grain, by_x);
-    gaps_count(nodes);
     size_t all = (size_t)nodes->all;
     nodes->state = memory_allocate_zero(all, sizeof *nodes->state, "lattice of the fluid");
     nodes->owner = memory_allocate_zero(all, sizeof *nodes->owner, "lattice of the fluid");

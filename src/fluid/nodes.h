@@ -9,11 +9,10 @@
 
 #include "engine/physics.h"
 #include "fluid/fluid.h"
+#include "fluid/arrangement.h"
 
-/* In a gap of fewer spacings the flow is not resolved. */
-#define NODES_GAP 2.0
-
-enum nodes_state { NODES_VOID, NODES_FLUID, NODES_SOLID };
+/* ABSENT: the lattice has no node of these numbers (arrangement.h). */
+enum nodes_state { NODES_VOID, NODES_FLUID, NODES_SOLID, NODES_ABSENT };
 
 /* A grain, of any rank. */
 struct nodes_grain {
@@ -24,6 +23,7 @@ struct nodes_grain {
 struct nodes {
     int dimension;
     double spacing, support, jitter, first[3]; /* place of node (0, 0, 0) of the lattice, box-relative */
+    struct arrangement lattice;
     const struct box *box;
     const struct comm *comm;
     uint64_t seed;
@@ -35,12 +35,10 @@ struct nodes {
     uint8_t *state;
     int32_t *
         owner; /* SOLID: number of the grain, or, of a wall or an open side, its number as a body; FLUID: number of the region */
-    float *depth;            /* SOLID: depth below the surface of the owner, length */
-    int64_t narrow;          /* gaps between two grains of less than NODES_GAP spacings; contacts count */
-    double narrowest;        /* length; INFINITY without a gap */
-    int64_t narrowest_of[2]; /* the two grains */
+    float *depth;   /* SOLID: depth below the surface of the owner, length */
+    int64_t wanted; /* nodes in the region and in the box, of all ranks */
     size_t grains;
-    struct nodes_grain *grain;
+    struct nodes_grain *grain; /* by x */
 };
 
 /* Lays the nodes and finds what each is: fluid in the region, solid in grains and behind walls, else void. Meshes and
@@ -70,11 +68,5 @@ int nodes_rank_of(const struct nodes *nodes, int64_t plane);
 /* The node `step` away from a node, -1 beyond an open side or the planes held: from an own node, steps within the
  * support stay in these. Any thread. */
 int64_t nodes_neighbour(const struct nodes *nodes, int64_t node, const int step[3]);
-
-/* The steps to all nodes nearer than the support, allocated (memory_free). */
-size_t nodes_steps(const struct nodes *nodes, int (**steps)[3]);
-
-/* The steps along the edges of the lattice, to a next plane at most; returns how many. */
-int nodes_edges(const struct nodes *nodes, const int (**steps)[3]);
 
 #endif

@@ -25,11 +25,24 @@ double operators_pressure_step(const struct weights *weights, size_t wall, struc
     return foot->pressed ? -(1 + weights->mirror[wall]) * (own - given) : 0;
 }
 
+/* Takes the part along the normal out of what a wall entry has added to a gradient, if it is at an open side of given
+ * velocity: the pressure goes on evenly there, but its gradient along the normal is not 0. share[d] becomes the part of a
+ * unit gradient that the entry would have added for a linear pressure, from which the other entries make up for it. */
+static void open_part(const struct weights *weights, size_t wall, const double *vector, double difference,
+                      double sum[3], double share[3]) {
+    const struct weights_foot *foot = weights_foot_of(weights, wall);
+    for (int d = 0; d < weights->dimension && foot->open && !foot->pressed; d++)
+        if (foot->normal[d] != 0) {
+            sum[d] -= vector[d] * difference;
+            share[d] -= vector[d] * foot->normal[d] * (1 + weights->mirror[wall]) * foot->distance;
+        }
+}
+
 void operators_gradient(const struct weights *weights, struct operators_values p, double (*out)[3]) {
     size_t dimension = (size_t)weights->dimension;
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++) {
-        double own = *at(p, weights->first + row), sum[3] = {0};
+        double own = *at(p, weights->first + row), sum[3] = {0}, share[3] = {0};
         for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++) {
             double difference = *partner_at(weights, p, e) - own;
             for (size_t d = 0; d < dimension; d++)
@@ -40,9 +53,10 @@ void operators_gradient(const struct weights *weights, struct operators_values p
             double difference = operators_pressure_step(weights, k, p, own);
             for (size_t d = 0; d < dimension; d++)
                 sum[d] += weights_vector(weights, e)[d] * difference;
+            open_part(weights, k, weights_vector(weights, e), difference, sum, share);
         }
         for (int d = 0; d < 3; d++)
-            out[row][d] = sum[d];
+            out[row][d] = sum[d] / (1 - share[d]);
     }
 }
 

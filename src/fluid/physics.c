@@ -8,7 +8,6 @@
 #include "fluid/fill.h"
 #include "fluid/march.h"
 #include "fluid/motion.h"
-#include "fluid/nodes.h"
 #include "fluid/ride.h"
 #include "fluid/scalars.h"
 #include "fluid/state.h"
@@ -37,10 +36,11 @@ static void *create(const struct physics_context *context) {
     fluid->options = context->options;
     fluid->drive = drive_begin(fluid->options, context->box);
     fluid->support = fluid_support(fluid->options, context->box->dimension);
+    fluid->lattice = arrangement_make(fluid->options, context->box);
     if (fluid->options->fill.jitter > 0 || motion_moves(fluid->options))
         fluid_fields_volumes(context->particles);
     else
-        fluid->volume = kernel_power(fluid->options->spacing, context->box->dimension);
+        fluid->volume = fluid->lattice.volume;
     if (motion_moves(fluid->options))
         fluid_fields_moving(context->particles);
     fluid->riding = ride_wanted(context);
@@ -103,12 +103,11 @@ static void print(const struct physics_context *context, FILE *file) {
             fluid->regions == 1 ? "" : "s");
     fprintf(file, "  memory       weights %.1f MiB, matrices and solvers about %.0f MiB\n",
             sum[KINDS + 1] / 1048576, solver / 1048576);
-    if (isfinite(fluid->narrowest) && sum[KIND_GRAIN] > 1)
-        fprintf(
-            file,
-            "  gaps         %s%lld between grains are below %g spacings; the narrowest is %.3g spacings\n",
-            fluid->narrow > 0 ? "NOTE: " : "", (long long)fluid->narrow, NODES_GAP,
-            fluid->narrowest / fluid->options->spacing);
+    if (fluid->lattice.stretch > 0)
+        fprintf(file, "  lattice      steps of %.6g, %.6g, %.6g: stretched by %.2g to fit the box\n",
+                fluid->lattice.step[0], fluid->lattice.step[1], fluid->lattice.step[2],
+                fluid->lattice.stretch);
+    gaps_print(&fluid->gaps, context, file);
     scalars_print(context, file);
     electrolyte_print(context, file);
     if (!steady && fluid->options->equations == FLUID_NAVIER_STOKES)

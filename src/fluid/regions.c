@@ -26,7 +26,7 @@ static bool is_own_fluid(const struct nodes *nodes, int64_t node) {
  * many they are. */
 static int64_t flood(struct nodes *nodes, int64_t start, int32_t number, int64_t *stack) {
     const int(*steps)[3];
-    int edges = nodes_edges(nodes, &steps);
+    int edges = arrangement_edges(&nodes->lattice, &steps);
     int64_t depth = 0, count = 0;
     stack[depth++] = start;
     nodes->owner[start] = number;
@@ -156,7 +156,7 @@ static void faces_exchange(const struct faces *faces, struct exchange *exchange,
 /* Lowers the label of the piece of a node to the lowest next to it on other ranks; true if it was higher. */
 static bool lower(const struct faces *faces, const struct nodes *nodes, struct part *piece, int64_t node) {
     const int(*steps)[3];
-    int edges = nodes_edges(nodes, &steps);
+    int edges = arrangement_edges(&nodes->lattice, &steps);
     int64_t before = piece->label;
     for (int k = 0; k < edges; k++) {
         int64_t next = nodes_neighbour(nodes, node, steps[k]);

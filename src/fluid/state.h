@@ -6,6 +6,7 @@
 #include "fluid/drive.h"
 #include "fluid/fluid.h"
 #include "fluid/forces.h"
+#include "fluid/gaps.h"
 #include "fluid/projection.h"
 #include "fluid/steady.h"
 
@@ -15,7 +16,8 @@ struct electrolyte;
 struct fluid {
     const struct fluid_options *options; /* borrowed */
     double support;                      /* radius, length */
-    double volume;                       /* of a particle on the lattice, length^dimension; 0: they differ */
+    struct arrangement lattice;
+    double volume; /* of a particle on the lattice, length^dimension; 0: they differ */
     struct weights weights;
     struct weights_input input;   /* of the weights; what it borrows lives until the next rebuild */
     struct weights_options weigh; /* their options */
@@ -43,8 +45,7 @@ struct fluid {
     struct scalars *scalars;         /* scalars.h; NULL: none */
     struct electrolyte *electrolyte; /* electrolyte.h; NULL: none */
     uint64_t done;                   /* the last step that was made */
-    int64_t narrow;                  /* gaps between grains that the spacing does not resolve (nodes.h) */
-    double narrowest;                /* length */
+    struct gaps gaps;                /* that the spacing does not resolve */
     double work;                     /* on grains that the fluid moves, since the start; energy */
     struct error error;              /* until the guard takes it */
 };

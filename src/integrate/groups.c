@@ -10,7 +10,7 @@
 static const struct field group = {.name = "group",
                                    .type = FIELD_UINT8,
                                    .components = 1,
-                                   .use = FIELD_TRAVELS | FIELD_OUTPUT | FIELD_FIXED,
+                                   .use = FIELD_GHOST | FIELD_TRAVELS | FIELD_OUTPUT | FIELD_FIXED,
                                    .needed_for = "groups",
                                    .help = "number of the group, 0 = free"};
 

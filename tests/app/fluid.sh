@@ -85,6 +85,12 @@ check "moving least squares: one rank" run_scene 1 sphere.yaml run --set index=b
 frame run >first
 check "moving least squares: 3 ranks, hgrid" operators 3 1 "${displaced[@]}" --set fluid.operators=mls --set index=hgrid
 
+rm -rf run
+check "body-centred lattice: one rank" run_scene 1 sphere.yaml run --set index=brute --set step.count=0 --set fluid.fill.arrangement=bcc
+frame run >first
+check "body-centred lattice: the same operators on 3 ranks, hgrid" operators 3 1 --set fluid.fill.arrangement=bcc --set index=hgrid
+check "body-centred lattice: check tells its steps" eval '"$scree" check sphere.yaml --set fluid.fill.arrangement=bcc >said 2>&1 && grep -q "lattice *steps of 0.05, 0.05, 0.05: stretched by 0.048" said && grep -q "neighbours *2[0-9.]* a fluid particle" said'
+
 # close FILE FILE: last rows agree to 1e-5 of the flow (the solver's tolerance); ranks may take other numbers of iterations
 close() {
     paste -d , <(tail -n 1 "$1") <(tail -n 1 "$2") | awk -F , -v head="$(head -n 1 "$1")" '{ m = NF / 2; split(head, name, ",")
@@ -126,9 +132,14 @@ resumes() { # RANKS [FLAG...]
 }
 check "a resume gives the same bits" resumes 1
 check "a resume on 2 ranks gives the same bits" resumes 2
+kept() { # the preconditioner of the pressure serves more matrices than the one that it was made for
+    tr -d ' \n' <whole/report.json | sed 's/.*"name":"pressure",\([^}]*\)}.*/\1/' >solvers && cat solvers &&
+        grep -q '"solves":12,' solvers && grep -q '"set_ups":[1-9][,}]' solvers && grep -q '"kept":[1-9]' solvers
+}
 # particles that move with the flow, beside walls of which one slides; lists that live for some steps
 moving=(--set fluid.motion=lagrangian --set skin.length=0.06)
 check "particles that move: a resume gives the same bits" resumes 1 "${moving[@]}"
+check "particles that move: preconditioners are kept" kept
 check "particles that move: a resume on 2 ranks gives the same bits" resumes 2 "${moving[@]}"
 rm -rf one
 run_scene 1 channel.yaml one --set threads=1 --set fluid.solver.tolerance=1e-9 "${moving[@]}"
@@ -481,6 +492,10 @@ check "a drive towards a wall" scene_refused 'fluid.drive.pressure_drop|periodic
 check "a spacing that does not divide a periodic edge" scene_refused 'fluid.spacing|does not divide|0.0909' sphere.yaml --set fluid.spacing=0.09
 check "a spacing too coarse for a grain" scene_refused 'fluid.spacing|too coarse|grain 1' sphere.yaml --set fluid.spacing=0.2
 check "no fluid in the region" scene_refused 'there is no fluid' channel.yaml --set 'fluid.fill={region: {shape: sphere, centre: [9, 9, 0], radius: 1}}'
+check "fluid where a grain stands" scene_refused 'sphere.yaml:|fluid.fill|grains or walls stand at all' sphere.yaml --set 'fluid.fill={region: {shape: sphere, centre: [-0.9, 0.1, 2.05], radius: 0.2}}'
+check "a lattice of three dimensions in two" scene_refused 'fluid.fill.arrangement|hexagonal' channel.yaml --set fluid.fill.arrangement=bcc
+check "a lattice of two dimensions in three" scene_refused 'fluid.fill.arrangement|bcc|not built' sphere.yaml --set fluid.fill.arrangement=hexagonal
+check "a lattice that does not fit" scene_refused 'fluid.spacing|stretched by|finer' channel.yaml --set fluid.fill.arrangement=hexagonal --set 'box.upper=[0.36, 1, 0]'
 check "an open side" scene_refused 'open side near|wall' channel.yaml --set box.periodic=false
 check "a region that ends in the open" scene_refused 'open side near' sphere.yaml --set 'fluid.fill={region: {shape: box, lower: [-1, 0, 2], upper: [0, 1, 2.5]}}'
 check "grains that move" scene_refused 'grain 1 moves freely|fluid.grains: free' sphere.yaml --set 'particles={from: single, position: [-0.9, 0.1, 2.05], radius: 0.31, density: 1}' --set 'groups=[]'

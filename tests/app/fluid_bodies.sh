@@ -126,9 +126,19 @@ groups: [{name: bed, motion: frozen}]
 YAML
 packing() {
     run 1 packing && grep -q 'note: packing.yaml:[0-9]*: fluid.spacing: is too coarse for [0-9]* gaps between grains.*between grains 1 and 3, is 0.' said &&
-        within "$(value packing.1 body_x)" "$(value packing.1 fluid_porosity)" 1e-4
+        within "$(value packing.1 body_x)" "$(value packing.1 fluid_porosity)" 1e-4 &&
+        run 2 packing && within "$(value packing.2 body_x)" "$(value packing.1 body_x)" 1e-4
 }
 check "a packing from a file, its narrow gaps and its drag" packing
+
+gaps() { # SCENE NARROW WORDS SETTING...: what check says of gaps
+    "$scree" check "$1.yaml" "${@:4}" >said 2>&1 && grep -q "gaps *NOTE: $2 are below 2 spacings; the narrowest, between $3, is" said || { cat said; return 1; }
+}
+printf '%s\n' '0.1 0.5 0.5 0.13' '0.8 0.5 0.5 0.13' >packing.txt
+check "a gap across a periodic side" gaps packing '1 between grains and 0 between grains and walls' 'grains 1 and 2'
+disc=(--set 'particles={from: single, position: [0.5, 0.15, 0], radius: 0.13, density: 1, group: bed}' --set 'groups=[{name: bed, motion: frozen}]')
+check "a gap between a grain and a wall" gaps channel '0 between grains and 1 between grains and walls' "grain 1 and wall 'lower'" "${disc[@]}"
+check "the note of a run names it, too" grep -q "scree: note: channel.yaml:.*fluid.spacing: is too coarse for 0 gaps between grains and 1 between grains and walls" said
 
 check "an open side without a condition" scene_refused 'channel.yaml:|fluid.fill|needed there|x_upper' channel.yaml --set 'fluid.open=[{side: x_lower, velocity: [1, 0, 0]}]'
 check "a side with two conditions" scene_refused 'fluid.open[0]|not both' channel.yaml --set 'fluid.open=[{side: x_lower, velocity: [1, 0, 0], pressure: 1}, {side: x_upper, pressure: 0}]'

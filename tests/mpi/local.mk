@@ -105,9 +105,14 @@ tests_mpi_bench_ranks_CPPFLAGS = $(MPI_TEST_FLAGS)
 tests_mpi_bench_ranks_LDADD = $(COMM_LIBS) $(MPI_LIBS)
 
 check_PROGRAMS += tests/mpi/test_solve
-tests_mpi_test_solve_SOURCES = tests/mpi/test_solve.c tests/mpi/team.c tests/mpi/team.h
+tests_mpi_test_solve_SOURCES = tests/mpi/test_solve.c tests/mpi/lattice_matrix.c tests/mpi/lattice_matrix.h tests/mpi/team.c tests/mpi/team.h
 tests_mpi_test_solve_CPPFLAGS = $(MPI_TEST_FLAGS)
 tests_mpi_test_solve_LDADD = $(SOLVE_LIBS) $(TEST_LIBS) $(MPI_LIBS)
+
+check_PROGRAMS += tests/mpi/test_solve_interface
+tests_mpi_test_solve_interface_SOURCES = tests/mpi/test_solve_interface.c tests/mpi/lattice_matrix.c tests/mpi/lattice_matrix.h tests/mpi/team.c tests/mpi/team.h
+tests_mpi_test_solve_interface_CPPFLAGS = $(MPI_TEST_FLAGS)
+tests_mpi_test_solve_interface_LDADD = $(SOLVE_LIBS) $(TEST_LIBS) $(MPI_LIBS)
 
 check_PROGRAMS += tests/mpi/test_projection
 tests_mpi_test_projection_SOURCES = tests/mpi/test_projection.c tests/mpi/team.c tests/mpi/team.h

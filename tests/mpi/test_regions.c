@@ -127,6 +127,7 @@ static void try(struct team *team, int dimension, int64_t edge, bool periodic, d
         .dimension = dimension, .edge = {1, 1, 1}, .periodic = {periodic, periodic, periodic}};
     struct nodes nodes = {
         .dimension = dimension, .spacing = 1, .support = 2.2, .box = &box, .comm = &team->comm};
+    nodes.lattice = (struct arrangement){.dimension = dimension, .step = {1, 1, 1}, .volume = 1};
     whole_make(&whole, part);
     memcpy(nodes.whole, whole.count, sizeof nodes.whole);
     nodes_deal(&nodes);
