@@ -21,7 +21,7 @@ struct gaps {
  * GAPS_NARROW spacings has no gap. The same on all ranks. */
 struct gaps gaps_find(const struct nodes *nodes, const struct physics_context *context);
 
-/* Tells on stderr of gaps that are too narrow, with the place of fluid.spacing in the scene. One rank. */
+/* Tells the log of gaps that are too narrow, with the place of fluid.spacing in the scene. One rank. */
 void gaps_note(const struct gaps *gaps, const struct physics_context *context);
 
 /* Prints the line of gaps for `check`. One rank. */
