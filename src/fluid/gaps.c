@@ -78,13 +78,12 @@ void gaps_note(const struct gaps *gaps, const struct physics_context *context) {
     char place[512], bodies[128];
     if (gaps->grains + gaps->walls == 0)
         return;
-    fprintf(
-        stderr,
-        "scree: note: %s: fluid.spacing: is too coarse for %lld gaps between grains and %lld between grains "
-        "and walls, which are below %g spacings; the narrowest, between %s, is %.3g spacings\n",
-        scene_place(context->scene, "fluid.spacing", place, sizeof place), (long long)gaps->grains,
-        (long long)gaps->walls, GAPS_NARROW, between(gaps, context, bodies, sizeof bodies),
-        gaps->narrowest / options->spacing);
+    log_tell(context->log,
+             "note: %s: fluid.spacing: is too coarse for %lld gaps between grains and %lld between grains "
+             "and walls, which are below %g spacings; the narrowest, between %s, is %.3g spacings",
+             scene_place(context->scene, "fluid.spacing", place, sizeof place), (long long)gaps->grains,
+             (long long)gaps->walls, GAPS_NARROW, between(gaps, context, bodies, sizeof bodies),
+             gaps->narrowest / options->spacing);
 }
 
 void gaps_print(const struct gaps *gaps, const struct physics_context *context, FILE *file) {
