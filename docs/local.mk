@@ -31,6 +31,7 @@ EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-drift-hooke.svg \
 	docs/images/verify-drum-angle.svg \
 	docs/images/verify-end-of-contact.svg \
+	docs/images/verify-fluid-cavity.svg \
 	docs/images/verify-free-fall.svg \
 	docs/images/verify-haff.svg \
 	docs/images/verify-heat-chain.svg \
