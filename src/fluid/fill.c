@@ -7,6 +7,7 @@
 #include "fluid/electrolyte.h"
 #include "fluid/fields.h"
 #include "fluid/fill_open.h"
+#include "fluid/gaps.h"
 #include "fluid/marks.h"
 #include "fluid/motion.h"
 #include "fluid/open.h"
@@ -185,10 +186,12 @@ bool fill_run(const struct physics_context *context, const struct physics_share 
         log_tell(context->log, "note: %lld of %lld nodes of the fluid lie in closed pockets, and are solid",
                  (long long)regions.pocket, (long long)(regions.pocket + regions.fluid));
     struct fluid *fluid = context->self;
-    if (good)
-        fluid->gaps = gaps_find(&nodes, context);
+    if (good) {
+        fluid->gaps = memory_allocate(1, sizeof *fluid->gaps, "gaps");
+        *fluid->gaps = gaps_find(&nodes, context);
+    }
     if (good && context->comm->rank == 0)
-        gaps_note(&fluid->gaps, context);
+        gaps_note(fluid->gaps, context);
     nodes_free(&nodes);
     return good;
 }

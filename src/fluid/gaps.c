@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Narrow gaps: found, told, printed. Read gaps.h first. */
 #include "fluid/gaps.h"
+#include "fluid/nodes.h"
 #include <math.h>
 
 /* Takes a gap between grain a and another grain, or a wall. */

@@ -4,7 +4,12 @@
 #ifndef SCREE_FLUID_GAPS_H
 #define SCREE_FLUID_GAPS_H
 
-#include "fluid/nodes.h"
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+struct nodes;
+struct physics_context;
 
 /* In a gap of fewer spacings the flow is not resolved. */
 #define GAPS_NARROW 2.0

@@ -331,5 +331,6 @@ void march_end(void *self) {
     weights_free(&fluid->weights);
     pair_rows_free(&fluid->pairs);
     forces_free(&fluid->forces);
+    memory_free(fluid->gaps);
     memory_free(fluid);
 }

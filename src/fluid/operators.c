@@ -159,6 +159,7 @@ void operators_laplacian_velocity(const struct weights *weights, struct operator
 /* What the neighbours of a row add up to: of the pressure its gradient, of the velocity Laplacian and divergence. */
 struct stokes_sums {
     double gradient[3], laplacian[3], divergence;
+    double share[3]; /* open_part */
 };
 
 /* Adds the fluid neighbours of a row, in 2 or 3 dimensions. */
@@ -202,6 +203,8 @@ static void stokes_walls(const struct weights *weights, size_t row, struct opera
             sums->laplacian[d] += w * difference[d];
             sums->gradient[d] += b[d] * step;
         }
+        if (weights->opens > 0)
+            open_part(weights, k, b, step, sums->gradient, sums->share);
     }
 }
 
@@ -210,14 +213,15 @@ void operators_stokes(const struct weights *weights, struct operators_values u, 
     size_t rows = weights->rows, dimension = (size_t)weights->dimension;
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < rows; row++) {
-        struct stokes_sums sums = {{0}, {0}, 0};
+        struct stokes_sums sums = {0};
         if (dimension == 3)
             stokes_inner(weights, row, u, p, 3, &sums);
         else
             stokes_inner(weights, row, u, p, 2, &sums);
         stokes_walls(weights, row, u, p, &sums);
         for (size_t d = 0; d < dimension; d++)
-            out[d * rows + row] = factor->gradient * sums.gradient[d] - factor->viscous * sums.laplacian[d];
+            out[d * rows + row] = factor->gradient * sums.gradient[d] / (1 - sums.share[d]) -
+                                  factor->viscous * sums.laplacian[d];
         out[dimension * rows + row] = -factor->divergence * sums.divergence;
     }
 }

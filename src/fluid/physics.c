@@ -6,6 +6,7 @@
 #include "fluid/electrolyte.h"
 #include "fluid/fields.h"
 #include "fluid/fill.h"
+#include "fluid/gaps.h"
 #include "fluid/march.h"
 #include "fluid/motion.h"
 #include "fluid/ride.h"
@@ -107,7 +108,8 @@ static void print(const struct physics_context *context, FILE *file) {
         fprintf(file, "  lattice      steps of %.6g, %.6g, %.6g: stretched by %.2g to fit the box\n",
                 fluid->lattice.step[0], fluid->lattice.step[1], fluid->lattice.step[2],
                 fluid->lattice.stretch);
-    gaps_print(&fluid->gaps, context, file);
+    if (fluid->gaps)
+        gaps_print(fluid->gaps, context, file);
     scalars_print(context, file);
     electrolyte_print(context, file);
     if (!steady && fluid->options->equations == FLUID_NAVIER_STOKES)

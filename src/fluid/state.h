@@ -3,10 +3,10 @@
 #ifndef SCREE_FLUID_STATE_H
 #define SCREE_FLUID_STATE_H
 
+#include "fluid/arrangement.h"
 #include "fluid/drive.h"
 #include "fluid/fluid.h"
 #include "fluid/forces.h"
-#include "fluid/gaps.h"
 #include "fluid/projection.h"
 #include "fluid/steady.h"
 
@@ -45,7 +45,7 @@ struct fluid {
     struct scalars *scalars;         /* scalars.h; NULL: none */
     struct electrolyte *electrolyte; /* electrolyte.h; NULL: none */
     uint64_t done;                   /* the last step that was made */
-    struct gaps gaps;                /* that the spacing does not resolve */
+    struct gaps *gaps;               /* gaps.h; NULL: not looked for */
     double work;                     /* on grains that the fluid moves, since the start; energy */
     struct error error;              /* until the guard takes it */
 };
