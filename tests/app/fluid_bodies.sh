@@ -97,17 +97,17 @@ step: {count: 1}
 observables: {every: 1, list: [{name: drag/lower}, {name: flow_rate}]}
 output: {dump: {every: 1, fields: [position, velocity, pressure]}}
 YAML
-# profile DIR DROP OUT: in the middle half, largest error of u, of v and of p against U = 1
+# profile DIR DROP OUT [P]: in the middle half, largest error of u, of v and of p against U = 1
 profile() {
-    awk -v drop="$2" -v end="$3" '/^ITEM: TIMESTEP/ { u = v = p = n = 0; next }
+    awk -v drop="$2" -v end="$3" -v most="${4:-0.3}" '/^ITEM: TIMESTEP/ { u = v = p = n = 0; next }
         /^ITEM: ATOMS/ { for (k = 3; k <= NF; k++) at[$k] = k - 2; reading = 1; next } /^ITEM/ { reading = 0 }
         reading { x = $at["x"]; s = $at["y"] / 0.5; if (x < 0.25 || x > 0.75 || s < 0 || s > 1) next
             e = $at["vx"] - 6 * s * (1 - s); u = e * e > u ? e * e : u; e = $at["vy"]; v = e * e > v ? e * e : v
             e = $at["pressure"] - end - drop * (1 - x); p = e * e > p ? e * e : p; n++ }
-        END { printf "  %d particles, errors of u %.3g, v %.3g, p %.3g\n", n, sqrt(u), sqrt(v), sqrt(p); exit !(n == 256 && u < 0.006 ^ 2 && v < 0.002 ^ 2 && p < 0.3 ^ 2) }' "$1/dump.lammpstrj"
+        END { printf "  %d particles, errors of u %.3g, v %.3g, p %.3g\n", n, sqrt(u), sqrt(v), sqrt(p); exit !(n == 256 && u < 0.006 ^ 2 && v < 0.002 ^ 2 && p < most ^ 2) }' "$1/dump.lammpstrj"
 }
 check "an inlet and an outlet" run 1 channel
-check "their flow is that of Poiseuille" profile channel.1 4.8 2
+check "their flow is that of Poiseuille, and the pressure does not alternate" profile channel.1 4.8 2 0.03
 check "the wall carries half of the drop" within "$(value channel.1 drag_lower_x)" 1.2 0.04
 check "on 3 ranks" run 3 channel
 check "it is the same" within "$(value channel.1 drag_lower_x)" "$(value channel.3 drag_lower_x)" 2e-4
