@@ -95,7 +95,7 @@ static void helmholtz(void **state) {
 static void iterations_are_flat(void **state) {
     struct team *team = *state;
     struct solve *solve = lattice_matrix_begin(team, NULL);
-    static const int sides[2][2] = {{24, 96}, {12, 36}};
+    static const int sides[2][2] = {{48, 192}, {12, 36}};
     for (int d = 0; solve != NULL && d < 2; d++) {
         int iterations[2];
         for (int k = 0; k < 2; k++) {
