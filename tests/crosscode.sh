@@ -14,7 +14,7 @@ else
     fast="linkcell multi bytype hgrid"
     INDEXES=$fast NEWTON=on RANKS=4 THREADS=2 "$check" "$out" || status=1
     INDEXES=$fast NEWTON=off RANKS=2 THREADS=1 "$check" "$out" || status=1
-    INDEXES=brute NEWTON=on RANKS=1 THREADS=1 "$check" "$out" || status=1
+    INDEXES=brute NEWTON=on RANKS=4 THREADS=1 "$check" "$out" || status=1
     INDEXES=brute NEWTON=off RANKS=2 THREADS=2 "$check" "$out" || status=1
 fi
 exit $status
