@@ -217,7 +217,7 @@ for setting in 'bed 100' 'flow 400' 'sheared 120'; do
 done
 check 'flow: particles come and leave in both halves' comes_and_goes
 
-for case in bed ten boulder thin flow; do
+for case in bed ${SCREE_LONG:+ten boulder thin} flow; do
     check "$case: choices by the clock" \
         layout $case 2 2 auto $bisection auto index.measure=true domain.weights=time domain.threshold=1.001
 done
