@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The general loop of the force loop: a batch of contacts of a law with parts, one after another. Scenes
- * whose law has no parts never come here. */
+/* The general loop of the force loop: a batch of contacts of a law with parts, one after another or, without
+ * energies, in vectorised loops where there are such. Scenes whose law has no parts never come here. */
 #ifndef SCREE_CONTACT_FORCE_GENERAL_H
 #define SCREE_CONTACT_FORCE_GENERAL_H
 

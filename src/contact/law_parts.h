@@ -2,13 +2,16 @@
 /* The parts that a contact law may have besides its springs (law_form.h), its damper and friction: cohesion, a
  * choice of tangential, rolling and twisting resistance, of dampers, plasticity. Each kind of part has a table
  * here; a row says with which laws of law_table.h the part combines. A scene that asks for no part goes
- * through the vectorised loops of force_physics.h, specialised for its law; a law with parts goes through one
- * general loop (force_general.c), which costs more.
+ * through the vectorised loops of force_physics.h, specialised for its law. A law with parts goes through the
+ * general loop (force_general.c), which costs more. Where its parts are those of the normal direction alone, the
+ * general loop has vectorised loops, too: force_grip.h for the normal direction of the laws that it lists, and
+ * force_physics.h for sliding and rolling.
  *
  * How to add a part:
  *
  *   1. Add a row to its table here, and its coefficients to struct law_extra (law_form.h).
- *   2. Write its formula: cohesion in law_cohesion.c, resistances in law_resist.c.
+ *   2. Write its formula: the pull of a cohesion in law_cohesion.h and its energy in law_cohesion.c (with a row of
+ *      the table in force_grip.h the pull is vectorised), resistances in law_resist.c.
  *   3. Add the keys of the coefficients to scene/schema_parts.c, and the formula with its source to
  *      docs/physics.md.
  *
