@@ -72,6 +72,19 @@ scree_figures() {
         END { exit failed }'
 }
 
+# report_stages DIR STAGE...: seconds of these stages of a run, the mean of its ranks, added up
+report_stages() {
+    tr -d ' \n' <"$1/report.json" | awk -v names="${*:2}" '{
+        n = split(names, name, " ")
+        for (k = 1; k <= n; k++)
+            if (match($0, "\"" name[k] "\":{\"min\":[^}]*}")) {
+                stage = substr($0, RSTART, RLENGTH)
+                sub(/.*"mean":/, "", stage)
+                sum += stage
+            }
+        printf "%.9g", sum }'
+}
+
 # quietly COMMAND ...: its output is shown only if it fails
 quietly() {
     "$@" >"$work/output" 2>&1 || {

@@ -41,24 +41,13 @@ run() { # NAME FLAG...: into OUT/NAME; COUNTED: under callgrind, and prints the 
     }
     [ -z "${COUNTED:-}" ] || sed -n 's/.*Collected : \([0-9]*\).*/\1/p' "$out/$name.log"
 }
-stage() { # NAME STAGE...: seconds of these stages
-    tr -d ' \n' <"$out/$1/report.json" | awk -v names="${*:2}" '{
-        n = split(names, name, " ")
-        for (k = 1; k <= n; k++)
-            if (match($0, "\"" name[k] "\":{\"min\":[^}]*}")) {
-                stage = substr($0, RSTART, RLENGTH)
-                sub(/.*"mean":/, "", stage)
-                sum += stage
-            }
-        printf "%.9g", sum }'
-}
 names=(hertz jkr_zero jkr_small)
 for name in "${names[@]}"; do : >"$out/$name.rows"; done
 for ((r = 0; r < repeat; r++)); do
     for name in "${names[@]}"; do
         flags_of "$name"
         run "$name"
-        echo "$(stage "$name" sweep advance contact decide finish) $(stage "$name" migrate reorder ghosts index pairs history)" >>"$out/$name.rows"
+        echo "$(report_stages "$out/$name" sweep advance contact decide finish) $(report_stages "$out/$name" migrate reorder ghosts index pairs history)" >>"$out/$name.rows"
     done
 done
 declare -A figure

@@ -94,15 +94,7 @@ report() {
 
 # stages NAME...: seconds of these stages in the last run, added up
 stages() {
-    tr -d ' \n' <"$work/run/report.json" | awk -v names="$*" '{
-        n = split(names, name, " ")
-        for (k = 1; k <= n; k++)
-            if (match($0, "\"" name[k] "\":{\"min\":[^}]*}")) {
-                stage = substr($0, RSTART, RLENGTH)
-                sub(/.*"mean":/, "", stage)
-                sum += stage
-            }
-        printf "%.9g", sum }'
+    report_stages "$work/run" "$@"
 }
 rebuild_stages="migrate reorder ghosts index pairs history"
 
