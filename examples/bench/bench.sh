@@ -74,7 +74,9 @@ scree_figures() {
 
 # report_stages DIR STAGE...: seconds of these stages of a run, the mean of its ranks, added up
 report_stages() {
-    tr -d ' \n' <"$1/report.json" | awk -v names="${*:2}" '{
+    stages_of=$1
+    shift
+    tr -d ' \n' <"$stages_of/report.json" | awk -v names="$*" '{
         n = split(names, name, " ")
         for (k = 1; k <= n; k++)
             if (match($0, "\"" name[k] "\":{\"min\":[^}]*}")) {
