@@ -135,9 +135,10 @@ static void test_lattices(void **state) {
         int dimension, side;
         double reach;
         size_t neighbours;
-    } rows[] = {{FLUID_HEXAGONAL, 2, 32, 2.4, 18}, {FLUID_BCC, 3, 12, 1.95, 26}};
+    } rows[] = {
+        {FLUID_HEXAGONAL, 2, 32, 2.4, 18}, {FLUID_BCC, 3, 12, 1.95, 26}, {FLUID_FCC, 3, 12, 2.1, 42}};
     (void)state;
-    for (int k = 0; k < 2; k++) {
+    for (int k = 0; k < 3; k++) {
         struct fluid_cloud_errors error[2];
         double finer = 1; /* by which the stretched steps are shorter */
         for (int fine = 0; fine < 2; fine++) {

@@ -7,14 +7,15 @@
 
 static const double same = 1e-6; /* part of an edge by which multiples of the spacing may miss it */
 
-/* The steps of a lattice of spacing 1, and the numbers that share a node. */
+/* The steps of a lattice of spacing 1, the numbers that share a node, and its dimensions (0: any). */
 static const struct {
     double step[3];
-    int numbers;
-} rows[] = {[FLUID_CUBIC] = {{1, 1, 1}, 1},
-            [FLUID_BCC] = {{0.62996052494743658, 0.62996052494743658, 0.62996052494743658}, 4}, /* 4^(-1/3) */
+    int numbers, dimension;
+} rows[] = {[FLUID_CUBIC] = {{1, 1, 1}, 1, 0},
+            [FLUID_BCC] = {{0.62996052494743658, 0.62996052494743658, 0.62996052494743658}, 4, 3}, /* 4^(-1/3) */
+            [FLUID_FCC] = {{0.79370052598409974, 0.79370052598409974, 0.79370052598409974}, 2, 3}, /* 2^(-1/3) */
             /* d / 2 and d 3^(1/2) / 2 of neighbours at the distance d = (4 / 3)^(1/4) */
-            [FLUID_HEXAGONAL] = {{0.53728496591177096, 0.93060485910209967, 1}, 2}};
+            [FLUID_HEXAGONAL] = {{0.53728496591177096, 0.93060485910209967, 1}, 2, 2}};
 
 struct arrangement arrangement_make(const struct fluid_options *options, const struct box *box) {
     enum fluid_arrangement arrangement = options->fill.arrangement;
@@ -51,13 +52,11 @@ bool arrangement_suits(const struct arrangement *lattice, const struct physics_c
     const struct fluid_options *options = context->options;
     if (lattice->arrangement == FLUID_CUBIC)
         return cubic_suits(lattice, context, error);
-    if (lattice->arrangement == FLUID_HEXAGONAL && lattice->dimension == 3)
+    if (lattice->dimension != rows[lattice->arrangement].dimension)
         return scene_fail(context->scene, error, "fluid.fill.arrangement",
-                          "hexagonal is a lattice of two dimensions; allowed in three: cubic, bcc (hexagonal "
-                          "close packing is not built)");
-    if (lattice->arrangement == FLUID_BCC && lattice->dimension == 2)
-        return scene_fail(context->scene, error, "fluid.fill.arrangement",
-                          "bcc is a lattice of three dimensions; allowed in two: cubic, hexagonal");
+                          lattice->dimension == 2
+                              ? "this is a lattice of three dimensions; allowed in two: cubic, hexagonal"
+                              : "hexagonal is a lattice of two dimensions; allowed in three: cubic, bcc, fcc");
     return lattice->stretch <= ARRANGEMENT_STRETCH ||
            scene_fail(context->scene, error, "fluid.spacing",
                       "%g: the lattice would have to be stretched by %.2g to fit the box; allowed is %g: a "
@@ -71,12 +70,23 @@ int arrangement_edges(const struct arrangement *lattice, const int (**steps)[3])
                                         {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}};
     static const int bcc[8][3] = {{1, 1, 1},  {-1, 1, 1},  {1, -1, 1},  {-1, -1, 1},
                                   {1, 1, -1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, -1}};
-    *steps = lattice->arrangement == FLUID_BCC         ? bcc
-             : lattice->arrangement == FLUID_HEXAGONAL ? hexagonal
-                                                       : cubic;
-    return lattice->arrangement == FLUID_BCC                                ? 8
-           : lattice->dimension == 2 && lattice->arrangement == FLUID_CUBIC ? 4
-                                                                            : 6;
+    static const int fcc[12][3] = {{1, 1, 0},  {-1, 1, 0},  {1, -1, 0},  {-1, -1, 0},
+                                   {1, 0, 1},  {-1, 0, 1},  {1, 0, -1},  {-1, 0, -1},
+                                   {0, 1, 1},  {0, -1, 1},  {0, 1, -1},  {0, -1, -1}};
+    switch (lattice->arrangement) {
+    case FLUID_BCC:
+        *steps = bcc;
+        return 8;
+    case FLUID_FCC:
+        *steps = fcc;
+        return 12;
+    case FLUID_HEXAGONAL:
+        *steps = hexagonal;
+        return 6;
+    default:
+        *steps = cubic;
+        return 2 * lattice->dimension;
+    }
 }
 
 size_t arrangement_around(const struct arrangement *lattice, double spacing, double reach, int (**steps)[3]) {

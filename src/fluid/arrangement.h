@@ -4,6 +4,7 @@
  *
  *   cubic       all numbers; the step is the spacing, and the spacing divides periodic edges
  *   bcc         numbers that are all even or all odd: two nodes in a cube of two steps; three dimensions
+ *   fcc         x + y + z even: four nodes in a cube of two steps, each with twelve neighbours; three dimensions
  *   hexagonal   x + y even: rows of nodes, each between two of the next row; two dimensions
  *
  * The spacing is the edge of a square or cube with the volume of a node, so that all lattices of one spacing have as many
@@ -36,8 +37,8 @@ bool arrangement_suits(const struct arrangement *lattice, const struct physics_c
 /* True if there is a node of these numbers, which may be negative; of differences of numbers: true if the difference leads
  * from node to node. Any thread. */
 static inline bool arrangement_has(const struct arrangement *lattice, const int64_t at[3]) {
-    if (lattice->arrangement == FLUID_HEXAGONAL)
-        return ((at[0] + at[1]) & 1) == 0;
+    if (lattice->arrangement == FLUID_HEXAGONAL || lattice->arrangement == FLUID_FCC)
+        return ((at[0] ^ at[1] ^ at[2]) & 1) == 0;
     return lattice->arrangement == FLUID_CUBIC || (((at[0] ^ at[1]) | (at[1] ^ at[2])) & 1) == 0;
 }
 

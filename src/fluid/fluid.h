@@ -8,7 +8,7 @@
 
 enum fluid_equations { FLUID_STOKES, FLUID_NAVIER_STOKES };
 enum fluid_time { FLUID_STEADY, FLUID_TRANSIENT };
-enum fluid_arrangement { FLUID_CUBIC, FLUID_BCC, FLUID_HEXAGONAL };
+enum fluid_arrangement { FLUID_CUBIC, FLUID_BCC, FLUID_FCC, FLUID_HEXAGONAL };
 enum fluid_profile { FLUID_UNIFORM, FLUID_TAYLOR_GREEN };
 enum fluid_motions { FLUID_FIXED, FLUID_LAGRANGIAN, FLUID_ALE };
 enum fluid_shifting { FLUID_SHIFT_LIND, FLUID_SHIFT_NONE };

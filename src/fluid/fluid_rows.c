@@ -38,6 +38,7 @@ static const struct schema_name kernel_names[] = {
 static const struct schema_name arrangement_names[] = {
     {"cubic", FLUID_CUBIC, "simple cubic, in two dimensions square"},
     {"bcc", FLUID_BCC, "body-centred cubic, in three dimensions"},
+    {"fcc", FLUID_FCC, "face-centred cubic, twelve neighbours each, in three dimensions"},
     {"hexagonal", FLUID_HEXAGONAL, "six neighbours each, in two dimensions"},
     {0}};
 static const struct schema_name profile_names[] = {
@@ -95,7 +96,7 @@ static const struct schema_row kernel_rows[] = {
     {.key = "name", .type = SCHEMA_NAME, .names = kernel_names, .fallback = "wendland_c2",
      AT(struct fluid_kernel, name), .help = "the smoothing kernel"},
     {.key = "support", .type = SCHEMA_REAL, .range = "(1.42, 6]", AT(struct fluid_kernel, support),
-     .help = "support radius over spacing; left out: on lattices 2.2, bcc 1.95, in two dimensions 2.3, hexagonal 2.4; with jitter 2.8 (3.1)",
+     .help = "support radius over spacing; left out: on lattices 2.2, bcc 1.95, fcc 2.1, in two dimensions 2.3, hexagonal 2.4; with jitter 2.8 (3.1)",
      .example = "2.2"},
 };
 static const struct schema_table kernel_table = TABLE(kernel_rows);

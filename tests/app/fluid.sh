@@ -494,7 +494,7 @@ check "a spacing too coarse for a grain" scene_refused 'fluid.spacing|too coarse
 check "no fluid in the region" scene_refused 'there is no fluid' channel.yaml --set 'fluid.fill={region: {shape: sphere, centre: [9, 9, 0], radius: 1}}'
 check "fluid where a grain stands" scene_refused 'fluid.fill|grains or walls stand at all' sphere.yaml --set 'fluid.fill={region: {shape: sphere, centre: [-0.9, 0.1, 2.05], radius: 0.2}}'
 check "a lattice of three dimensions in two" scene_refused 'fluid.fill.arrangement|hexagonal' channel.yaml --set fluid.fill.arrangement=bcc
-check "a lattice of two dimensions in three" scene_refused 'fluid.fill.arrangement|bcc|not built' sphere.yaml --set fluid.fill.arrangement=hexagonal
+check "a lattice of two dimensions in three" scene_refused 'fluid.fill.arrangement|bcc, fcc' sphere.yaml --set fluid.fill.arrangement=hexagonal
 check "a lattice that does not fit" scene_refused 'fluid.spacing|stretched by|finer' channel.yaml --set fluid.fill.arrangement=hexagonal --set 'box.upper=[0.3, 1, 0]'
 check "an open side" scene_refused 'open side near|wall' channel.yaml --set box.periodic=false
 check "a region that ends in the open" scene_refused 'open side near' sphere.yaml --set 'fluid.fill={region: {shape: box, lower: [-1, 0, 2], upper: [0, 1, 2.5]}}'
