@@ -14,6 +14,7 @@ dist_check_SCRIPTS += \
 	tests/app/endless.sh \
 	tests/app/fluid.sh \
 	tests/app/fluid_bodies.sh \
+	tests/app/fluid_scalars.sh \
 	tests/app/folder.sh \
 	tests/app/guards.sh \
 	tests/app/hard.sh \
