@@ -21,9 +21,6 @@ bool couple_suits(const struct physics_context *context, struct error *error) {
             context->scene, error, "fluid.grains",
             "free grains need particles that follow the fluid, motion: lagrangian; allowed with "
             "others: given");
-    if (couple_free(options) && context->box->dimension == 3)
-        return scene_fail(context->scene, error, "fluid.grains",
-                          "free grains are built for two dimensions alone; allowed in three: given");
     return true;
 }
 

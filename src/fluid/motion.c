@@ -108,9 +108,12 @@ void motion_drift(const struct physics_context *context, double speed) {
     const struct fluid_motion *motion = &fluid->options->motion;
     const struct shift_options shift = {motion->shifting == FLUID_SHIFT_LIND ? motion->strength : 0, speed,
                                         FLUID_SHIFT_MOST * fluid->options->spacing / couple_dt(context)};
-    if (motion->name == FLUID_ALE)
+    if (motion->name == FLUID_ALE) {
         drift_given(context);
-    else
+    } else {
         shift_velocity(&fluid->weights, &fluid->input, &fluid->weigh, &shift, fluid->flow.drift);
+        shift_keep_off(&fluid->flow, &(struct shift_off){SHIFT_LEAST * fluid->options->spacing, shift.most,
+                                                         couple_dt(context), 0.5});
+    }
     path_drift_advect(&fluid->flow);
 }

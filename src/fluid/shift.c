@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Velocities that keep particles apart. Read shift.h first. */
 #include "fluid/shift.h"
+#include "fluid/path.h"
+#include <math.h>
 
 /* grad C of a row. */
 static void concentration(const struct weights *weights, const struct weights_input *input,
@@ -32,4 +34,26 @@ void shift_velocity(const struct weights *weights, const struct weights_input *i
         for (size_t d = 0; d < 3; d++)
             drift[3 * (weights->first + row) + d] = part * s[d];
     }
+}
+
+/* Adds what a particle needs to end the next step at the least distance from a foot, or, if it is nearer, on its way there. */
+static void keep_off_foot(const struct flow *flow, const struct shift_off *off, size_t particle,
+                          const struct weights_foot *foot) {
+    double w[3], approach = 0, *drift = flow->drift + 3 * particle;
+    path_velocity(flow, particle, off->ahead, w);
+    for (int d = 0; d < 3; d++)
+        approach += foot->normal[d] * (w[d] - foot->velocity[d]);
+    double wanted = fmin(off->least, foot->distance + off->most * off->dt);
+    double push = (wanted - foot->distance) / off->dt - approach;
+    for (int d = 0; d < 3 && push > 0; d++)
+        drift[d] += push * foot->normal[d];
+}
+
+void shift_keep_off(const struct flow *flow, const struct shift_off *off) {
+    const struct weights *weights = flow->weights;
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++)
+        for (size_t k = weights->foot_start[row]; k < weights->foot_start[row + 1]; k++)
+            if (!weights->foot[k].open)
+                keep_off_foot(flow, off, weights->first + row, &weights->foot[k]);
 }

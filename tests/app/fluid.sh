@@ -375,6 +375,23 @@ check "a grain that falls in a fluid: with subcycles, momentum is kept" momentum
 check "a grain that falls in a fluid: momentum is kept" momentum
 check "a grain that falls in a fluid, on 3 ranks" carried_falling 3
 check "a grain that falls in a fluid, after a resume" carried_falling 1 --resume one/checkpoint-20.h5
+# A sphere that falls by two of its diameters: fluid particles come up to its surface; it speeds up, quietly, and slows down above the floor
+cat >sphere_falls.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [0.8, 1, 0.8], periodic: [true, false, true]}
+gravity: [0, -10, 0]
+walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}, {name: lid, shape: plane, point: [0, 1, 0], normal: [0, -1, 0]}]
+particles: {from: single, position: [0.42, 0.7, 0.37], radius: 0.2, density: 14}
+fluid: {spacing: 0.1, density: 1, viscosity: 0.5, motion: lagrangian, grains: free}
+step: {dt: 0.025, count: 24, force: true}
+observables: {every: 1, list: [{name: velocity, id: 1, components: y}, {name: fluid_drag, components: y}]}
+output: {checkpoint: {at_end: false}}
+YAML
+falls() {
+    run_scene 1 sphere_falls.yaml fallen --set threads=1 && awk -F , 'NR > 3 { if ($3 < last || $3 < 0.5) bad = 1; last = $3; v = $2; if (v < most) most = v }
+        END { printf "  largest velocity %g, at the end %g, drag %g of weight 4.357\n", most, v, last; exit !(!bad && most < -0.5 && v > most && last > 4.3 && last < 6) }' fallen/observables.csv
+}
+check "a sphere that falls in a fluid: forces make sense" falls
 check "free grains among particles at rest" scene_refused 'fluid.grains|lagrangian' falling.yaml --set fluid.motion=fixed
 
 check "a support below the diagonal" scene_refused 'fluid.kernel.support|from 1.42' sphere.yaml --set fluid.kernel.support=1.2
