@@ -213,6 +213,25 @@ static void random_packing(void **state) {
     }
 }
 
+/* Large spheres find room although their source comes last, and beside a ball whose source comes last; ids follow
+ * the sources. */
+static void largest_of_all_sources_first(void **state) {
+    (void)state;
+    struct scene *scene = scene_with(", periodic: true",
+                                     "particles:\n  sources:\n"
+                                     "    - {from: random, sizes: 0.35, volume_fraction: 0.14, material: a}\n"
+                                     "    - {from: random, sizes: 1.5, count: 9, material: b}\n"
+                                     "    - {from: single, position: [3, 5, 8], radius: 1.9, material: b}\n");
+    struct scene_census census;
+    struct particles *p = scene_all(scene, &census);
+    assert_true(smallest_gap(&scene->box, p) >= 0);
+    size_t n = p->owned;
+    assert_true(n > 700 && p->state[n - 1].radius == 1.9 && p->id[n - 1] == (int64_t)n);
+    assert_true(p->state[0].radius == 0.35 && p->id[0] == 1 && p->state[n - 2].radius == 1.5);
+    particles_destroy(&p);
+    scene_free(&scene);
+}
+
 static void random_discs(void **state) {
     (void)state;
     struct scene *scene = good_scene(
@@ -318,6 +337,7 @@ int main(void) {
                                        cmocka_unit_test(lattice_in_region),
                                        cmocka_unit_test(velocities),
                                        cmocka_unit_test(random_packing),
+                                       cmocka_unit_test(largest_of_all_sources_first),
                                        cmocka_unit_test(random_discs),
                                        cmocka_unit_test(says_what_it_reached),
                                        cmocka_unit_test(ranks_agree),

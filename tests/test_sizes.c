@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Size laws against their moments and shares in closed form. */
-#include "scene/sizes.h"
+#include "scene/sizes_file.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -8,7 +8,10 @@
 #include <stdint.h>
 #include <setjmp.h>
 #include <cmocka.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { DRAWS = 200000 };
 
@@ -123,6 +126,80 @@ static void sieve_curves(void **state) {
     close_to(share_below(&discrete, 2.5, 3), 0.8, 2e-2);
 }
 
+/* A file of this text; the caller removes it. */
+static void sizes_file(struct sizes_options *options, const char *text) {
+    snprintf(options->file, sizeof options->file, "/tmp/scree-sizes-XXXXXX");
+    int number = mkstemp(options->file);
+    assert_true(number >= 0);
+    FILE *file = fdopen(number, "w");
+    fputs(text, file);
+    fclose(file);
+}
+
+/* Radii or diameters, parts or per cent, listed or in a file: the same options, to the bit. */
+static void forms_agree(void **state) {
+    (void)state;
+    static const char *const texts[] = {"# mm, %\n1 0\n3 25\n8 100\n",
+                                        "radius passing\n0.5 0\n1.5 0.25\n4 1\n",
+                                        "diameter passing\n1 0\n3 25 # a sieve\n8 100\n"};
+    struct sizes_options wanted = {.law = SIZES_TABLE,
+                                   .points = 3,
+                                   .values = 3,
+                                   .radii = {1, 3, 8},
+                                   .share = {0, 0.25, 1},
+                                   .file_unit = 1};
+    struct sizes_options form[5] = {
+        {.law = SIZES_TABLE, .points = 3, .values = 3, .radii = {1, 3, 8}, .share = {0, 25, 100}},
+        {.law = SIZES_TABLE, .diameters = 3, .values = 3, .diameter = {2, 6, 16}, .share = {0, 0.25, 1}}};
+    for (int k = 0; k < 5; k++) {
+        struct error error = {0};
+        bool in_file;
+        char path[SIZES_PATH_MAX] = "";
+        form[k].law = SIZES_TABLE;
+        form[k].file_unit = 2;
+        if (k >= 2) {
+            sizes_file(&form[k], texts[k - 2]);
+            memcpy(path, form[k].file, sizeof path);
+        }
+        if (!sizes_file_complete(&form[k], &in_file, &error))
+            fail_msg("%d: %s", k, error.text);
+        assert_memory_equal(&form[k], &wanted, sizeof wanted);
+        if (path[0])
+            unlink(path);
+    }
+}
+
+/* Forms that cannot be meant. */
+static void forms_refused(void **state) {
+    (void)state;
+    static const struct {
+        struct sizes_options options;
+        const char *text, *says; /* text: of the file */
+    } cases[] = {
+        {{.law = SIZES_TABLE, .values = 1}, NULL, "one of radii, diameters and file"},
+        {{.law = SIZES_TABLE, .points = 1, .diameters = 1, .values = 1}, NULL, "one of radii, diameters"},
+        {{.law = SIZES_TABLE, .diameters = 1}, NULL, "passing is missing beside diameters"},
+        {{.law = SIZES_DISCRETE, .values = 1}, "1 2\n", "weights beside file"},
+        {{.law = SIZES_DISCRETE}, "radius passing\n1 2\n", ":1: must hold two numbers"},
+        {{.law = SIZES_TABLE}, "1 0\n2 -1\n", ":2: what passes"},
+    };
+    for (size_t k = 0; k < sizeof(cases) / sizeof(cases[0]); k++) {
+        struct sizes_options options = cases[k].options;
+        struct error error = {0};
+        bool in_file;
+        char path[SIZES_PATH_MAX];
+        if (cases[k].text)
+            sizes_file(&options, cases[k].text);
+        memcpy(path, options.file, sizeof path);
+        assert_false(sizes_file_complete(&options, &in_file, &error));
+        assert_true(in_file == (cases[k].says[0] == ':'));
+        if (!strstr(error.text, cases[k].says))
+            fail_msg("case %zu: %s", k, error.text);
+        if (cases[k].text)
+            unlink(path);
+    }
+}
+
 static void refuses(void **state) {
     (void)state;
     static const struct {
@@ -149,7 +226,8 @@ static void refuses(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(simple_laws), cmocka_unit_test(power_laws),
-                                       cmocka_unit_test(sieve_curves), cmocka_unit_test(refuses)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(simple_laws),  cmocka_unit_test(power_laws),
+                                       cmocka_unit_test(sieve_curves), cmocka_unit_test(refuses),
+                                       cmocka_unit_test(forms_agree),  cmocka_unit_test(forms_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

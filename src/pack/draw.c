@@ -3,10 +3,11 @@
 #include "pack/draw.h"
 
 #include "core/random.h"
-#include "files/lines.h"
-#include "scene/sizes.h"
+#include "scene/sizes_file.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 /* Dunkirk sand in micrometres, see the law's help. */
 static const double sand_min = 2, sand_max = 925;
@@ -49,35 +50,39 @@ static double draw_one(const struct drawing *drawing, uint64_t number) {
     return sizes_draw(&drawing->sampler, &random);
 }
 
-/* Reads openings and passing percentages; diameters become radii, percent become parts. */
-static bool read_sieves(const struct pack_options *options, struct sizes_options *sizes,
-                        struct error *error) {
-    struct lines lines;
-    double value[3];
-    bool good = true;
-    if (!lines_open(&lines, options->table, error))
-        return false;
-    while (good && lines_next_filled(&lines)) {
-        int n = lines_numbers(&lines, value, 3);
-        if (n != 2)
-            good = lines_refuse(&lines, error, "must hold two numbers: a sieve's opening and what passes");
-        else if (!(value[0] > 0))
-            good = lines_refuse(&lines, error, "a sieve's opening must be positive");
-        else if (sizes->points == SIZES_POINTS_MAX)
-            good = lines_refuse(&lines, error, "is one sieve too many: %d are allowed", SIZES_POINTS_MAX);
-        if (!good)
-            break;
-        sizes->radii[sizes->points] = value[0] / 2;
-        sizes->share[sizes->points++] = value[1];
+/* Reads a list of numbers, as in "1,2,4"; none if the text is NULL. */
+static bool read_list(const char *text, double *value, int *count, struct error *error) {
+    *count = 0;
+    for (const char *at = text; at && *at; at += *at == ',') {
+        char *end;
+        double number = strtod(at, &end);
+        if (end == at || (*end != ',' && *end != '\0') || !(number >= 0) || !isfinite(number))
+            return error_set(error, ERROR_USER, "command line: '%s' must be a list of numbers, as in 1,2,4",
+                             text);
+        if (*count == SIZES_POINTS_MAX)
+            return error_set(error, ERROR_USER, "command line: '%s' has more than %d numbers", text,
+                             SIZES_POINTS_MAX);
+        value[(*count)++] = number;
+        at = end;
     }
-    if (good && lines.damaged)
-        good = lines_refuse(&lines, error, "the file does not end here");
-    lines_close(&lines);
-    sizes->values = sizes->points;
-    bool percent = sizes->points > 0 && sizes->share[sizes->points - 1] == 100;
-    for (int k = 0; percent && k < sizes->points; k++)
-        sizes->share[k] /= 100;
-    return good;
+    return true;
+}
+
+/* The sizes of the laws SIEVE and DISCRETE, from a file or from lists. */
+static bool read_sizes(const struct pack_options *o, struct sizes_options *sizes, struct error *error) {
+    struct error why = {0};
+    bool in_file, discrete = o->law == PACK_DISCRETE;
+    *sizes = (struct sizes_options){.law = discrete ? SIZES_DISCRETE : SIZES_TABLE,
+                                    .by = o->by == PACK_BY_MASS ? SIZES_BY_MASS : SIZES_BY_NUMBER,
+                                    .file_unit = 1};
+    snprintf(sizes->file, sizeof sizes->file, "%s", o->table ? o->table : "");
+    if (!read_list(o->radii, sizes->radii, &sizes->points, error) ||
+        !read_list(o->diameters, sizes->diameter, &sizes->diameters, error) ||
+        !read_list(discrete ? o->weights : o->passing, sizes->share, &sizes->values, error))
+        return false;
+    if (sizes_file_complete(sizes, &in_file, &why))
+        return true;
+    return error_set(error, ERROR_USER, "%s%s", in_file ? "" : "command line: ", why.text);
 }
 
 static bool prepare(struct drawing *drawing, struct error *error) {
@@ -92,16 +97,17 @@ static bool prepare(struct drawing *drawing, struct error *error) {
         sizes.min = o->law == PACK_UNIVOL ? 1 : 0.5;
         sizes.max = sizes.min * o->ratio;
     }
-    if (o->law == PACK_SIEVE) {
-        sizes = (struct sizes_options){.law = SIZES_TABLE,
-                                       .by = o->by == PACK_BY_MASS ? SIZES_BY_MASS : SIZES_BY_NUMBER};
-        if (!read_sieves(o, &sizes, error))
+    if (o->law == PACK_SIEVE || o->law == PACK_DISCRETE) {
+        const char *from = o->table ? o->table : "command line";
+        double smallest, largest;
+        if (!read_sizes(o, &sizes, error))
             return false;
         if (!sizes_prepare(&drawing->sampler, &sizes, &why))
-            return error_set(error, ERROR_USER, "%s: %s", o->table, why.text);
-        return sizes.radii[sizes.points - 1] <= 1000 * sizes.radii[0] ||
+            return error_set(error, ERROR_USER, "%s: %s", from, why.text);
+        sizes_bounds(&sizes, &smallest, &largest);
+        return (smallest > 0 && largest <= 1000 * smallest) ||
                error_set(error, ERROR_USER, "%s: the largest opening is more than 1000 times the smallest",
-                         o->table);
+                         from);
     }
     return sizes_prepare(&drawing->sampler, &sizes, error);
 }

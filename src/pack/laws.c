@@ -65,9 +65,22 @@ static const struct law_key keys[] = {
     {.name = "table",
      .type = LAW_TEXT,
      AT(table),
-     .help =
-         "file of the sieve curve: a line a sieve, its opening (a diameter) and what passes, as a part or in "
-         "percent"},
+     .help = "file of the sizes: a line a size, its diameter (radius, if the first line reads 'radius "
+             "passing' or "
+             "'radius weight') and what passes, as a part or in percent, or its weight"},
+    {.name = "diameters",
+     .type = LAW_TEXT,
+     AT(diameters),
+     .help = "instead of the file: the sieves' openings, or the sizes, as in 1,2,4"},
+    {.name = "radii", .type = LAW_TEXT, AT(radii), .help = "instead of diameters: half of them"},
+    {.name = "passing",
+     .type = LAW_TEXT,
+     AT(passing),
+     .help = "beside diameters or radii: what passes, as parts (0,0.4,1) or in percent (0,40,100)"},
+    {.name = "weights",
+     .type = LAW_TEXT,
+     AT(weights),
+     .help = "beside diameters or radii: share of each size, normalised to their sum"},
     {.name = "gap",
      .type = LAW_REAL,
      AT(gap),
@@ -158,13 +171,19 @@ static const struct laws_row laws[] = {
                     .more = "box",
                     .text = "The number density of the radii is r^exponent in [min, max].\n"},
     [PACK_SIEVE] = {.name = "sieve",
-                    .summary = "any sieve curve, from a file",
+                    .summary = "any sieve curve, from a file or a list",
                     .defaults = "by=mass count=100000 fraction=0.4 walls=periodic",
-                    .more = "table box",
+                    .more = "table diameters radii passing box",
                     .text = "The file has a line a sieve: its opening, which is a diameter, and the\n"
                             "part of the mass (or number) that passes, from 0 to 1 or from 0 to 100,\n"
                             "rising. Between two sieves the curve is linear. Up to 64 sieves; #\n"
-                            "begins a comment.\n"},
+                            "begins a comment. Instead of the file: diameters=1,2,4 passing=0,40,100.\n"},
+    [PACK_DISCRETE] = {.name = "discrete",
+                       .summary = "a few sizes with weights",
+                       .defaults = "by=mass count=100000 fraction=0.4 walls=periodic",
+                       .more = "table diameters radii weights box",
+                       .text = "As in radii=1,3 weights=80,20, or from a file with a line a size: its\n"
+                               "diameter and its weight, of the mass or of the number.\n"},
 };
 enum { LAWS = sizeof laws / sizeof laws[0] };
 

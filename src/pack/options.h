@@ -6,7 +6,15 @@
 
 #include <stdint.h>
 
-enum pack_law { PACK_BIDISPERSE, PACK_UNIVOL, PACK_SAND, PACK_EXPONENTIAL, PACK_POWER, PACK_SIEVE };
+enum pack_law {
+    PACK_BIDISPERSE,
+    PACK_UNIVOL,
+    PACK_SAND,
+    PACK_EXPONENTIAL,
+    PACK_POWER,
+    PACK_SIEVE,
+    PACK_DISCRETE
+};
 enum pack_by { PACK_BY_NUMBER, PACK_BY_MASS };
 enum pack_sides { PACK_PERIODIC, PACK_HARD };
 enum pack_numbers { PACK_TABLE, PACK_RECIPE };
@@ -14,18 +22,20 @@ enum pack_numbers { PACK_TABLE, PACK_RECIPE };
 /* Lengths in the unit of the law, see pack_help. Zero counts, box and fraction: not given. */
 struct pack_options {
     enum pack_law law;
-    enum pack_by by;             /* EXPONENTIAL, SIEVE: what the law counts */
-    enum pack_sides walls;       /* all six sides */
-    enum pack_numbers numbers;   /* BIDISPERSE */
-    double ratio;                /* of the largest to the smallest radius */
-    double count;                /* of particles, a whole number */
-    double large, small;         /* BIDISPERSE: of either size, whole numbers */
-    double box;                  /* edge of the cube */
-    double fraction;             /* of the cube's volume that is solid */
-    double broad;                /* SAND: part of the particles in the broad peak, by number */
-    double scale;                /* EXPONENTIAL: diameter over which the density falls by a factor e */
-    double exponent, min, max;   /* POWER: number density of radii ~ r^exponent in [min, max] */
-    const char *table;           /* SIEVE: file; borrowed */
+    enum pack_by by;           /* EXPONENTIAL, SIEVE, DISCRETE: what the law counts */
+    enum pack_sides walls;     /* all six sides */
+    enum pack_numbers numbers; /* BIDISPERSE */
+    double ratio;              /* of the largest to the smallest radius */
+    double count;              /* of particles, a whole number */
+    double large, small;       /* BIDISPERSE: of either size, whole numbers */
+    double box;                /* edge of the cube */
+    double fraction;           /* of the cube's volume that is solid */
+    double broad;              /* SAND: part of the particles in the broad peak, by number */
+    double scale;              /* EXPONENTIAL: diameter over which the density falls by a factor e */
+    double exponent, min, max; /* POWER: number density of radii ~ r^exponent in [min, max] */
+    const char *table;         /* SIEVE, DISCRETE: file; borrowed */
+    /* SIEVE, DISCRETE, instead of the file: lists, "1,2,4"; borrowed */
+    const char *radii, *diameters, *passing, *weights;
     double gap, overlap, sweeps; /* see relax.h; overlap is its bound */
     double velocity;             /* standard deviation of each component */
     double density;

@@ -151,7 +151,11 @@ static bool finish(struct pack_options *o, struct error *error) {
                          "command line: max=%g must be above min=%g, at most 1000 times as large", o->max,
                          o->min);
     case PACK_SIEVE:
-        return o->table || error_set(error, ERROR_USER, "command line: the law sieve needs table=FILE");
+    case PACK_DISCRETE:
+        return o->table || o->radii || o->diameters ||
+               error_set(error, ERROR_USER,
+                         "command line: the law %s needs table=FILE, or diameters= and %s=",
+                         pack_law_name(o->law), o->law == PACK_SIEVE ? "passing" : "weights");
     default:
         return true;
     }
@@ -166,7 +170,7 @@ bool pack_options_read(struct pack_options *options, const char *law, const char
         return error_set(
             error, ERROR_USER,
             "command line: '%s' is no law of sizes; known are bidisperse, univol, sand, exponential, power, "
-            "sieve",
+            "sieve, discrete",
             law);
     *options = (struct pack_options){.law = (enum pack_law)l};
     set_defaults(options, laws_get(l), laws_common(), error);

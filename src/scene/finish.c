@@ -392,7 +392,7 @@ static bool finish_fields(struct scene *scene, struct error *error) {
 bool finish_scene(struct scene *scene, struct error *error) {
     if (!finish_materials(scene, error) || !finish_box(scene, error) || !finish_pairs(scene, error) ||
         !finish_walls(scene, error) || !finish_groups(scene, error) || !finish_sources(scene, error) ||
-        !finish_fields(scene, error))
+        !scene_files_sizes(scene, error) || !finish_fields(scene, error))
         return false;
     finish_step(scene);
     scene_stages_finish(scene);

@@ -73,6 +73,8 @@ libscene_la_SOURCES = \
 	src/scene/schema_write.h \
 	src/scene/sizes.c \
 	src/scene/sizes.h \
+	src/scene/sizes_file.c \
+	src/scene/sizes_file.h \
 	src/scene/source.h \
 	src/scene/source_batch.c \
 	src/scene/source_batch.h \

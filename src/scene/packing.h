@@ -7,10 +7,11 @@
 #include "scene/scene_share.h"
 #include "scene/source_batch.h"
 
-/* Places spheres at random, largest first, without touching each other, spheres in `grid` (which receives
- * the new ones) or taken places (share->taken). Each sphere's place depends on seed, source and its number
- * alone. */
-bool packing_make(const struct scene *scene, int source, const struct scene_share *share,
-                  struct placegrid *grid, struct source_batch *batch, struct error *error);
+/* Places the spheres of all random sources, the largest of all first, without touching each other, spheres in
+ * `grid` (which receives the new ones) or taken places (share->taken). Fills batch[S] for each random source S;
+ * the caller frees the batches, also after a failure. Each sphere's places depend on seed, source and its
+ * number alone. */
+bool packing_make(const struct scene *scene, const struct scene_share *share, struct placegrid *grid,
+                  struct source_batch *batch, struct error *error);
 
 #endif

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Looks for the files of a scene, by the rows of the schema that hold paths. Read scene_files.h first. */
+/* Looks for the files of a scene, by the rows of the schema that hold paths, and reads those that hold sizes.
+ * Read scene_files.h first. */
 #include "scene/scene_files.h"
 #include "scene/mistakes.h"
 #include "scene/schema_root.h"
 #include "scene/schema_rows.h"
+#include "scene/sizes_file.h"
 #include "scene/tree.h"
 
 #include <errno.h>
@@ -51,4 +53,28 @@ static bool section_opens(const struct scene *scene, const struct schema_table *
 
 bool scene_files_open(const struct scene *scene, struct error *error) {
     return section_opens(scene, &schema_root, scene->tree, "", error);
+}
+
+static bool complete_sizes(struct scene *scene, struct sizes_options *sizes, const char *list, int number,
+                           struct error *error) {
+    struct error why = {0};
+    bool in_file;
+    char key[80];
+    snprintf(key, sizeof(key), "%s[%d].sizes", list, number);
+    if (sizes->file[0] && !scene_files_open(scene, error))
+        return false;
+    if (sizes_file_complete(sizes, &in_file, &why))
+        return true;
+    return in_file ? error_set(error, ERROR_USER, "%s", why.text)
+                   : scene_fail(scene, error, key, "%s", why.text);
+}
+
+bool scene_files_sizes(struct scene *scene, struct error *error) {
+    for (int s = 0; s < scene->sources; s++)
+        if (!complete_sizes(scene, &scene->source[s].sizes, "particles.sources", s, error))
+            return false;
+    for (int k = 0; k < scene->insertions; k++)
+        if (!complete_sizes(scene, &scene->insertion[k].sizes, "insertions", k, error))
+            return false;
+    return true;
 }

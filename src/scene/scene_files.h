@@ -9,4 +9,8 @@
  * place in the scene and the name of the file. */
 bool scene_files_open(const struct scene *scene, struct error *error);
 
+/* Brings the size laws of all sources and insertions to radii and parts, and reads the files that hold sieve
+ * curves. Fails (user) with the place in the scene, or in the file. */
+bool scene_files_sizes(struct scene *scene, struct error *error);
+
 #endif

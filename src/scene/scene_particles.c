@@ -29,7 +29,6 @@ struct walk {
     struct particles *particles;
     struct scene_census census;
     struct unique ids, places; /* values that may occur only once */
-    struct placegrid *grid;    /* NULL where no later source needs it */
     uint64_t stream;           /* spheres so far */
     struct error *error;
 };
@@ -102,8 +101,6 @@ static bool take_sphere(struct walk *walk, int source, const struct source_batch
     remember(walk, &walk->ids, checksum_row(1, &sphere->id, sizeof(sphere->id)), source, sphere);
     remember(walk, &walk->places, checksum_row(0, x, sizeof(x)), source, sphere);
     count_sphere(walk, sphere);
-    if (walk->grid && walk->scene->source[source].kind != SOURCE_RANDOM)
-        placegrid_add(walk->grid, x, sphere->radius);
     const struct scene_share *share = walk->share;
     bool mine = share->mine ? share->mine(share->context, x)
                             : (walk->stream / SHARE_BLOCK) % (uint64_t)share->size == (uint64_t)share->rank;
@@ -142,15 +139,19 @@ static bool give_id(const struct walk *walk, int source, int64_t number, int64_t
     return source_sphere_fail(walk->scene, source, sphere, text, walk->error);
 }
 
+/* True if the source keeps to radii among which this one is not. */
+static bool left_out(const struct source_options *options, const struct source_sphere *sphere) {
+    return options->kind == SOURCE_FILE && sphere->radius > 0 &&
+           !(sphere->radius > options->radius_above && sphere->radius <= options->radius_upto);
+}
+
 static bool take_batch(struct walk *walk, int source, const struct source_batch *batch) {
     const struct source_options *options = &walk->scene->source[source];
     expect(walk, batch->rows.count);
     int64_t base = walk->census.id_max, taken = 0;
     for (size_t k = 0; k < batch->rows.count; k++) {
         struct source_sphere sphere = source_sphere_of(options, batch, k);
-        if (options->kind == SOURCE_FILE &&
-            !(sphere.radius > options->radius_above && sphere.radius <= options->radius_upto) &&
-            sphere.radius > 0)
+        if (left_out(options, &sphere))
             continue;
         taken++;
         if (!give_id(walk, source, batch->rows.id ? batch->rows.id[k] : taken, base, &sphere) ||
@@ -171,7 +172,7 @@ static bool make_batch(struct walk *walk, int source, struct source_batch *batch
     case SOURCE_LATTICE:
         return lattice_make(walk->scene, source, batch, walk->error);
     case SOURCE_RANDOM:
-        return packing_make(walk->scene, source, walk->share, walk->grid, batch, walk->error);
+        return true; /* place_random makes it, after all others */
     case SOURCE_SINGLE:
         rows_create(&batch->rows, 1, ROWS_POSITION | ROWS_RADIUS);
         memcpy(batch->rows.position[0], options->position, sizeof(options->position));
@@ -189,25 +190,64 @@ static bool make_batch(struct walk *walk, int source, struct source_batch *batch
             error_set(walk->error, ERROR_USER, "%.700s: /particles has no radius", options->file));
 }
 
-static bool take_source(struct walk *walk, int source) {
-    struct source_batch batch = {0};
-    bool good = make_batch(walk, source, &batch) && take_batch(walk, source, &batch);
-    source_batch_free(&batch);
+/* The smallest radius that a source may place at random; INFINITY: no source does. */
+static double random_radius(const struct scene *scene) {
+    double unit = INFINITY;
+    for (int s = 0; s < scene->sources; s++) {
+        double smallest, largest;
+        sizes_bounds(&scene->source[s].sizes, &smallest, &largest);
+        if (scene->source[s].kind == SOURCE_RANDOM)
+            unit = fmin(unit, smallest);
+    }
+    return unit;
+}
+
+/* Box-relative and wrapped; in two dimensions z is that of the plane. */
+static double box_coordinate(const struct box *box, int d, double x) {
+    double y = x - box->origin[d];
+    if (d == 2 && box->dimension == 2)
+        return box->edge[d] / 2;
+    if (box->periodic[d])
+        y -= floor(y / box->edge[d]) * box->edge[d];
+    return box->periodic[d] && y >= box->edge[d] ? 0 : y;
+}
+
+/* Places the spheres of random sources clear of those of all other sources, whose batches are made. */
+static bool place_random(const struct walk *walk, struct source_batch *batch, double unit) {
+    const struct scene *scene = walk->scene;
+    struct placegrid *grid = placegrid_create(&scene->box, unit);
+    for (int s = 0; s < scene->sources; s++)
+        for (size_t k = 0; k < batch[s].rows.count; k++) {
+            struct source_sphere sphere = source_sphere_of(&scene->source[s], &batch[s], k);
+            bool sound = sphere.radius > 0 && isfinite(sphere.radius); /* else refused when it is taken */
+            for (int d = 0; d < 3; d++) {
+                sound = sound && isfinite(sphere.x[d]);
+                sphere.x[d] = box_coordinate(&scene->box, d, sphere.x[d]);
+            }
+            if (sound && !left_out(&scene->source[s], &sphere))
+                placegrid_add(grid, sphere.x, sphere.radius);
+        }
+    bool good = packing_make(scene, walk->share, grid, batch, walk->error);
+    placegrid_destroy(&grid);
     return good;
 }
 
-/* Makes the grid of places, if a source places spheres at random. */
-static void make_grid(struct walk *walk) {
-    double unit = INFINITY;
-    for (int s = 0; s < walk->scene->sources; s++) {
-        const struct source_options *source = &walk->scene->source[s];
-        double smallest, largest;
-        sizes_bounds(&source->sizes, &smallest, &largest);
-        if (source->kind == SOURCE_RANDOM)
-            unit = fmin(unit, smallest);
+/* Sources are made in their order, but random ones last of all, as these avoid all others. */
+static bool take_sources(struct walk *walk) {
+    const struct scene *scene = walk->scene;
+    struct source_batch *batch =
+        memory_allocate_zero((size_t)scene->sources, sizeof(*batch), "batches of particles");
+    double unit = random_radius(scene);
+    bool good = true, mixed = isfinite(unit);
+    for (int s = 0; s < scene->sources && good && mixed; s++)
+        good = make_batch(walk, s, &batch[s]);
+    good = good && (!mixed || place_random(walk, batch, unit));
+    for (int s = 0; s < scene->sources; s++) {
+        good = good && (mixed || make_batch(walk, s, &batch[s])) && take_batch(walk, s, &batch[s]);
+        source_batch_free(&batch[s]);
     }
-    if (isfinite(unit))
-        walk->grid = placegrid_create(&walk->scene->box, unit);
+    memory_free(batch);
+    return good;
 }
 
 static bool check_groups(const struct walk *walk) {
@@ -227,13 +267,9 @@ static bool check_groups(const struct walk *walk) {
 bool scene_particles(const struct scene *scene, const struct scene_share *share, struct particles *particles,
                      struct scene_census *census, struct error *error) {
     struct walk walk = {.scene = scene, .share = share, .particles = particles, .error = error};
-    make_grid(&walk);
-    bool good = true;
-    for (int s = 0; s < scene->sources && good; s++)
-        good = take_source(&walk, s);
-    good = good && check_groups(&walk) && check_unique(&walk, &walk.ids, "has the id of") &&
-           check_unique(&walk, &walk.places, "its centre coincides with that of");
-    placegrid_destroy(&walk.grid);
+    bool good = take_sources(&walk) && check_groups(&walk) &&
+                check_unique(&walk, &walk.ids, "has the id of") &&
+                check_unique(&walk, &walk.places, "its centre coincides with that of");
     unique_free(&walk.ids);
     unique_free(&walk.places);
     if (census)

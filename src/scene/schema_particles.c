@@ -37,8 +37,8 @@ static const struct schema_name sizes_names[] = {
     {"normal", SIZES_NORMAL, "normal with mean and sigma, cut to [min, max]"},
     {"lognormal", SIZES_LOGNORMAL, "ln r normal about ln mean with width, cut to [min, max]"},
     {"power", SIZES_POWER, "number density of radii proportional to r^exponent in [min, max]"},
-    {"table", SIZES_TABLE, "a sieve curve: radii and passing fractions"},
-    {"discrete", SIZES_DISCRETE, "a few radii with weights"},
+    {"table", SIZES_TABLE, "a sieve curve: radii, diameters or a file, and what passes"},
+    {"discrete", SIZES_DISCRETE, "a few sizes with weights"},
     {0}};
 static const struct schema_name by_names[] = {
     {"number", SIZES_BY_NUMBER, NULL}, {"mass", SIZES_BY_MASS, NULL}, {0}};
@@ -68,15 +68,26 @@ static const struct schema_row sizes_rows[] = {
     {.key = "by", .type = SCHEMA_NAME, .names = by_names, .fallback = "mass", .when = "law=table|discrete",
      AT(struct sizes_options, by), .help = "the quantity that passing and weights count"},
     {.key = "radii", .type = SCHEMA_REALS, .unit = "m", .range = "(0, inf)", .when = "law=table|discrete",
-     .required = true, ARRAY_AT(struct sizes_options, radii, points),
-     .help = "radii of the sieves' openings (half of them), increasing; or the sizes themselves",
+     ARRAY_AT(struct sizes_options, radii, points),
+     .help = "half of the sieves' openings, increasing; or the sizes themselves",
      .example = "[0.5 mm, 1 mm, 2 mm]"},
-    {.key = "passing", .type = SCHEMA_REALS, .range = "[0, 1]", .when = "law=table", .required = true,
+    {.key = "diameters", .type = SCHEMA_REALS, .unit = "m", .range = "(0, inf)", .when = "law=table|discrete",
+     ARRAY_AT(struct sizes_options, diameter, diameters),
+     .help = "instead of radii: the sieves' openings, increasing; or the sizes themselves",
+     .example = "[1 mm, 2 mm, 4 mm]"},
+    {.key = "passing", .type = SCHEMA_REALS, .range = "[0, 100]", .when = "law=table",
      ARRAY_AT(struct sizes_options, share, values),
-     .help = "fraction below each radius, rising from 0 to 1", .example = "[0, 0.4, 1]"},
-    {.key = "weights", .type = SCHEMA_REALS, .range = "[0, inf)", .when = "law=discrete", .required = true,
+     .help = "part below each size, rising from 0 to 1, or to 100 (per cent)", .example = "[0, 0.4, 1]"},
+    {.key = "weights", .type = SCHEMA_REALS, .range = "[0, inf)", .when = "law=discrete",
      ARRAY_AT(struct sizes_options, share, values), .help = "share of each size, normalised to their sum",
      .example = "[9, 1]"},
+    {.key = "file", .type = SCHEMA_PATH, .when = "law=table|discrete", AT(struct sizes_options, file),
+     .help = "instead of the lists: a file with one line for each size, of two numbers: the diameter (or the radius, "
+             "if the first line reads 'radius passing' or 'radius weight') and what passes, or the weight; # begins a comment",
+     .example = "gravel.txt"},
+    {.key = "file_unit", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", .fallback = "1",
+     .when = "law=table|discrete", AT(struct sizes_options, file_unit), .help = "length of one in the file",
+     .example = "1 mm"},
 };
 const struct schema_table schema_sizes = TABLE(sizes_rows);
 

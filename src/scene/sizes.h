@@ -8,7 +8,7 @@
 #include "core/random.h"
 #include <stdbool.h>
 
-enum { SIZES_POINTS_MAX = 64 };
+enum { SIZES_POINTS_MAX = 64, SIZES_PATH_MAX = 1024 };
 
 enum sizes_law {
     SIZES_FIXED,
@@ -33,6 +33,11 @@ struct sizes_options {
     int points, values;             /* how many of the following */
     double radii[SIZES_POINTS_MAX]; /* TABLE: sieve radii, increasing; DISCRETE: the sizes; length unit */
     double share[SIZES_POINTS_MAX]; /* TABLE: part that passes, from 0 rising to 1; DISCRETE: weights */
+    /* other forms of TABLE and DISCRETE, as a user gives them; sizes_file_complete turns them into the above */
+    int diameters;
+    double diameter[SIZES_POINTS_MAX]; /* instead of radii, length unit */
+    char file[SIZES_PATH_MAX];         /* instead of radii and share; "": none */
+    double file_unit;                  /* length of one in the file, length unit */
 };
 
 struct sizes_sampler {

@@ -59,6 +59,29 @@ for law in "univol count=500 ratio=8 fraction=0.5" "sand count=500" "exponential
     check "$law has help" "$scree" help pack "$law"
 done
 
+check "a sieve curve as a list" packed 1 sieve list.data diameters=1,2,4 passing=0,40,100 count=500
+check "is that of the file" same_numbers list.data sieve.data
+printf 'radius passing\n0.5 0\n1 0.4\n2 1\n' >radii.txt
+check "a file of radii and parts" packed 1 sieve radii.data table=radii.txt count=500
+check "is the same" same_numbers radii.data sieve.data
+check "a few sizes" packed 1 discrete few.data radii=1,3 weights=60,40 count=500 by=number
+check "are those" holds said "radii 1 to 3"
+for form in "radii: [0.5, 1, 2], passing: [0, 0.4, 1]" "diameters: [1, 2, 4], passing: [0, 40, 100]" "file: sieve.txt"; do
+    cat >sieve.yaml <<EOF
+units: none
+box: {lower: [0, 0, 0], upper: [20, 20, 20]}
+step: {count: 1}
+contact: {law: hooke}
+materials: [{name: a, density: 1}]
+material_pairs: [{restitution: 0.5, k_n: 1000}]
+particles: {from: random, volume_fraction: 0.2, sizes: {law: table, $form}}
+output: {dump: {every: 1}}
+EOF
+    check "a scene takes it as {$form}" "$scree" run sieve.yaml -o sieved --overwrite
+    [ -e first.dump ] || cp sieved/dump.lammpstrj first.dump
+    check "with the same particles" same_numbers first.dump sieved/dump.lammpstrj
+done
+
 # refused WORDS ARGUMENTS...: status 2, one line with these words, and no file
 refused() {
     local words=$1
