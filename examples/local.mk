@@ -88,7 +88,7 @@ penetration = examples/penetration
 nobase_dist_pkgdata_DATA += \
 	$(penetration)/README.md $(penetration)/compare.awk $(penetration)/depth.gp $(penetration)/lammps.csv \
 	$(penetration)/lammps/data.awk $(penetration)/lammps/in.penetration $(penetration)/lammps/tsuji.awk \
-	$(penetration)/particles.txt $(penetration)/picture.awk $(penetration)/picture.gp \
+	$(penetration)/particles.txt \
 	$(penetration)/scene.yaml $(penetration)/walls.txt
 nobase_dist_pkgdata_SCRIPTS += \
 	$(penetration)/check $(penetration)/lammps/run.sh $(penetration)/layouts $(penetration)/run.sh

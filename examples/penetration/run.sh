@@ -11,8 +11,7 @@ out=${1:-$(results out)}
 # where a ball thrown from z = 0.06 m at 5 m/s is after 20.5 ms, and how fast
 "$SCREE" run "$here/scene.yaml" -o "$out" --overwrite \
     --set "particles.sources[1].position=[0, 0, -0.0445615]" --set "particles.sources[1].velocity=[0, 0, -5.201105]" \
-    --set duration="12.5 ms" --set "output.trajectory.every={time: 2.5 ms}" \
-    --set "output.dump={every: {time: 9.5 ms}, fields: [material, radius, position]}"
+    --set duration="12.5 ms" --set "output.trajectory.every={time: 2.5 ms}"
 
 awk -F, -v surface=-0.0555472 -v radius=0.01 '
     NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^ball_z\[/) z = k; next }
@@ -22,10 +21,15 @@ awk -F, -v surface=-0.0555472 -v radius=0.01 '
 
 if command -v gnuplot >/dev/null; then
     gnuplot -e "ours='$out/observables.csv'; lammps='$here/lammps.csv'; start=20.5; picture='$out/depth.svg'" "$here/depth.gp"
-    awk -f "$here/picture.awk" "$out/dump.lammpstrj" | sort -k1,1gr -k2,2n -k3,3n >"$out/picture.txt"
-    gnuplot -e "spheres='$out/picture.txt'; picture='$out/penetration.png'" "$here/picture.gp"
-    rm "$out/picture.txt"
-    echo "drawn: $out/depth.svg (depth over time), $out/penetration.png (the ball in its crater)"
+    echo "drawn: $out/depth.svg (depth over time)"
 else
-    echo "no gnuplot here, so nothing is drawn"
+    echo "no gnuplot here, so the depth is not drawn"
+fi
+if command -v povray >/dev/null; then
+    # the bed cut open before the ball, its beads in the colours of the layers in which they lay
+    "$SCREE" picture "$out" -o "$out/penetration.png" --frame -2 --colour z@0 --bands 6 --grey steel --cut 'y<0' --view 0,6 \
+        --size 1500x900 --bare
+    echo "drawn: $out/penetration.png (the ball in its crater)"
+else
+    echo "no POV-Ray here, so the ball is not drawn"
 fi

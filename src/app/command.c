@@ -5,6 +5,7 @@
 #include "app/check.h"
 #include "app/lookup.h"
 #include "app/pack.h"
+#include "app/picture.h"
 #include "formats/checkpoint.h"
 #include "engine/run.h"
 #include "formats/convert.h"
@@ -36,6 +37,10 @@ static const struct command commands[] = {
      1, 1, "get column row", run_info},
     {"convert", "IN OUT", "converts LAMMPS data, dumps and H5MD into each other; checkpoints, too", 2, 2,
      "to frame overwrite", run_convert},
+    {"picture", "DIR -o FILE.png",
+     "draws a run, or a file of particles, as a picture; FILE.mp4 makes a film, FILE.pov the text for "
+     "POV-Ray",
+     1, 1, "output frame colour range bands palette grey cut view size rate bare", command_picture},
     {"pack", "LAW FILE... [KEY=VALUE...]",
      "makes a packing of spheres: NAME.data for LAMMPS, NAME.h5 for H5MD", 2, COMMAND_FILES_MAX,
      "overwrite quiet", command_pack},

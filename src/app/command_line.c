@@ -12,6 +12,8 @@ static const struct flag flags[] = {
      "--overwrite or --resume",
      "run"},
     {"output", "DIR", "directory for the tables (also -o); exists: refused without --overwrite", "ablate"},
+    {"output", "FILE",
+     "the picture (also -o): .png, .mp4 for a film of all frames, .pov for POV-Ray's text alone", "picture"},
     {"set", "KEY=VALUE",
      "overrides a key of the scene, e.g. --set index.name=hgrid or --set walls[0].radius=0.2; KEY=~ takes it "
      "out; may be repeated",
@@ -34,7 +36,35 @@ static const struct flag flags[] = {
     {"quiet", NULL, "no notes, no progress, no report and no list of what a resume changes on the terminal",
      NULL},
     {"to", "FORMAT", "lammps-data, lammps-dump, h5md or xdmf; else by the output's name", NULL},
-    {"frame", "N", "one frame only, from 0, negative from the end", NULL},
+    {"frame", "N", "one frame only, from 0, negative from the end", "convert"},
+    {"frame", "N",
+     "the frame to draw, from 0, negative from the end; default: the last; of a film the last frame",
+     "picture"},
+    {"colour", "FIELD",
+     "what gives a particle its colour: speed, radius, material, x, y, z, spin, mass, id, or any field of "
+     "trajectory.h5 (of a vector the length, or force.z); FIELD@N: its value in frame N, so that z@0 shows "
+     "the layer "
+     "from which a particle came; default: material if there are several, else radius if radii differ, else "
+     "speed",
+     NULL},
+    {"range", "LOW,HIGH",
+     "values of the first and the last colour; default: the least and the largest (of speed, all but the "
+     "fastest "
+     "hundredth)",
+     NULL},
+    {"bands", "N", "number of colours; default: 64", NULL},
+    {"palette", "NAME", "scree, viridis or grey", NULL},
+    {"grey", "A,B,...", "materials that are drawn in grey, and whole where --cut takes others away", NULL},
+    {"cut", "CONDITION",
+     "takes away the particles with these centres: 'y<0', or 'x>0,y<0' for both at a time", NULL},
+    {"view", "VIEW",
+     "corner, front, right, back, left, top, or AZIMUTH,ELEVATION of the camera in degrees; default: corner, "
+     "in two "
+     "dimensions top",
+     NULL},
+    {"size", "WxH", "width and height in pixels; default: 1280x960", NULL},
+    {"rate", "N", "frames a second of a film; default: 25", NULL},
+    {"bare", NULL, "no walls and no legend", NULL},
     {"get", "KEY",
      "prints one value of report.json and nothing else: --get pairs, --get stages.contact.seconds; FILE may "
      "be the "
@@ -130,6 +160,10 @@ static bool flag_store(struct command_line *line, const char *name, const char *
         [ABLATE_STEPS] = "steps",   [ABLATE_DURATION] = "duration",  [ABLATE_SAMPLES] = "samples",
         [ABLATE_REPEAT] = "repeat", [ABLATE_MEMBERS] = "members",    [ABLATE_TOLERANCE] = "tolerance",
         [ABLATE_JUDGE] = "judge",   [ABLATE_MEAN_FROM] = "mean-from"};
+    static const char *const drawn[DRAW_FLAGS] = {
+        [DRAW_COLOUR] = "colour",   [DRAW_RANGE] = "range", [DRAW_BANDS] = "bands",
+        [DRAW_PALETTE] = "palette", [DRAW_GREY] = "grey",   [DRAW_CUT] = "cut",
+        [DRAW_VIEW] = "view",       [DRAW_SIZE] = "size",   [DRAW_RATE] = "rate"};
     const struct {
         const char *name;
         const char **to;
@@ -146,6 +180,10 @@ static bool flag_store(struct command_line *line, const char *name, const char *
         return petsc_add(line, value, error);
     line->overwrite = line->overwrite || strcmp(name, "overwrite") == 0;
     line->quiet = line->quiet || strcmp(name, "quiet") == 0;
+    line->bare = line->bare || strcmp(name, "bare") == 0;
+    for (size_t k = 0; k < sizeof drawn / sizeof drawn[0]; k++)
+        if (strcmp(drawn[k], name) == 0)
+            line->draw[k] = value;
     line->errors = line->errors || strcmp(name, "error") == 0;
     for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++)
         if (strcmp(texts[k].name, name) == 0)

@@ -27,6 +27,20 @@ enum {
     ABLATE_FLAGS
 };
 
+/* Flags of picture that take a word. */
+enum {
+    DRAW_COLOUR,
+    DRAW_RANGE,
+    DRAW_BANDS,
+    DRAW_PALETTE,
+    DRAW_GREY,
+    DRAW_CUT,
+    DRAW_VIEW,
+    DRAW_SIZE,
+    DRAW_RATE,
+    DRAW_FLAGS
+};
+
 /* The settings of the command line. Texts are borrowed from argv. */
 struct command_line {
     int files;
@@ -42,7 +56,9 @@ struct command_line {
     const char *ranks;              /* --ranks */
     char petsc[COMMAND_PETSC_MAX];  /* --petsc, as a setting */
     const char *list[ABLATE_FLAGS]; /* of ablate */
+    const char *draw[DRAW_FLAGS];   /* of picture */
     bool overwrite, quiet;
+    bool bare;   /* --bare (picture) */
     bool errors; /* --error (ablate) */
 };
 

@@ -23,6 +23,8 @@ libapp_la_SOURCES = \
 	src/app/manual.h \
 	src/app/pack.c \
 	src/app/pack.h \
+	src/app/picture.c \
+	src/app/picture.h \
 	src/app/program.c \
 	src/app/sample.c \
 	src/app/sample.h \

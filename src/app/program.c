@@ -61,10 +61,10 @@ static int run_command(const struct comm *comm, int argc, char **argv, struct er
     static struct command_line line; /* large; read once */
     const struct command *command = command_find(argv[1]);
     if (command == NULL) {
-        error_set(
-            error, ERROR_USER,
-            "command line: unknown command '%s'; known are run, check, ablate, info, convert, pack, help",
-            argv[1]);
+        error_set(error, ERROR_USER,
+                  "command line: unknown command '%s'; known are run, check, ablate, info, convert, picture, "
+                  "pack, help",
+                  argv[1]);
         return error->kind;
     }
     for (int k = 2; k < argc; k++) {

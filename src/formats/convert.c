@@ -185,6 +185,17 @@ static bool read_frame(const struct converting *c, int64_t frame, struct rows *r
     return good;
 }
 
+bool convert_read(const char *in, int64_t frame, const struct comm *comm, struct rows *rows, uint64_t *frames,
+                  struct error *error) {
+    struct converting c = {.in = in, .comm = comm};
+    *rows = (struct rows){0};
+    if (!info_kind(in, &c.kind, error) || (frames && !count_frames(&c, error)))
+        return false;
+    if (frames)
+        *frames = c.frames;
+    return read_frame(&c, frame, rows, error);
+}
+
 /* The frames asked for: [first, last). */
 static bool choose_frames(const struct converting *c, uint64_t *first, uint64_t *last, struct error *error) {
     *first = 0;

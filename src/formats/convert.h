@@ -7,6 +7,7 @@
 
 #include "comm/comm.h"
 #include "core/error.h"
+#include "formats/rows.h"
 #include <stdbool.h>
 #include <stdint.h>
 
@@ -21,6 +22,12 @@ struct convert_options {
 
 /* The format of a name ("lammps-data", "lammps-dump", "h5md", "xdmf"); BY_NAME if unknown. */
 enum convert_format convert_format_find(const char *name);
+
+/* Reads one frame (from 0, negative from the end) of any file that can be converted, rows sorted by id; without ids in
+ * the file they count from 1. `frames`: gets the number of frames; NULL where it is known. comm is that of one rank.
+ * rows_free releases. */
+bool convert_read(const char *in, int64_t frame, const struct comm *comm, struct rows *rows, uint64_t *frames,
+                  struct error *error);
 
 /* Converts. comm is that of one rank. */
 bool convert_file(const char *in, const char *out, const struct convert_options *options,

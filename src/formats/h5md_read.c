@@ -6,6 +6,7 @@
 #include "formats/h5.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -315,6 +316,95 @@ bool h5md_read(const char *path, const struct h5md_read_options *options, const 
     good = h5_close(&s.h5, error) && good;
     if (!good)
         rows_free(rows);
+    return good;
+}
+
+/* Lists the fields of the group in a message. */
+static bool refuse_field(const struct source *s, const char *name, struct error *error) {
+    struct h5_names names;
+    char known[512] = "";
+    if (!h5_list(&s->h5, s->group, &names, error))
+        return false;
+    for (size_t k = 0; k < names.count; k++) {
+        size_t used = strlen(known);
+        if (strcmp(names.name[k], "box") != 0)
+            snprintf(known + used, sizeof known - used, "%s%s", used ? ", " : "", names.name[k]);
+    }
+    memory_free(names.name);
+    return error_set(error, ERROR_USER, "%s: has no field '%s'; it has: %s", s->h5.path, name, known);
+}
+
+/* Reads a field with any number of components, and takes one component or the length. */
+static bool read_values(const struct source *s, const struct element *e, int component, double *value,
+                        struct error *error) {
+    int lead = e->frames;
+    hsize_t start[4] = {0}, count[4] = {1, 1, 1, 1};
+    size_t width = e->shape.rank == lead + 2 ? (size_t)e->shape.size[lead + 1] : 1;
+    if (e->shape.rank < lead + 1 || e->shape.rank > lead + 2 || e->shape.size[lead] != s->total ||
+        (lead && s->frame >= e->shape.size[0]))
+        return refuse_shape(s, e, "one value or vector a particle", error);
+    if (component >= (int)width)
+        return error_set(error, ERROR_USER, "%s: %s: has %zu components, no number %d", s->h5.path,
+                         e->dataset, width, component);
+    start[0] = lead ? s->frame : 0;
+    count[lead] = s->total;
+    count[lead + 1] = width;
+    double *all = memory_allocate(s->total * width, sizeof *all, "values of a field");
+    bool good = h5_read_block(&s->h5, e->dataset, FIELD_DOUBLE, start, count, all, error);
+    for (uint64_t k = 0; good && k < s->total; k++) {
+        double square = 0;
+        for (size_t d = 0; d < width; d++)
+            square += all[k * width + d] * all[k * width + d];
+        value[k] = width == 1 ? all[k] : component >= 0 ? all[k * width + (size_t)component] : sqrt(square);
+    }
+    memory_free(all);
+    return good;
+}
+
+/* Reads ids, and drops the rows that are absent. */
+static bool read_present(const struct source *s, struct h5md_values *values, struct error *error) {
+    struct element id;
+    int64_t fill;
+    if (!find_element(s, "id", &id, error)) {
+        for (size_t k = 0; k < values->count; k++)
+            values->id[k] = (int64_t)k + 1;
+        return error->kind == ERROR_NONE;
+    }
+    if (!read_element(s, &id, FIELD_INT64, 1, values->id, error))
+        return false;
+    size_t kept = 0;
+    bool filled = h5_read_fill(&s->h5, id.dataset, &fill);
+    for (size_t k = 0; k < values->count; k++) {
+        values->id[kept] = values->id[k];
+        values->value[kept] = values->value[k];
+        kept += !filled || values->id[k] != fill;
+    }
+    values->count = kept;
+    return true;
+}
+
+bool h5md_read_values(const char *path, int64_t frame, const char *name, int component,
+                      struct h5md_values *values, struct error *error) {
+    struct source s = {.wanted = frame};
+    struct element element;
+    *values = (struct h5md_values){0};
+    if (!h5_open(&s.h5, path, NULL, false, error))
+        return false;
+    bool good = find_group(&s, NULL, error) && choose_rows(&s, error);
+    if (good && !find_element(&s, name, &element, error))
+        good = error->kind == ERROR_NONE && refuse_field(&s, name, error);
+    if (good) {
+        values->count = s.total;
+        values->id = memory_allocate(s.total, sizeof *values->id, "ids");
+        values->value = memory_allocate(s.total, sizeof *values->value, "values of a field");
+        good = read_values(&s, &element, component, values->value, error) && read_present(&s, values, error);
+    }
+    good = h5_close(&s.h5, error) && good;
+    if (!good) {
+        memory_free(values->id);
+        memory_free(values->value);
+        *values = (struct h5md_values){0};
+    }
     return good;
 }
 

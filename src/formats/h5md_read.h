@@ -21,6 +21,17 @@ struct h5md_read_options {
 bool h5md_read(const char *path, const struct h5md_read_options *options, const struct comm *comm,
                struct rows *rows, struct error *error);
 
+/* The values of one field in one frame, for all particles of the frame: of a field with several components the component
+ * `component`, or with -1 the length of the vector. A field that the file lacks is a user's error that lists the fields.
+ * Fills ids, too (from 1 on if the file has none); memory_free releases both. One rank. */
+struct h5md_values {
+    size_t count;
+    int64_t *id;
+    double *value;
+};
+bool h5md_read_values(const char *path, int64_t frame, const char *name, int component,
+                      struct h5md_values *values, struct error *error);
+
 /* Number of frames of a group (1 if nothing depends on time). One rank. */
 bool h5md_read_frames(const char *path, const char *group, uint64_t *frames, struct error *error);
 

@@ -26,6 +26,7 @@ dist_check_SCRIPTS += \
 	tests/app/observables.sh \
 	tests/app/pack.sh \
 	tests/app/physics.sh \
+	tests/app/picture.sh \
 	tests/app/restart.sh \
 	tests/app/resume.sh \
 	tests/app/stability.sh \

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The particles of a frame of a run, and one value of each. */
+#ifndef SCREE_PICTURE_SOURCE_H
+#define SCREE_PICTURE_SOURCE_H
+
+#include "files/file.h"
+#include "formats/rows.h"
+#include "scene/scene.h"
+
+enum { SOURCE_WORD_MAX = 64 };
+
+struct source {
+    char path[FILE_PATH_MAX];
+    const struct comm *comm;
+    bool h5md; /* any field of the file can be read */
+    uint64_t frames;
+    struct scene *scene; /* of the run; NULL: the file does not tell, or the scene cannot be read here */
+};
+
+/* Finds the file to draw: `from` itself or, in a folder, trajectory.h5, else the newest checkpoint, else
+ * dump.lammpstrj. source_close releases. One rank, as all below. */
+bool source_open(struct source *source, const struct comm *comm, const char *from, struct error *error);
+void source_close(struct source *source);
+
+/* The number of a frame that is given as text, negative from the end; NULL: the last. */
+bool source_frame(const struct source *source, const char *text, int64_t *frame, struct error *error);
+
+/* Reads a frame (0 ... frames - 1); positions and radii are there. rows_free releases. */
+bool source_read(const struct source *source, int64_t frame, struct rows *rows, struct error *error);
+
+/* The field that gives the colour. */
+struct source_field {
+    char name[SOURCE_WORD_MAX]; /* "speed", "x", "force.z", any field of the trajectory ... */
+    char label[2 * SOURCE_WORD_MAX];
+    bool other;    /* of another frame */
+    int64_t frame; /* that frame */
+};
+
+/* Reads "FIELD" or "FIELD@FRAME"; NULL: the material if there are several, else the radius if radii differ, else the
+ * speed. `rows` is any frame. */
+bool source_choose(const struct source *source, const char *text, const struct rows *rows,
+                   struct source_field *field, struct error *error);
+
+/* The value of each row of a frame, NAN where the other frame lacks the particle; memory_free releases. NULL: error
+ * filled. */
+double *source_values(const struct source *source, const struct source_field *field, int64_t frame,
+                      const struct rows *rows, struct error *error);
+
+#endif
