@@ -5,6 +5,7 @@
 #include "contact/spin.h"
 #include "core/memory.h"
 #include <assert.h>
+#include <string.h>
 
 struct force_loop {
     const struct force_kernel *kernel;
@@ -123,6 +124,7 @@ void force_loop_prepare(struct force_loop *loop, const struct force_context *con
 
 void force_loop_block(struct force_loop *loop, const struct force_context *context, int thread, int block) {
     struct walk_work work = force_work(context);
+    force_loop_thread(loop, thread)->exact = context->exact ? &context->exact[thread] : NULL;
     loop->kernel->begin(force_loop_thread(loop, thread), context);
     walk_block(loop->walk, &work, thread, block);
 }
@@ -156,6 +158,8 @@ void force_loop_abandon(struct force_loop *loop, const struct force_context *con
     struct walk_work work = force_work(context);
     walk_abandon(loop->walk, &work);
     force_loop_clear(loop);
+    if (context->exact)
+        memset(context->exact, 0, (size_t)loop->threads * sizeof *context->exact);
 }
 
 void force_loop_run(struct force_loop *loop, const struct force_context *context, struct force_sums *sums) {

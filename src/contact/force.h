@@ -7,6 +7,7 @@
 #define SCREE_CONTACT_FORCE_H
 
 #include "contact/law.h"
+#include "core/exact.h"
 #include "pairs/history.h"
 #include "pairs/pairlist.h"
 
@@ -22,6 +23,13 @@ struct force_sums {
     /* Sides of touching pairs that were computed: 2 a pair, or 1 here and 1 on another thread or rank. */
     size_t contact_sides;
     size_t contacts; /* contact_sides / 2; over ranks add up the sides, then halve */
+};
+
+/* Sums that no layout changes, of one thread: each term of force_sums.virial, and of force_sums.elastic_normal,
+ * without rounding. A contact that two threads or ranks compute adds one half of the same term twice. */
+enum { FORCE_EXACT = 7 };
+struct force_exact {
+    struct exact sum[FORCE_EXACT];
 };
 
 /* One evaluated contact, for the contact list (force chains). */
@@ -49,8 +57,11 @@ struct force_context {
     double dt;        /* time step of the histories; 0 in the first evaluation of a run: the histories stay */
     bool want_sums;   /* fill the energies of the sums; contacts and overlap_max always are */
     bool want_virial; /* fill the virial; only with want_sums */
-    bool prescribed;  /* there may be particles whose motion is prescribed */
-    bool ordered;     /* forces are summed in an order that no layout changes (pairs/walk_ordered.h) */
+    /* By thread: with want_virial the terms of pairs are added to it, not those of walls; the caller clears it.
+     * NULL: not wanted. */
+    struct force_exact *exact;
+    bool prescribed; /* there may be particles whose motion is prescribed */
+    bool ordered;    /* forces are summed in an order that no layout changes (pairs/walk_ordered.h) */
     bool
         want_work; /* a physics asks for the work of single contacts in every step: want_sums is then always set */
     /* Where that work goes; NULL: nowhere. */

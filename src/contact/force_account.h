@@ -38,15 +38,19 @@ static inline double force_weighted(const struct force_batch *b, const double *r
     return sum;
 }
 
-/* Energies of the batch, and with `virial` the virial. */
-static inline void force_account(const struct force_batch *b, bool virial, struct force_sums *sums) {
+/* Energies of the batch, and if wanted the virial. */
+static inline void force_account(const struct force_context *context, struct force_thread *thread) {
+    const struct force_batch *b = &thread->batch;
+    struct force_sums *sums = &thread->sums;
     double weight[FORCE_BATCH];
     walk_weigh(&b->walk, weight);
     sums->elastic_normal += force_weighted(b, b->energy[0], weight);
     sums->elastic_tangential += force_weighted(b, b->energy[1], weight);
     sums->taken += force_weighted(b, b->energy[2], weight);
-    for (int k = 0; virial && k < b->walk.count; k++)
+    for (int k = 0; context->want_virial && k < b->walk.count; k++)
         force_add_virial(sums->virial, weight[k], b->walk.record[k], b->walk.share[k]);
+    for (int k = 0; context->want_virial && thread->exact && k < b->walk.count; k++)
+        force_add_exact(thread->exact, weight[k], b->energy[0][k], b->walk.record[k], b->walk.share[k]);
 }
 
 #endif

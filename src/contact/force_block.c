@@ -95,7 +95,7 @@ static void force_compute(const struct walk_task *task, struct walk_batch *batch
 static void force_add(const struct force_context *context, struct force_thread *thread) {
     force_watch(context->particles, &thread->batch, &thread->sums);
     if (thread->energies)
-        force_account(&thread->batch, context->want_virial, &thread->sums);
+        force_account(context, thread);
 }
 
 static void force_note(const struct walk_task *task, struct walk_batch *batch) {
@@ -104,7 +104,7 @@ static void force_note(const struct walk_task *task, struct walk_batch *batch) {
     thread->sums.contact_sides += 2 * (size_t)batch->count - (size_t)(batch->one - batch->both);
     force_watch(context->particles, &thread->batch, &thread->sums);
     if (thread->energies)
-        force_account(&thread->batch, context->want_virial, &thread->sums);
+        force_account(context, thread);
     if (thread->energies && context->pair_work)
         force_put_work(task, &thread->batch);
 }

@@ -83,6 +83,16 @@ static inline void force_add_virial(double virial[6], double weight, const doubl
     virial[5] += weight * 0.5 * (d[1] * f[2] + d[2] * f[1]);
 }
 
+/* The same without rounding, and the energy of the contact. */
+static inline void force_add_exact(struct force_exact *exact, double weight, double energy, const double d[3],
+                                   const double f[3]) {
+    double term[6] = {0};
+    force_add_virial(term, weight, d, f);
+    for (int c = 0; c < 6; c++)
+        exact_add(&exact->sum[c], term[c]);
+    exact_add(&exact->sum[6], weight * energy);
+}
+
 /* Writes down the work of each contact of the batch. */
 static inline void force_put_work(const struct walk_task *task, const struct force_batch *b) {
     const struct force_context *context = task->work->context;
@@ -98,6 +108,7 @@ void force_sums_add(struct force_sums *total, const struct force_sums *part);
 struct force_thread {
     struct force_batch batch;
     struct force_sums sums;
+    struct force_exact *exact; /* of this thread; NULL: not wanted */
     struct law_step step;
     const struct force_kernel *kernel; /* of the loop, of a law with parts */
     bool rubs;                         /* such a law goes through force_general_rub */

@@ -1,14 +1,29 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Moves the box, and tells the other parts. Read deform.h first. */
 #include "engine/deform.h"
+#include "core/memory.h"
+#include <assert.h>
 #include <math.h>
 #include <string.h>
+
+/* The servo of the shear: packings are far softer in shear than the modulus from which impedances come. */
+enum { SHEAR_GAIN = 4, SHEAR_INERTIA = 4 };
 
 static const char offset_name[] = "box: offset of the shear";
 
 void deform_prepare(struct simulation *s) {
+    s->servo.on = s->scene->stress_given;
+    s->servo.drift = s->box.motion.shear;
     if (s->box.motion.moves)
         skin_follow(s->search.skin, &s->box);
+    if (s->servo.on && s->scene->reproducible)
+        s->servo.exact =
+            memory_allocate_zero((size_t)s->threads, sizeof *s->servo.exact, "sums of the stress");
+    s->grains.contact.exact = s->servo.exact;
+}
+
+void deform_free(struct simulation *s) {
+    memory_free(s->servo.exact);
 }
 
 void deform_start(struct simulation *s) {
@@ -28,18 +43,26 @@ void deform_start(struct simulation *s) {
     }
 }
 
+/* Sums of this rank's terms, as exact_add would do one by one, over all ranks: the same on any layout. */
+static void sum_exactly(const struct simulation *s, struct exact *sum, int n, double value[]) {
+    static_assert(sizeof *sum == EXACT_WORDS * sizeof(int64_t), "words alone are summed");
+    comm_sum_int(s->comm, sum->word, n * EXACT_WORDS);
+    for (int c = 0; c < n; c++)
+        value[c] = exact_value(&sum[c]);
+}
+
 void deform_begin(struct simulation *s) {
-    double sum[3] = {0};
-    s->servo.on = s->scene->stress_given;
-    if (!s->servo.on || s->servo.mass > 0) /* of a checkpoint: sums depend on the order */
+    struct exact exact[3] = {0};
+    double sum[3];
+    if (!s->servo.on || s->servo.mass > 0) /* of a checkpoint */
         return;
     for (size_t k = 0; k < s->particles->owned; k++) {
         const struct particle_state *state = &s->particles->state[k];
-        sum[0] += state->inverse_mass > 0 ? 1 / state->inverse_mass : 0;
-        sum[1] += 4.0 / 3 * M_PI * state->radius * state->radius * state->radius;
-        sum[2] += 1;
+        exact_add(&exact[0], state->inverse_mass > 0 ? 1 / state->inverse_mass : 0);
+        exact_add(&exact[1], 4.0 / 3 * M_PI * state->radius * state->radius * state->radius);
+        exact_add(&exact[2], 1);
     }
-    comm_sum(s->comm, sum, 3);
+    sum_exactly(s, exact, 3, sum);
     s->servo.mass = sum[0];
     double diameter = cbrt(6 / M_PI * sum[1] / fmax(sum[2], 1)), density = sum[0] / sum[1];
     if (s->box.dimension == 2) /* mass over area */
@@ -51,29 +74,84 @@ static double volume_of(const struct box *box) {
     return box->edge[0] * box->edge[1] * (box->dimension == 2 ? 1 : box->edge[2]);
 }
 
+/* Mass times the squares and products of the velocity of particle k relative to the mean flow. */
+static void flux_of(const struct simulation *s, size_t k, double flux[6]) {
+    static const int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
+    const struct particle_state *state = &s->particles->state[k];
+    double flow[3], v[3];
+    box_flow(&s->box, state->x, flow);
+    for (int d = 0; d < 3; d++)
+        v[d] = state->v[d] - flow[d];
+    for (int c = 0; c < 6; c++)
+        flux[c] = state->inverse_mass > 0 ? v[row[c]] * v[column[c]] / state->inverse_mass : 0;
+}
+
+/* The sums of stress_sum, the same on any layout. */
+static void stress_exactly(const struct simulation *s, double sum[7]) {
+    struct force_exact *exact = s->servo.exact;
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < s->threads; t++) {
+        size_t first = s->particles->owned * (size_t)t / (size_t)s->threads;
+        size_t last = s->particles->owned * ((size_t)t + 1) / (size_t)s->threads;
+        for (size_t k = first; k < last; k++) {
+            double flux[6];
+            flux_of(s, k, flux);
+            for (int c = 0; c < 6; c++)
+                exact_add(&exact[t].sum[c], flux[c]);
+        }
+    }
+    for (int t = 1; t < s->threads; t++)
+        for (int c = 0; c < 7; c++)
+            exact_join(&exact[0].sum[c], &exact[t].sum[c]);
+    sum_exactly(s, exact[0].sum, FORCE_EXACT, sum);
+    memset(exact, 0, (size_t)s->threads * sizeof *exact);
+}
+
 /* Sums over all ranks: stress times volume (6), and the elastic energy. */
 static void stress_sum(const struct simulation *s, double sum[7]) {
-    static const int row[6] = {0, 1, 2, 0, 0, 1}, column[6] = {0, 1, 2, 1, 2, 2};
+    if (s->servo.exact) {
+        stress_exactly(s, sum);
+        return;
+    }
     for (int c = 0; c < 6; c++)
         sum[c] = s->grains.sums.virial[c];
     sum[6] = s->grains.sums.elastic_normal;
     for (size_t k = 0; k < s->particles->owned; k++) {
-        const struct particle_state *state = &s->particles->state[k];
-        double flow[3], v[3];
-        box_flow(&s->box, state->x, flow);
-        for (int d = 0; d < 3; d++)
-            v[d] = state->v[d] - flow[d];
-        for (int c = 0; c < 6 && state->inverse_mass > 0; c++)
-            sum[c] += v[row[c]] * v[column[c]] / state->inverse_mass;
+        double flux[6];
+        flux_of(s, k, flux);
+        for (int c = 0; c < 6; c++)
+            sum[c] += flux[c];
     }
     comm_sum(s->comm, sum, 7);
 }
 
-/* The rate of an edge at which the stress is `excess` above its target. */
-static double rate_of(const struct simulation *s, double excess, double target, double modulus, double edge) {
-    double impedance = sqrt(s->servo.mass / volume_of(&s->box) * fmax(modulus, target));
-    double rate = excess / impedance / edge, bound = s->servo.bound * sqrt(target);
+static double limited(double rate, double bound) {
     return fmin(fmax(rate, -bound), bound);
+}
+
+/* The rate of an edge at which the stress is `excess` above its target; `scale` is a stress of the size of the
+ * target. */
+static double rate_of(const struct simulation *s, double excess, double scale, double modulus, double edge) {
+    double impedance = sqrt(s->servo.mass / volume_of(&s->box) * fmax(modulus, scale));
+    return limited(impedance > 0 ? excess / impedance / edge : 0, s->servo.bound * sqrt(scale));
+}
+
+/* Sets the rate of the shear. */
+static void shear_control(struct simulation *s, double stress, double pressure, double modulus) {
+    struct box_motion *motion = &s->box.motion;
+    double target = motion->shears ? s->scene->stress.shear[motion->flow + motion->gradient - 1] : NAN;
+    if (isnan(target)) {
+        s->servo.drift = motion->shear;
+        return;
+    }
+    double scale = fmax(fabs(target), pressure), bound = s->servo.bound * sqrt(fmax(scale, 0)), longest = 0;
+    double excess = stress - target, density = s->servo.mass / volume_of(&s->box);
+    for (int d = 0; d < s->box.dimension; d++)
+        longest = fmax(longest, s->box.edge[d]);
+    double more = s->grains.contact.dt * excess / (SHEAR_INERTIA * density * longest * longest);
+    s->servo.drift = limited(s->servo.drift + more, bound);
+    motion->shear =
+        limited(s->servo.drift + SHEAR_GAIN * rate_of(s, excess, fmax(scale, 0), modulus, longest), bound);
 }
 
 void deform_flow(struct simulation *s) {
@@ -91,6 +169,7 @@ void deform_flow(struct simulation *s) {
 
 void deform_control(struct simulation *s) {
     const struct scene_stress *wanted = &s->scene->stress;
+    const struct box_motion *motion = &s->box.motion;
     int n = s->box.dimension;
     double sum[7], *stretch = s->box.motion.stretch, work = 0, longest = 0, volume = volume_of(&s->box);
     stress_sum(s, sum);
@@ -106,6 +185,7 @@ void deform_control(struct simulation *s) {
         else if (!isnan(target))
             stretch[d] = rate_of(s, sum[d] / volume - target, target, modulus, s->box.edge[d]);
     }
+    shear_control(s, motion->shears ? sum[2 + motion->flow + motion->gradient] / volume : 0, mean, modulus);
 }
 
 /* Stops the run before an edge is too short for its particles. */
@@ -154,6 +234,10 @@ void deform_restart(struct simulation *s, struct restart *restart) {
         restart_add(restart, RESTART_REAL, true, &s->box.motion.stretch[d], "box: rate of edge %c", 'x' + d);
     restart_add(restart, RESTART_REAL, true, &s->servo.mass, "box: mass of the particles");
     restart_add(restart, RESTART_REAL, true, &s->servo.bound, "box: bound of the rates");
+    restart_add(restart, RESTART_REAL, true, &s->servo.drift, "box: drift of the shear");
+    if (s->box.motion.shears &&
+        !isnan(s->scene->stress.shear[s->box.motion.flow + s->box.motion.gradient - 1]))
+        restart_add(restart, RESTART_REAL, true, &s->box.motion.shear, "box: rate of the shear");
 }
 
 void deform_resume(struct simulation *s, bool moved) {

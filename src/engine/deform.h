@@ -8,8 +8,9 @@
 
 #include "engine/state.h"
 
-/* Prepares the parts of a simulation whose box moves, once they exist. */
+/* Prepares the parts of a simulation whose box moves, once they exist; and frees what it made. */
 void deform_prepare(struct simulation *simulation);
+void deform_free(struct simulation *simulation);
 
 /* Adds the mean flow to the velocities of the owned particles, if the scene asks for this: at the start. */
 void deform_start(struct simulation *simulation);
@@ -17,10 +18,12 @@ void deform_start(struct simulation *simulation);
 /* Prepares the servo of the stress, once the particles are known. Collective. */
 void deform_begin(struct simulation *simulation);
 
-/* After the forces of a step: sets the rates of the edges that follow the stress. The edge along d moves at the speed (stress - target) / Z, where Z = sqrt(rho K) is
+/* After the forces of a step: sets the rates of the edges and of the shear that follow the stress. The edge along d moves at the speed (stress - target) / Z, where Z = sqrt(rho K) is
  * the acoustic impedance of the packing, so that the face of the box takes up sound as more of the packing would.
  * K is found from the work W = sum f l and the energy E = sum k overlap^2 / 2 of the contacts: K = 0.3 W^2 / (E V),
- * an upper estimate (docs/physics.md), so that the servo is overdamped for soft and for hard grains. Collective. */
+ * an upper estimate (docs/physics.md), so that the servo is overdamped for soft and for hard grains. The rate of the
+ * shear is 4 excess / (Z L) + the integral of excess / (4 rho L^2) over time, of the longest edge L: a packing that
+ * flows comes to its target, too. With `reproducible` the stress is summed without rounding. Collective. */
 void deform_control(struct simulation *simulation);
 
 /* After the numbers of a checkpoint have been taken over; `moved`: the checkpoint's box moved (deform_moved), else

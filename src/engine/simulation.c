@@ -192,6 +192,7 @@ void simulation_destroy(struct simulation **simulation) {
         return;
     team_end(&s->team);
     force_loop_destroy(&s->grains.loop);
+    deform_free(s);
     walls_destroy(&s->grains.walls);
     sweep_destroy(&s->search.sweep);
     skin_destroy(&s->search.skin);

@@ -75,11 +75,13 @@ struct grains {
     struct wall_push push[WALLS_MAX]; /* of walls with servos */
 };
 
-/* Edges of the box that follow the stress (deform.c). */
+/* Edges and shear of the box that follow the stress (deform.c). */
 struct box_servo {
     bool on;
-    double mass;  /* of all particles */
-    double bound; /* largest rate of an edge, 1/time, for a target of 1 */
+    double mass;               /* of all particles */
+    double bound;              /* largest rate of an edge, 1/time, for a target of 1 */
+    double drift;              /* the part of the rate of the shear that adds up, 1/time */
+    struct force_exact *exact; /* by thread: sums that no layout changes; NULL: not wanted. Owned */
 };
 
 /* The search for pairs, and when it is due again. */

@@ -98,6 +98,9 @@ static void finish_motion(struct scene *scene) {
     struct box_motion *motion = &scene->box.motion;
     if (!scene->shear_given && !scene->strain_given && !scene->stress_given)
         return;
+    for (int k = 0; k < 3 && scene->stress_given && !scene->shear_given; k++)
+        if (!isnan(scene->stress.shear[k]))
+            *motion = (struct box_motion){.shears = true, .flow = k / 2, .gradient = 1 + (k + 1) / 2};
     if (scene->shear_given)
         *motion = (struct box_motion){.shears = true,
                                       .flow = scene->shear.flow,

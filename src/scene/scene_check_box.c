@@ -23,13 +23,36 @@ static bool check_strain(const struct scene *scene, struct error *error) {
     return check_alone(scene, "box.strain", error);
 }
 
+/* A target of the shear stress. */
+static bool check_stress_shear(const struct scene *scene, int count, struct error *error) {
+    static const char *const key[3] = {"box.stress.xy", "box.stress.xz", "box.stress.yz"};
+    for (int k = 0; k < 3; k++) {
+        const int plane[2] = {k / 2, 1 + (k + 1) / 2};
+        if (isnan(scene->stress.shear[k]))
+            continue;
+        if (count > 1)
+            return scene_fail(scene, error, key[k],
+                              "one shear stress has a target at most: the box shears in one plane. Along the "
+                              "principal directions normal stresses alone do the same");
+        if (scene->box.dimension == 2 && plane[1] == 2)
+            return scene_fail(scene, error, key[k], "a box of two dimensions has no stress along z");
+        for (int side = 0; side < 2; side++)
+            if (!scene->box.periodic[plane[side]])
+                return scene_fail(scene, error, key[k],
+                                  "%c is not periodic; allowed: directions that box.periodic names",
+                                  "xyz"[plane[side]]);
+        if (scene->shear_given && scene->shear.flow + scene->shear.gradient != k + 1)
+            return scene_fail(scene, error, key[k],
+                              "box.shear shears another plane: its flow and gradient are %c and %c",
+                              "xyz"[scene->shear.flow], "xyz"[scene->shear.gradient]);
+    }
+    return true;
+}
+
 static bool check_stress(const struct scene *scene, struct error *error) {
     static const char *const key[3] = {"box.stress.xx", "box.stress.yy", "box.stress.zz"};
     const struct scene_stress *stress = &scene->stress;
     bool given = false, pressure = !isnan(stress->pressure);
-    if (scene->reproducible)
-        return scene_fail(scene, error, "box.stress",
-                          "does not go with reproducible: the sum of the stress depends on the layout");
     for (int d = 0; d < scene->box.dimension; d++) {
         bool own = !isnan(stress->normal[d]);
         given = given || own;
@@ -42,10 +65,15 @@ static bool check_stress(const struct scene *scene, struct error *error) {
     }
     if (scene->box.dimension == 2 && !isnan(stress->normal[2]))
         return scene_fail(scene, error, key[2], "a box of two dimensions has no stress along z");
-    if (given == pressure)
+    int sheared = 0;
+    for (int k = 0; k < 3; k++)
+        sheared += !isnan(stress->shear[k]);
+    if (given && pressure)
+        return scene_fail(scene, error, "box.stress.pressure", "allowed is either pressure, or xx, yy, zz");
+    if (!given && !pressure && sheared == 0)
         return scene_fail(scene, error, "box.stress",
-                          "needed is either pressure, or one or more of xx, yy, zz");
-    return check_alone(scene, "box.stress", error);
+                          "needed is pressure, or one or more of xx, yy, zz, or one of xy, xz, yz");
+    return check_stress_shear(scene, sheared, error) && check_alone(scene, "box.stress", error);
 }
 
 static bool check_shear(const struct scene *scene, struct error *error) {

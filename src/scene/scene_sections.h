@@ -49,7 +49,8 @@ struct scene_strain {
 struct scene_stress {
     double pressure;  /* all edges change alike */
     double normal[3]; /* the edge along each direction changes */
-    double inertia;   /* bound on the rate of an edge, as an inertial number */
+    double shear[3];  /* xy, xz, yz, one at most: the rate of the shear changes */
+    double inertia;   /* bound on the rates, as an inertial number */
 };
 
 /* Vector instructions used at most; the numbers are those of enum index_instructions. */

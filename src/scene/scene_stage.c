@@ -241,6 +241,10 @@ static bool check_names(const struct scene *before, const struct scene *scene, i
         before->stress_given != scene->stress_given)
         return fail(scene, error, number, "set",
                     "lets a box move that did not, or the other way round; begin with rates of 0");
+    const struct box_motion *then = &before->box.motion, *now = &scene->box.motion;
+    if (then->shears != now->shears || then->flow != now->flow || then->gradient != now->gradient)
+        return fail(scene, error, number, "set",
+                    "changes the plane of the shear; only its rate, or the target of its stress, may change");
     return before->insertions <= scene->insertions ||
            fail(scene, error, number, "set",
                 "takes an insertion out; set its `stop` to an earlier time instead");

@@ -43,7 +43,7 @@ static const struct schema_name direction_names[] = {{"x", 0, NULL}, {"y", 1, NU
 
 static const struct schema_row shear_rows[] = {
     {.key = "rate", .type = SCHEMA_REAL, .unit = "1/s", .required = true, AT(struct scene, shear.rate),
-     .help = "change of the mean velocity along the gradient; 0 keeps the offset that a checkpoint has", .example = "10 1/s"},
+     .help = "change of the mean velocity along the gradient; 0 keeps the offset that a checkpoint has. Where box.stress has a target of the shear stress: the rate at the start", .example = "10 1/s"},
     {.key = "flow", .type = SCHEMA_NAME, .names = direction_names, .fallback = "x", AT(struct scene, shear.flow),
      .help = "direction of the mean velocity"},
     {.key = "gradient", .type = SCHEMA_NAME, .names = direction_names, .fallback = "y", AT(struct scene, shear.gradient),
@@ -73,8 +73,16 @@ static const struct schema_row stress_rows[] = {
      .help = "the same along y", .example = "1 kPa"},
     {.key = "zz", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)", AT(struct scene, stress.normal[2]),
      .help = "the same along z", .example = "1 kPa"},
+    {.key = "xy", .type = SCHEMA_REAL, .unit = "Pa", AT(struct scene, stress.shear[0]),
+     .help = "target of the shear stress; the box shears along x with the gradient along y, unless box.shear names them the other way "
+             "round. A negative stress shears at a positive rate. One of xy, xz, yz; alone, or with pressure or normal stresses", .example = "-200 Pa"},
+    {.key = "xz", .type = SCHEMA_REAL, .unit = "Pa", AT(struct scene, stress.shear[1]),
+     .help = "the same along x with the gradient along z", .example = "-200 Pa"},
+    {.key = "yz", .type = SCHEMA_REAL, .unit = "Pa", AT(struct scene, stress.shear[2]),
+     .help = "the same along y with the gradient along z", .example = "-200 Pa"},
     {.key = "inertia", .type = SCHEMA_REAL, .fallback = "0.01", .range = "(0, inf)", AT(struct scene, stress.inertia),
-     .help = "bound on the rate of an edge, times the mean diameter and the root of particle density over target: small numbers are quasi-static"},
+     .help = "bound on the rates of edges and of the shear, times the mean diameter and the root of particle density over target: small numbers "
+             "are quasi-static. The bound of the shear takes the mean normal stress, if that is larger than its target"},
 };
 static const struct schema_table stress_table = TABLE(stress_rows);
 
@@ -100,7 +108,7 @@ static const struct schema_row box_rows[] = {
      .help = "edges of periodic directions that grow or shrink at a given rate"},
     {.key = "stress", .type = SCHEMA_SECTION, .sub = &stress_table, .optional = true, .main = "pressure",
      .offset = 0, .count_offset = offsetof(struct scene, stress_given),
-     .help = "edges of periodic directions that change until the normal stress has its target; the program finds the gain. Shear stresses have no target: box.shear gives a rate"},
+     .help = "edges of periodic directions, and the shear, that change until the stress has its target; the program finds the gains"},
 };
 static const struct schema_table box_table = TABLE(box_rows);
 

@@ -122,6 +122,19 @@ particles:
     - {from: random, count: 700, material: soft, sizes: {law: uniform, min: 0.1, max: 0.18}, velocity_sigma: 6}
 END
 } >sheared.yaml
+# Edges and shear that follow the stress: what the forces sum up to decides how the box goes on
+{
+    echo "$common"
+    cat <<'END'
+box: {lower: [0, 0, 0], upper: [6, 6, 5], periodic: true, shear: {rate: 2, flow: z, gradient: x}, stress: {xx: 20, yy: 30, zz: 10, xz: -8, inertia: 1}}
+step: {dt: 0.0015, count: 120}
+materials: [{name: soft, density: 1}]
+contact: {law: hooke, rolling: spring}
+material_pairs: [{restitution: 0.7, friction: 0.4, rolling_friction: 0.1, k_n: 500}]
+skin: {length: 0.05}
+particles: {from: lattice, lattice: fcc, spacing: 1, sizes: {law: uniform, min: 0.3, max: 0.4}, jitter: 0.3, velocity_sigma: 1}
+END
+} >pressed.yaml
 
 # contents DIR FILE: the last checkpoint in lines, sorted
 contents() {
@@ -190,7 +203,7 @@ settings=('1 2 linkcell brick auto' '2 1 multi bisection auto' '4 2 hgrid brick 
     '4 1 auto brick auto' '2 2 hgrid bisection auto domain.threshold=1.001'
     '1 1 bytype brick auto step.fused=false' '3 1 brute bisection auto newton=true ghosts=reduced')
 turn=0
-for case in bed ten boulder thin flow sheared; do
+for case in bed ten boulder thin flow sheared pressed; do
     check "$case: the reference moves enough" reference $case
     for ((k = ${SCREE_LONG:+0 *} turn++ % 2; k < ${#settings[@]}; k += ${SCREE_LONG:+-1} + 2)); do
         setting=${settings[k]}
@@ -210,7 +223,7 @@ check 'thin: two particles meet through two images' twice
 check 'thin: ranks across the thin direction' layout thin 4 1 hgrid brick auto domain.x=2
 check 'thin: four of them' layout thin 4 2 linkcell brick auto domain.x=4
 check 'in the fast mode the layout shows in the last bits' differs
-for setting in 'bed 100' 'flow 400' 'sheared 120'; do
+for setting in 'bed 100' 'flow 400' 'sheared 120' 'pressed 120'; do
     check "${setting% *}: the whole of it" whole $setting
     check "${setting% *}: 4 ranks go on with what 1 x 2 wrote" goes_on $setting 1 4
     check "${setting% *}: 1 rank goes on with what 3 x 2 wrote" goes_on $setting 3 1
