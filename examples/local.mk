@@ -13,7 +13,7 @@ nobase_dist_pkgdata_DATA += \
 nobase_dist_pkgdata_SCRIPTS += \
 	$(bench)/auto.sh $(bench)/bidisperse.sh $(bench)/cells.sh $(bench)/chute.sh $(bench)/cohesion.sh $(bench)/compare.sh \
 	$(bench)/continuous.sh $(bench)/fluid.sh $(bench)/growth.sh $(bench)/guards.sh $(bench)/needs.sh $(bench)/page.sh $(bench)/penetration.sh \
-	$(bench)/report.sh $(bench)/roofline.sh $(bench)/table1.sh $(bench)/univol.sh
+	$(bench)/report.sh $(bench)/roofline.sh $(bench)/skin.sh $(bench)/table1.sh $(bench)/univol.sh
 
 bidisperse = examples/bidisperse
 nobase_dist_pkgdata_DATA += \

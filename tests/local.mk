@@ -176,6 +176,9 @@ tests_test_plan_SOURCES = tests/test_plan.c
 tests_test_plan_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
 tests_test_plan_LDADD = libengine.la $(CORE_LIBS) $(TEST_LIBS)
 
+check_PROGRAMS += tests/test_skin_choice
+tests_test_skin_choice_SOURCES = tests/test_skin_choice.c
+tests_test_skin_choice_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
 check_PROGRAMS += tests/test_skin
 tests_test_skin_SOURCES = tests/test_skin.c
 tests_test_skin_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)

@@ -4,6 +4,7 @@
 #include "app/cost.h"
 #include "app/layout.h"
 #include "files/lines.h"
+#include "engine/skin_auto.h"
 #include "engine/tune.h"
 #include "engine/step.h"
 #include "engine/notes.h"
@@ -207,6 +208,10 @@ static void print_classes(const struct simulation *s) {
     for (int c = 0; c < s->classes.count; c++)
         printf("  %5d %12.6g %12.6g %12llu %12.6g\n", c, s->classes.radius_min[c], s->classes.radius_max[c],
                (unsigned long long)s->classes.population[c], s->classes.skin[c][c]);
+    if (s->scene->classes.skin_auto)
+        printf("  the run chooses the skin: from %.3g to %.3g times that above, with up to %d pairs a "
+               "particle\n",
+               skin_choice_factor(SKIN_LEAST), skin_auto_most(s), SKIN_PAIRS_MOST);
 }
 
 /* Prints the interactions where there are several, and the pairs that each goes through. Without materials
@@ -306,6 +311,10 @@ static void print_memory(const struct simulation *s) {
            (double)(particles_bytes_each(s->particles) * s->particles->capacity) / 1048576,
            (double)pairlist_memory(s->grains.list) / 1048576, (double)index_memory(s->search.index) / 1048576,
            s->grains.history ? (double)history_memory(s->grains.history) / 1048576 : 0);
+    if (s->scene->classes.skin_auto)
+        printf("  pairs up to %.1f MiB, as the run chooses the skin\n",
+               fmax(SKIN_PAIRS_MOST * n * 2 * sizeof(uint32_t), (double)pairlist_memory(s->grains.list)) /
+                   1048576);
 }
 
 static void print_extent(const char *what, const char *name, const struct extent *extent, const char *note) {

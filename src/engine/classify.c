@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Size classes from the radii on all ranks. Read particles/classes.h first. */
 #include "engine/classify.h"
+#include "engine/skin_auto.h"
 #include "core/memory.h"
 #include "particles/kinds.h"
 #include <math.h>
@@ -118,7 +119,8 @@ static void classes_count(struct simulation *s) {
         classes->radius_max[c] = most[c];
     }
     struct classes_range range = interactions_range(&s->search.interactions);
-    classes_set_margins(classes, &s->scene->classes, &range);
+    struct classes_options options = skin_auto_options(s);
+    classes_set_margins(classes, &options, &range);
 }
 
 /* Chooses the classes of one kind; without particles of the kind `classes` has none. */

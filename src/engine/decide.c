@@ -49,8 +49,7 @@ void decide_end(struct simulation *s) {
     skin_settle(s->search.skin, n);
 }
 
-/* The two largest displacements of each class, on all ranks. */
-static void measure_all(struct simulation *s) {
+void decide_displacements(struct simulation *s) {
     double two[CLASS_MAX][2];
     int n = s->classes.count;
     skin_measure(s->search.skin, s->particles, n);
@@ -72,7 +71,7 @@ void decide_measure(struct simulation *s) {
     s->agree.signals.rebuild = skin_surely_due(s->search.skin, &s->classes);
     if (s->agree.signals.rebuild)
         return;
-    measure_all(s);
+    decide_displacements(s);
     s->agree.signals.rebuild = skin_due(s->search.skin, &s->classes);
 }
 

@@ -16,6 +16,9 @@ void decide_end(struct simulation *simulation);
  * Collective. */
 void decide_measure(struct simulation *simulation);
 
+/* Replaces the bounds by the exact displacements, the two largest of each class on all ranks. Collective. */
+void decide_displacements(struct simulation *simulation);
+
 /* Runs decide_begin, decide_end and decide_measure. */
 void decide_run(struct simulation *simulation);
 

@@ -56,6 +56,8 @@ libengine_la_SOURCES = \
 	src/engine/simulation_parts.h \
 	src/engine/sources.c \
 	src/engine/sources.h \
+	src/engine/skin_auto.c \
+	src/engine/skin_auto.h \
 	src/engine/stages.c \
 	src/engine/stages.h \
 	src/engine/state.h \

@@ -6,6 +6,7 @@
 #include "engine/deform.h"
 #include "engine/view.h"
 #include "engine/classify.h"
+#include "engine/skin_auto.h"
 #include "engine/tune.h"
 #include "engine/sources.h"
 #include "engine/rebuild_rows.h"
@@ -218,6 +219,11 @@ static void follow(struct simulation *s, struct rebuild_rows *rows) {
     ghosts_forward_end(s->ranks.ghosts, s->particles);
 }
 
+static void skin_pass(struct simulation *s, struct rebuild_rows *rows) {
+    (void)rows;
+    skin_auto_choose(s);
+}
+
 static void balance(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
     load_balance(s);
@@ -266,6 +272,10 @@ static bool many_ranks(const struct simulation *s, const struct rebuild_rows *ro
     (void)rows;
     return !s->ranks.alone;
 }
+static bool skin_chosen(const struct simulation *s, const struct rebuild_rows *rows) {
+    (void)rows;
+    return s->scene->classes.skin_auto;
+}
 static bool many_with_history(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
     return !s->ranks.alone && s->grains.history;
@@ -296,6 +306,7 @@ struct rebuild_pass {
 
 /* The passes of a rebuild. The passes before `carry` are left out if histories come from a checkpoint. */
 static const struct rebuild_pass passes[] = {
+    {"skin", "a skin that the run chooses", "decide", skin_chosen, skin_pass},
     {"balance", "several ranks", "migrate", many_ranks, balance},
     {"follow", "history, several ranks", "comm", many_with_history, follow},
     {"detach", "history", "history", with_history, detach},
@@ -314,7 +325,7 @@ static const struct rebuild_pass passes[] = {
     {"attach", NULL, "history", NULL, attach},
     {"physics", NULL, "pairs", NULL, tell_physics},
 };
-enum { REBUILD_PASSES = sizeof passes / sizeof passes[0], REBUILD_CARRY = 3 };
+enum { REBUILD_PASSES = sizeof passes / sizeof passes[0], REBUILD_CARRY = 4 };
 
 /* Returns true if another rebuild must follow. */
 static bool passes_run(struct simulation *s, struct rebuild_rows *rows, int first) {

@@ -9,6 +9,7 @@
 #include "engine/rebuild_rows.h"
 #include "engine/rebuild.h"
 #include "engine/resume.h"
+#include "engine/skin_auto.h"
 #include "core/memory.h"
 #include "integrate/groups.h"
 #include <stdio.h>
@@ -38,6 +39,7 @@ static void numbers_list(struct simulation *s, struct resume_numbers *own, struc
     crossings_restart(s, restart);
     physics_restart(&s->physics, restart);
     deform_restart(s, restart);
+    skin_auto_restart(s, restart);
     restart_add(restart, RESTART_SUM, false, &own->wall_work, "work of walls");
     restart_add(restart, RESTART_SUM, false, &own->load_fresh, "load: imbalance not measured");
     restart_add(restart, RESTART_SUM, false, &own->load_reached, "load: imbalance reached");

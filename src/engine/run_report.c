@@ -48,17 +48,6 @@ static void report_levels(const struct simulation *s, struct report *report) {
     report->choice_measured = seconds[1];
 }
 
-/* Counts pairs by sides, as contacts: with newton off a pair across ranks is in the lists of both ranks. */
-static int64_t pair_sides(const struct pairlist *list) {
-    size_t sides = 0;
-    for (int b = 0; b < list->block_count; b++) {
-        const struct pair_block *block = &list->blocks[b];
-        size_t one = block->slotted - block->one_sided;
-        sides += 2 * (block->end_pair - block->first_pair) - one;
-    }
-    return (int64_t)sides;
-}
-
 /* Reports the way that copies spread, and the reason. */
 static void report_sync(const struct simulation *s, const struct ghosts_counts *ghosts,
                         struct report *report) {
@@ -93,6 +82,7 @@ static void report_classes(const struct simulation *s, const struct ghosts_count
         report->size_class[c] = (struct report_class){.radius_min = s->classes.radius_min[c],
                                                       .radius_max = s->classes.radius_max[c],
                                                       .particles = s->classes.population[c],
+                                                      .skin = s->classes.skin[c][c],
                                                       .ghosts = (uint64_t)sums[c],
                                                       .bytes = (uint64_t)sums[CLASS_MAX + c]};
 }
@@ -117,7 +107,7 @@ static void report_insertions(const struct simulation *s, struct report *report)
 void run_report_fill(const struct simulation *s, const struct run_record *run, struct report *report) {
     struct ghosts_counts ghosts;
     ghosts_count(s->ranks.ghosts, &ghosts);
-    int64_t sums[6] = {pair_sides(s->grains.list),
+    int64_t sums[6] = {pairlist_sides(s->grains.list),
                        (int64_t)s->grains.sums.contact_sides,
                        (int64_t)memory_peak(),
                        (int64_t)memory_in_use(),
@@ -156,6 +146,9 @@ void run_report_fill(const struct simulation *s, const struct run_record *run, s
     report->rebuild_bytes = (uint64_t)sums[5];
     report->inserted = s->sources.inserted;
     report->deleted = s->sources.deleted;
+    report->skin_factor = skin_choice_factor(s->search.choice.octaves);
+    report->skin_changes = s->search.choice.changes;
+    report->skin_auto = s->scene->classes.skin_auto;
     report->seed = s->scene->seed;
     report->dimensionless = s->scene->units == SCENE_UNITS_NONE;
     if (run->stopped)

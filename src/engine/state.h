@@ -12,6 +12,7 @@
 #include "integrate/timestep.h"
 #include "formats/output.h"
 #include "pairs/skin.h"
+#include "pairs/skin_choice.h"
 #include "pairs/sweep.h"
 #include "scene/compare.h"
 #include "scene/scene_particles.h"
@@ -92,7 +93,8 @@ struct search {
     struct index_view view;           /* of the last rebuild */
     struct interactions interactions; /* the interactions with their lists */
     struct skin *skin;
-    struct sweep *sweep; /* the plan of the fused order; NULL: the scene wants only the plain order */
+    struct skin_choice choice; /* of the skin, with `skin: auto`; skin_auto.h */
+    struct sweep *sweep;       /* the plan of the fused order; NULL: the scene wants only the plain order */
 };
 
 /* The division among ranks, and this rank's copies. */

@@ -31,6 +31,7 @@
  */
 #include "engine/step.h"
 #include "engine/decide.h"
+#include "engine/skin_auto.h"
 #include "engine/stages.h"
 #include "engine/sources.h"
 #include "engine/rebuild.h"
@@ -188,7 +189,7 @@ void step_plan_print(const struct simulation *s, FILE *file) {
 void step_run(struct simulation *s, bool rebuild) {
     s->clock.step++;
     s->clock.time = s->clock.time_base + (double)(s->clock.step - s->clock.step_base) * s->clock.dt;
-    s->agree.signals.rebuild = rebuild || sources_due(s) || physics_due(&s->physics);
+    s->agree.signals.rebuild = rebuild || sources_due(s) || physics_due(&s->physics) || skin_auto_due(s);
     memset(s->grains.speed, 0, (size_t)s->threads * sizeof *s->grains.speed);
     bool fused =
         s->scene->step.fused && !s->agree.signals.rebuild && !skin_nearly_due(s->search.skin, &s->classes);

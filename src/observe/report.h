@@ -27,6 +27,7 @@ struct report_level {
 struct report_class {
     double radius_min, radius_max;
     uint64_t particles, ghosts; /* over all ranks */
+    double skin;                /* of the class with itself, at the last rebuild; length unit */
     uint64_t bytes;             /* received from other ranks for copies, and sent back, since the start */
 };
 
@@ -75,6 +76,9 @@ struct report {
     int ranks, threads;
     double threads_working; /* of a rank at a time, mean over the run; 0: all */
     char index[REPORT_NAME_MAX], law[REPORT_NAME_MAX], integrator[REPORT_NAME_MAX];
+    bool skin_auto;             /* the run chooses its skin: */
+    double skin_factor;         /* on the skin of the scene, at the end */
+    uint64_t skin_changes;      /* since the start of the run, over resumes */
     bool newton, reduced;       /* reduced: copies travel only as far as partners do */
     char simd[REPORT_NAME_MAX]; /* instruction set of the force loop */
     int levels;

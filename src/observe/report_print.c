@@ -133,6 +133,9 @@ static bool disturbed(const struct report *report) {
     return report->threads_working > 0 && report->threads_working < 0.95 * report->threads;
 }
 
+static bool skin_chosen(const struct report *report) {
+    return report->skin_auto;
+}
 static bool many_ranks(const struct report *report) {
     return report->ranks > 1;
 }
@@ -158,6 +161,7 @@ static const struct line lines[] = {
     {.text = "  {threads_working} threads at work on average: other programs used the cores\n",
      .shown = disturbed},
     {.text = "  {pairs} pairs, {contacts} contacts, {rebuilds} rebuilds\n"},
+    {.text = "  skin: {skin_factor} times that of the scene, {skin_changes} changes\n", .shown = skin_chosen},
     {.text = "  {bytes_per_particle} bytes a particle, peak memory of a rank {memory_peak} MB\n"},
     {.text = "  {ghosts} ghosts; a rank and step sends {messages} messages, {bytes} bytes; {pupcs} particle "
              "updates/core/s\n"

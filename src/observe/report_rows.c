@@ -133,6 +133,8 @@ static const struct report_row class_rows[] = {
      .help = "lower bound of the radii of the class"},
     {.name = "radius_max", .unit = "m", .type = REPORT_REAL, AT(struct report_class, radius_max),
      .help = "upper bound of the radii of the class"},
+    {.name = "skin", .unit = "m", .type = REPORT_REAL, AT(struct report_class, skin),
+     .help = "skin of the class with itself at the last rebuild"},
     {0}};
 
 static const struct report_row scene_stage_rows[] = {
@@ -253,6 +255,10 @@ const struct report_row report_rows[] = {
      .help = "pairs in the last pair list"},
     {.name = "contacts", .unit = "1", .type = REPORT_COUNT, AT(struct report, contacts),
      .help = "number of contacts at the end, with walls"},
+    {.name = "skin_factor", .unit = "1", .type = REPORT_REAL, AT(struct report, skin_factor), .print = "%.3g",
+     .help = "factor on the skins of the scene at the end; 1 without `skin: auto`"},
+    {.name = "skin_changes", .unit = "1", .type = REPORT_COUNT, AT(struct report, skin_changes), .print = "%.0f",
+     .help = "how often `skin: auto` changed the factor"},
     {.name = "rebuilds", .unit = "1", .type = REPORT_COUNT, AT(struct report, rebuilds),
      .help = "number of rebuilds"},
     {.name = "bytes_per_particle", .unit = "B", .type = REPORT_REAL, AT(struct report, bytes_per_particle), .print = "%.0f",

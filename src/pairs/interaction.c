@@ -75,6 +75,11 @@ void interactions_divide(struct interactions *interactions, const struct size_cl
     }
 }
 
+void interactions_set_margins(struct interactions *interactions, const struct size_classes *classes) {
+    for (int k = 0; interactions->count > 1 && k < interactions->count; k++)
+        margins_set(interactions, k, classes);
+}
+
 /* Room for as many pairs and blocks as `from` has. */
 static void list_reserve(struct pairlist *list, const struct pairlist *from) {
     struct pairlist_build *build = list->build;

@@ -63,6 +63,9 @@ struct pairlist *interaction_list(const struct interactions *interactions, int k
 void interactions_divide(struct interactions *interactions, const struct size_classes *classes,
                          const struct pairlist_options *options);
 
+/* Follows new skins of the classes: which interactions have lists of their own stays as it is. */
+void interactions_set_margins(struct interactions *interactions, const struct size_classes *classes);
+
 /* After `all` has been built for `view`: fills the lists of their own with the pairs that are near enough. Opens
  * its own team. */
 void interactions_follow(struct interactions *interactions, const struct box *box);

@@ -7,6 +7,7 @@ libpairs_la_SOURCES = \
 	src/pairs/pairlist.c src/pairs/pairlist.h \
 	src/pairs/pairlist_build.c src/pairs/pairlist_build.h \
 	src/pairs/skin.c src/pairs/skin.h \
+	src/pairs/skin_choice.c src/pairs/skin_choice.h \
 	src/pairs/sweep.c src/pairs/sweep.h \
 	src/pairs/walk.c src/pairs/walk.h \
 	src/pairs/walk_four.h \

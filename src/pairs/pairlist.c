@@ -26,6 +26,16 @@ struct pairlist *pairlist_create(const struct pairlist_options *options) {
     return list;
 }
 
+int64_t pairlist_sides(const struct pairlist *list) {
+    size_t sides = 0;
+    for (int b = 0; b < list->block_count; b++) {
+        const struct pair_block *block = &list->blocks[b];
+        size_t one = block->slotted - block->one_sided;
+        sides += 2 * (block->end_pair - block->first_pair) - one;
+    }
+    return (int64_t)sides;
+}
+
 void pair_buffer_free(struct pair_buffer *buffer) {
     memory_free(buffer->i);
     memory_free(buffer->j);

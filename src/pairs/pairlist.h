@@ -105,6 +105,10 @@ static inline size_t pairlist_thread_first(const struct pairlist *list, int thre
     return b < list->thread_block[thread + 1] ? list->blocks[b].first_pair : 0;
 }
 
+/* The sides of pairs that this rank computes: two of a pair, one of a pair that is in the lists of two threads or
+ * ranks. */
+int64_t pairlist_sides(const struct pairlist *list);
+
 /* Bytes held. */
 size_t pairlist_memory(const struct pairlist *list);
 

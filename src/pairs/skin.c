@@ -144,26 +144,54 @@ static bool counts(const struct size_classes *classes, int a, int b) {
     return b == classes->count ? classes->kind[a] != KIND_BODY : classes_meet(classes, a, b);
 }
 
+/* The bounds, each grown by `more` x its last growth. */
+struct grown {
+    double first[CLASS_MAX + 1], second[CLASS_MAX + 1], nearing;
+};
+
+static void grown_set(const struct skin *skin, const struct size_classes *classes, double more,
+                      struct grown *grown) {
+    grown->nearing = skin->nearing + more * skin->nearing_growth;
+    for (int c = 0; c <= classes->count; c++) {
+        grown->first[c] = skin->bound[c] + more * skin->growth[c];
+        grown->second[c] = skin->second[c] + more * skin->growth[c];
+    }
+}
+
+/* The distance by which two particles of the classes a and b may have approached each other; b >= a may be
+ * walls. */
+static double approach(const struct grown *grown, const struct size_classes *classes, int a, int b) {
+    double moved = grown->first[a] + (a == b ? grown->second[b] : grown->first[b]);
+    if (grown->nearing > 0 && b < classes->count && counts(classes, a, b))
+        moved += grown->nearing * (classes->radius_max[a] + classes->radius_max[b] + classes->margin[a][b]);
+    return moved;
+}
+
 /* True if the bounds, each grown by `more` x its last growth, exceed a skin. */
 static bool exceeded(const struct skin *skin, const struct size_classes *classes, double more) {
-    double first[CLASS_MAX + 1], second[CLASS_MAX + 1];
-    double nearing = skin->nearing + more * skin->nearing_growth;
-    for (int c = 0; c <= classes->count; c++) {
-        first[c] = skin->bound[c] + more * skin->growth[c];
-        second[c] = skin->second[c] + more * skin->growth[c];
-    }
+    struct grown grown;
+    grown_set(skin, classes, more, &grown);
     for (int a = 0; a < classes->count; a++) {
         for (int b = a; b <= classes->count;
              b++) { /* the last is walls; walls among themselves do not matter */
-            double moved = first[a] + (a == b ? second[b] : first[b]);
-            if (nearing > 0 && b < classes->count && counts(classes, a, b))
-                moved += nearing * (classes->radius_max[a] + classes->radius_max[b] + classes->margin[a][b]);
+            double moved = approach(&grown, classes, a, b);
             bool still = moved == 0;
             if (!still && moved > classes->skin[a][b] && counts(classes, a, b))
                 return true;
         }
     }
     return false;
+}
+
+double skin_used(const struct skin *skin, const struct size_classes *classes) {
+    struct grown grown;
+    double used = 0;
+    grown_set(skin, classes, 0, &grown);
+    for (int a = 0; a < classes->count; a++)
+        for (int b = a; b <= classes->count; b++)
+            if (classes->skin[a][b] > 0 && counts(classes, a, b))
+                used = fmax(used, approach(&grown, classes, a, b) / classes->skin[a][b]);
+    return used;
 }
 
 bool skin_due(const struct skin *skin, const struct size_classes *classes) {

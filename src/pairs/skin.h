@@ -66,6 +66,9 @@ bool skin_due(const struct skin *skin, const struct size_classes *classes);
  * enough. */
 bool skin_surely_due(const struct skin *skin, const struct size_classes *classes);
 
+/* The largest part of its skin that a class pair has used up by the present bounds; more than 1: due. */
+double skin_used(const struct skin *skin, const struct size_classes *classes);
+
 /* True if one more step like the last is expected to use up the skin. */
 bool skin_nearly_due(const struct skin *skin, const struct size_classes *classes);
 

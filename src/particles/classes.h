@@ -32,6 +32,7 @@ struct classes_options {
     int dimension;         /* AUTO: 2 or 3; 0: not known, 3 */
     double particles;      /* AUTO: number that the radii stand for; 0: as many as radii */
     double skin_relative;  /* else: skin of a pair = this x the smaller of the two classes' smallest radii */
+    bool skin_auto;        /* the run changes the skin (engine/skin_auto.h); nothing here does */
     int kind;              /* AUTO: kind of the particles that have the radii (kinds.h) */
 };
 

@@ -66,6 +66,8 @@ static void print_row(FILE *out, const struct schema_row *row, const char *key) 
         fprintf(out, "  older name: %s\n", row->alias);
     if (row->main)
         fprintf(out, "  a bare value stands for %s.%s\n", key, row->main);
+    if (row->flag)
+        fprintf(out, "  the word %s stands for %s.%s: true\n", row->flag, key, row->flag);
     if (row->example)
         fprintf(out, "  example: %s: %s\n", row->key, row->example);
     struct listing listing = {.out = out, .prefix = key};
@@ -153,6 +155,8 @@ static void print_table_row(FILE *out, const struct schema_row *row) {
         print_table_condition(out, row);
     if (row->main)
         fprintf(out, ". A bare value stands for `%s`", row->main);
+    if (row->flag)
+        fprintf(out, ", the word `%s` for `%s: true`", row->flag, row->flag);
     if (row->example) {
         fprintf(out, ". Example: `");
         print_cell(out, row->example);

@@ -2,6 +2,7 @@
 /* Short forms in the tree of a scene become full forms, so that the rest sees full forms only:
  *
  *     index: hgrid               ->  index: {name: hgrid}
+ *     skin: auto                 ->  skin: {auto: true}                         (rows with a flag)
  *     particles: {file: a.txt}   ->  particles: {sources: [{file: a.txt}]}      (the list is marked `implied`)
  *     walls:                     ->  walls: []
  *     law: {file: a.c}           ->  law: custom, law_file: a.c                 (rows with a file_key)
@@ -56,6 +57,14 @@ static bool fold_short_form(struct schema_reader *reader, const struct schema_ta
     return true;
 }
 
+/* Makes a mapping from a scalar that names a key: the key is true. */
+static void set_flag(struct tree_node *node, const char *key) {
+    wrap_scalar(node, key);
+    struct tree_node *value = node->child[0];
+    memory_free(value->text);
+    value->text = tree_text("true", 4);
+}
+
 static bool normalise_table(struct schema_reader *reader, const struct schema_table *table,
                             struct tree_node *node, const char *prefix);
 
@@ -64,6 +73,8 @@ static bool normalise_row(struct schema_reader *reader, const struct schema_row 
     if (row->type == SCHEMA_SECTION) {
         if (is_empty(node))
             tree_clear(node, TREE_MAP);
+        else if (node->kind == TREE_SCALAR && row->flag && strcmp(node->text, row->flag) == 0)
+            set_flag(node, row->flag);
         else if (node->kind == TREE_SCALAR && row->main)
             wrap_scalar(node, row->main);
         return fold_short_form(reader, row->sub, node, key) && normalise_table(reader, row->sub, node, key);

@@ -212,6 +212,8 @@ static const struct schema_row skin_rows[] = {
      .help = "skin of a pair of classes as a multiple of the smaller class's smallest radius"},
     {.key = "length", .type = SCHEMA_REAL, .unit = "m", .range = "[0, inf)", AT(struct classes_options, skin),
      .help = "instead of relative: one length for all pairs", .example = "0.3 mm"},
+    {.key = "auto", .type = SCHEMA_BOOL, .fallback = "false", AT(struct classes_options, skin_auto),
+     .help = "the run multiplies this skin by the factor, 1/16 to 8, with which filtering and finding pairs costs least; `skin: auto` means this, too"},
 };
 static const struct schema_table skin_table = TABLE(skin_rows);
 
@@ -348,7 +350,7 @@ static const struct schema_row root_rows[] = {
      .offset = offsetof(struct scene, index), .help = "the search for pairs"},
     {.key = "classes", .type = SCHEMA_SECTION, .sub = &classes_table, .main = "method",
      .offset = offsetof(struct scene, classes), .help = "size classes"},
-    {.key = "skin", .type = SCHEMA_SECTION, .sub = &skin_table, .main = "length",
+    {.key = "skin", .type = SCHEMA_SECTION, .sub = &skin_table, .main = "length", .flag = "auto",
      .offset = offsetof(struct scene, classes),
      .help = "distance beyond the range up to which pairs are kept, so that the search need not run at every step"},
     {.key = "newton", .type = SCHEMA_BOOL, .fallback = "true", AT(struct scene, ghosts.newton),

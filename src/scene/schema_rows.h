@@ -77,6 +77,7 @@ struct schema_row {
                          "a=b & c=d" */
     const struct schema_table *sub; /* SECTION, LIST */
     const char *main;               /* SECTION: a bare value instead of a mapping means this key of it */
+    const char *flag;               /* SECTION: a bare value that is this word sets the key of this name */
     bool
         optional; /* SECTION: without it its keys are not read, and the int at `count_offset` stays 0, not 1 */
     bool short_form; /* LIST: its section may hold the keys of a single element itself */

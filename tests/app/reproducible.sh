@@ -21,7 +21,7 @@ observables: {every: 10, list: [{name: momentum}, {name: angular_momentum}, {nam
     echo 'step: {dt: 0.001, count: 100}'
     bed
 } >bed.yaml
-# Radii 10 : 1, Hertz's law
+# Radii 10 : 1, Hertz's law; the run chooses its skin
 {
     echo "$common"
     cat <<'END'
@@ -30,7 +30,7 @@ step: {dt: 0.0002, count: 60, force: true}
 materials: [{name: soft, density: 1, young: 10000, poisson: 0.3}, {name: hard, density: 2, young: 30000, poisson: 0.2}]
 contact: {law: hertz}
 material_pairs: [{restitution: 0.7, friction: 0.4}]
-skin: {length: 0.05}
+skin: {length: 0.05, auto: true}
 particles:
   sources:
     - {from: random, count: 20, material: hard, sizes: 0.9, velocity_sigma: 12}

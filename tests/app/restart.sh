@@ -37,6 +37,14 @@ same_layout() {
 for layout in '1 1' '1 2' '2 1' '2 2'; do
     check "resumed bit for bit on ranks x threads $layout" same_layout $layout
 done
+chosen() {
+    same_layout 2 2 -auto --set skin.auto=true || return 1
+    local changes half
+    changes=$(number whole-2-2-auto/report.json skin_changes) half=$(number again-2-2-auto/report.json skin_factor)
+    echo "  $changes changes, factor $half at the end"
+    [ "$changes" -ge 1 ] && [ "$half" != 1 ] && [ "$half" = "$(number whole-2-2-auto/report.json skin_factor)" ]
+}
+check 'resumed bit for bit with a skin that the run chooses' chosen
 divided() {
     [ "$(number whole-3-1-bisection/report.json divisions)" -gt 0 ]
 }
