@@ -158,6 +158,10 @@ layout() {
     cmp "$case.lines" other.lines && cmp "$case-first/observables.csv" "$case-other/observables.csv"
 }
 
+chosen() {
+    [ "$(number ten-first/report.json skin_changes)" -gt 0 ]
+}
+
 twice() {
     awk '$1 == "contact" { print $2, $3 }' thin.lines | sort | uniq -d | grep -q .
 }
@@ -213,6 +217,7 @@ for case in bed ten boulder thin flow sheared pressed; do
         check "$case: ranks, threads, index, domain, sync: $setting" layout $case $setting
     done
 done
+check 'ten: the run chose its skin' chosen
 for case in flow bed; do
     check "$case: with next neighbours alone" layout $case 2 2 linkcell brick neighbours
 done
