@@ -2,7 +2,7 @@
 # What a packing of equal beads in a column is like: awk -v column=RADIUS -v height=HEIGHT -v profile=FILE -f packing.awk packing.txt
 # Reads lines "radius x y z", axis z, heights 0 ... HEIGHT. Writes the porosity against the distance from the wall to FILE, with that of
 # de Klerk, AIChE J. 49 (2003) 2022, and of Mueller, Powder Technol. 72 (1992) 269; prints one line of JSON.
-# Local porosities are those between 1.5 diameters above the floor and below the lid, from POINTS points in each bead.
+# Local porosities come from POINTS points in each bead. The packing repeats along the axis; the porosity at the joint is that within a radius of height 0.
 function floor(x) { return x < 0 && x != int(x) ? int(x) - 1 : int(x) }
 function bessel(x,    k, sum) { # J0, as a mean of cos(x sin t)
     for (k = 0; k < 64; k++) sum += cos(x * sin((k + 0.5) * pi / 64))
@@ -36,13 +36,12 @@ END {
     if (!(r > 0)) exit 1
     points_make()
     d = 2 * r
-    low = 1.5 * d
-    high = height - 1.5 * d
     volume = 4 / 3 * pi * r ^ 3
     for (i = 1; i <= n; i++)
         for (k = 0; k < points; k++) {
             h = z[i] + r * pz[k]
-            if (h < low || h > high) continue
+            if (h > height / 2) h -= height
+            if (h > -r && h < r) joint += volume / points
             u = x[i] + r * px[k]
             v = y[i] + r * py[k]
             s = (column - sqrt(u * u + v * v)) / d
@@ -52,7 +51,7 @@ END {
     for (b = 0; b < bins; b++) {
         outer = column - b * step * d
         inner = column - (b + 1) * step * d
-        shell[b] = pi * (outer ^ 2 - inner ^ 2) * (high - low)
+        shell[b] = pi * (outer ^ 2 - inner ^ 2) * height
         if ((b + 0.5) * step > 3) { far_solid += solid[b]; far_shell += shell[b] }
     }
     bulk = 1 - far_solid / far_shell
@@ -74,7 +73,7 @@ END {
                 apart = sqrt((x[i] - x[j]) ^ 2 + (y[i] - y[j]) ^ 2 + (z[i] - z[j]) ^ 2)
                 if (j == i) continue
                 if (j > i && d - apart > deepest) deepest = d - apart
-                # beads away from wall, floor and lid
+                # beads away from the wall and from the joint
                 inner = column - sqrt(x[i] ^ 2 + y[i] ^ 2) > 2 * d && z[i] > 2 * d && z[i] < height - 2 * d
                 if (inner && apart < d) touching++
                 if (inner && apart < 1.01 * d) close_by++
@@ -83,8 +82,8 @@ END {
     for (i = 1; i <= n; i++)
         insiders += column - sqrt(x[i] ^ 2 + y[i] ^ 2) > 2 * d && z[i] > 2 * d && z[i] < height - 2 * d
     insiders = insiders ? insiders : 1
-    printf "{\"beads\": %d, \"diameter_um\": %.6g, \"column_mm\": %.6g, \"height_mm\": %.6g, \"porosity\": %.5f, \"porosity_bulk\": %.5f, " \
+    printf "{\"beads\": %d, \"diameter_um\": %.6g, \"column_mm\": %.6g, \"height_mm\": %.6g, \"porosity\": %.5f, \"porosity_bulk\": %.5f, \"porosity_joint\": %.5f, " \
         "\"from_de_klerk\": %.4f, \"from_mueller\": %.4f, \"coordination\": %.3f, \"neighbours_to_1_percent\": %.3f, \"overlap_percent\": %.3f}\n",
-        n, d * 1e6, 2 * column * 1e3, height * 1e3, 1 - n * volume / (pi * column ^ 2 * height), bulk, sqrt(klerk / count),
+        n, d * 1e6, 2 * column * 1e3, height * 1e3, 1 - n * volume / (pi * column ^ 2 * height), bulk, 1 - joint / (pi * column ^ 2 * d), sqrt(klerk / count),
         sqrt(mull / count), touching / insiders, close_by / insiders, 100 * deepest / d
 }
