@@ -242,7 +242,7 @@ void operators_divergence_inner(const struct weights *weights, struct operators_
 }
 
 void operators_advection(const struct weights *weights, struct operators_values carrier,
-                         struct operators_values u, double (*out)[3]) {
+                         struct operators_values u, double most, double (*out)[3]) {
     size_t dimension = (size_t)weights->dimension;
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++) {
@@ -253,8 +253,13 @@ void operators_advection(const struct weights *weights, struct operators_values 
             double along = 0;
             for (size_t d = 0; d < dimension; d++)
                 along += way[d] * weights_vector(weights, e)[d];
-            if (e >= walls)
-                operators_mirror(weights, wall++, u, own, difference);
+            if (e >= walls) {
+                operators_mirror(weights, wall, u, own, difference);
+                double part = fmin(1, (1 + most) / (1 + weights->mirror[wall]));
+                for (int d = 0; d < 3; d++)
+                    difference[d] *= part;
+                wall++;
+            }
             for (int d = 0; d < 3; d++)
                 sum[d] += along * (e >= walls ? difference[d] : partner_at(weights, u, e)[d] - own[d]);
         }

@@ -41,9 +41,10 @@ struct operators_stokes {
 void operators_stokes(const struct weights *weights, struct operators_values u, struct operators_values p,
                       const struct operators_stokes *factor, double *out);
 
-/* out[row] = (carrier . grad) u, mirrored; of the carrier the values of owned particles alone are read. */
+/* out[row] = (carrier . grad) u, mirrored with a beta of `most` at the most; of the carrier the values of owned particles
+ * alone are read. */
 void operators_advection(const struct weights *weights, struct operators_values carrier,
-                         struct operators_values u, double (*out)[3]);
+                         struct operators_values u, double most, double (*out)[3]);
 
 /* out[row] = div g over fluid neighbours alone, without walls: of a gradient of the pressure. */
 void operators_divergence_inner(const struct weights *weights, struct operators_values g, double *out);

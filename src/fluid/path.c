@@ -25,7 +25,7 @@ static void fill_side(struct projection *projection, const struct flow *flow, do
     }
 }
 
-/* Adds tau / rho (div grad p - lap p) to the divergence; projection->gradient is grad p. */
+/* Adds tau / rho (div grad p - lap p) to the divergence away from walls; projection->gradient is grad p. */
 static void filter_pressure(struct projection *projection, const struct flow *flow, double share) {
     const struct weights *weights = flow->weights;
     double *sum = (double *)projection->viscous, *laplacian = sum + weights->rows;
@@ -37,7 +37,8 @@ static void filter_pressure(struct projection *projection, const struct flow *fl
     operators_divergence_inner(weights, flow_gradient(flow), sum);
     operators_laplacian(weights, flow_pressure(flow), laplacian);
     for (size_t row = 0; row < weights->rows; row++)
-        projection->source[row] = projection->divergence[row] + share * (sum[row] - laplacian[row]);
+        if (weights->wall_start[row + 1] == weights->wall_start[row])
+            projection->source[row] = projection->divergence[row] + share * (sum[row] - laplacian[row]);
 }
 
 bool path_step(struct projection *projection, const struct flow *flow, struct projection_past *past,
@@ -62,6 +63,6 @@ void path_drift_advect(const struct flow *flow) {
     size_t first = 3 * flow->weights->first, doubles = 3 * flow->weights->rows;
     memcpy(flow->advection_before + first, flow->drift_advection + first,
            doubles * sizeof *flow->drift_advection);
-    operators_advection(flow->weights, flow_drift(flow), flow_velocity(flow),
+    operators_advection(flow->weights, flow_drift(flow), flow_velocity(flow), WEIGHTS_MIRROR_CAP,
                         (double(*)[3])(flow->drift_advection + first));
 }

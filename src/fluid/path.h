@@ -12,7 +12,8 @@
  * drift; the pressure needs no such term, as it is a first guess, of which phi makes up what is missing. div grad p is
  * the divergence of the gradient, lap p the Laplacian; their difference is the filter of Rhie and Chow (AIAA J. 21
  * (1983) 1525) against pressures that alternate between neighbours, which the divergence of a gradient on displaced
- * particles does not see. Crank and Nicolson's rule is only of first order here, as the gradient of the pressure belongs
+ * particles does not see. Rows with wall neighbours have no filter: their gradient stands for half of a neighbourhood, the
+ * difference is no small one, and fast grains were swung up by it. Crank and Nicolson's rule is only of first order here, as the gradient of the pressure belongs
  * to the end of the path. */
 #ifndef SCREE_FLUID_PATH_H
 #define SCREE_FLUID_PATH_H
@@ -34,7 +35,8 @@ static inline void path_velocity(const struct flow *flow, size_t particle, doubl
             u[d] + ahead * (u[d] - flow->velocity_before[3 * particle + d]) + flow->drift[3 * particle + d];
 }
 
-/* The advection by the drift becomes that of the step before, and is made for the present drift. */
+/* The advection by the drift becomes that of the step before, and is made for the present drift. The mirror is capped: a
+ * particle that has come up to a wall, and is sent away, would get 1 + beta times the velocity of the wall. */
 void path_drift_advect(const struct flow *flow);
 
 #endif

@@ -375,6 +375,23 @@ check "a grain that falls in a fluid: with subcycles, momentum is kept" momentum
 check "a grain that falls in a fluid: momentum is kept" momentum
 check "a grain that falls in a fluid, on 3 ranks" carried_falling 3
 check "a grain that falls in a fluid, after a resume" carried_falling 1 --resume one/checkpoint-20.h5
+# A disc that sets out at once at Reynolds number 60, beside a wall a seventh of a spacing from the nearest particles: no swing grows
+cat >swift.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [1.042, 1.25, 0], dimension: 2, periodic: [false, true, false]}
+walls: [{name: left, shape: plane, point: [0, 0, 0], normal: [1, 0, 0]}, {name: right, shape: plane, point: [1.042, 0, 0], normal: [-1, 0, 0]}]
+particles: {from: single, position: [0.5, 0.5, 0], radius: 0.125, density: 1, group: disc}
+groups: [{name: disc, motion: moving, velocity: [0, -1, 0]}]
+fluid: {spacing: 0.0625, density: 1, viscosity: 0.004, motion: lagrangian}
+step: {dt: 0.02, count: 50, force: true}
+observables: {every: 1, list: [{name: fluid_drag, components: y}]}
+output: {checkpoint: {at_end: false}}
+YAML
+swift() {
+    run_scene 1 swift.yaml swift --set threads=1 && awk -F , 'NR > 22 { n++; sum += $2; square += $2 * $2 }
+        END { mean = sum / n; rms = sqrt(square / n - mean * mean); printf "  drag %g, rms %g\n", mean, rms; exit !(mean > 0.12 && mean < 0.17 && rms < 0.4 * mean) }' swift/observables.csv
+}
+check "a disc that moves fast" swift
 # A sphere that falls by two of its diameters: fluid particles come up to its surface; it speeds up, quietly, and slows down above the floor
 cat >sphere_falls.yaml <<'YAML'
 units: none
