@@ -29,7 +29,7 @@ nobase_dist_pkgdata_DATA += \
 	examples/taylor_green/README.md examples/taylor_green/scene.yaml
 nobase_dist_pkgdata_SCRIPTS += \
 	examples/cavity/check examples/cavity/run.sh \
-	examples/electroosmosis/check examples/electroosmosis/run.sh \
+	examples/electroosmosis/check examples/electroosmosis/run.sh examples/electroosmosis/section.sh \
 	examples/sphere_array/check examples/sphere_array/run.sh \
 	examples/taylor_green/check examples/taylor_green/run.sh
 
@@ -69,9 +69,14 @@ heated_drum = examples/heated_drum
 nobase_dist_pkgdata_DATA += $(heated_drum)/README.md $(heated_drum)/picture.gp $(heated_drum)/scene.yaml
 nobase_dist_pkgdata_SCRIPTS += $(heated_drum)/check $(heated_drum)/run.sh
 
+fluid_settling = examples/settling
+nobase_dist_pkgdata_DATA += \
+	$(fluid_settling)/README.md $(fluid_settling)/liquids.txt $(fluid_settling)/picture.gp $(fluid_settling)/scene.yaml
+nobase_dist_pkgdata_SCRIPTS += $(fluid_settling)/check $(fluid_settling)/run.sh $(fluid_settling)/section.sh
+
 fluidised = examples/fluidised_bed
 nobase_dist_pkgdata_DATA += $(fluidised)/README.md $(fluidised)/picture.gp $(fluidised)/scene.yaml
-nobase_dist_pkgdata_SCRIPTS += $(fluidised)/check $(fluidised)/run.sh
+nobase_dist_pkgdata_SCRIPTS += $(fluidised)/check $(fluidised)/run.sh $(fluidised)/section.sh
 
 hard = examples/hard
 nobase_dist_pkgdata_DATA += \
