@@ -84,4 +84,4 @@ pages: src/scene/document src/engine/document
 	mv library.md.new $(top_srcdir)/docs/library.md
 	src/scene/document >scene.md.new && mv scene.md.new $(top_srcdir)/docs/scene.md
 	src/engine/document <$(top_srcdir)/docs/output.md >output.md.new && mv output.md.new $(top_srcdir)/docs/output.md
-EXTRA_DIST += docs/pores.md docs/images/bead-packing.png docs/results/pores
+EXTRA_DIST += docs/pores.md docs/images/bead-packing.png docs/images/settling.png docs/results/pores
