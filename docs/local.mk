@@ -4,7 +4,7 @@ EXTRA_DIST += docs/indexes.md docs/images/penetration.png
 EXTRA_DIST += docs/physics.md docs/user-law.md docs/fluid.md \
 	docs/images/crushing.png docs/images/dumbbells.png docs/images/fluid-cavity.png docs/images/fluid-electroosmosis.png docs/images/heated-drum.png docs/images/fluid-spheres.png docs/images/fluid-vortices.png docs/images/fluidised-bed.png
 	docs/images/crushing.png docs/images/dumbbells.png docs/images/fluid-cavity.png docs/images/gate.png docs/images/heated-drum.png docs/images/fluid-spheres.png docs/images/fluid-vortices.png docs/images/fluidised-bed.png
-EXTRA_DIST += docs/packing.md docs/pictures.md docs/images/picture-drum.png
+EXTRA_DIST += docs/packing.md docs/pictures.md docs/images/picture-drum.png docs/reports.md docs/images/report.png docs/images/report-ablation.png
 EXTRA_DIST += docs/library.md docs/library.awk docs/python.md
 EXTRA_DIST += docs/scaling.md docs/layouts.md \
 	docs/folders.dot docs/images/folders.svg docs/images/scaling-hybrid.svg docs/images/scaling-model.svg docs/images/scaling-ranks.svg \

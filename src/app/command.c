@@ -5,6 +5,7 @@
 #include "app/check.h"
 #include "app/lookup.h"
 #include "app/pack.h"
+#include "app/page.h"
 #include "app/picture.h"
 #include "formats/checkpoint.h"
 #include "engine/run.h"
@@ -41,6 +42,9 @@ static const struct command commands[] = {
      "draws a run, or a file of particles, as a picture; FILE.mp4 makes a film, FILE.pov the text for "
      "POV-Ray",
      1, 1, "output frame colour range bands palette grey cut view size rate bare", command_picture},
+    {"report", "DIR -o FILE.html",
+     "makes one page of a run or an ablation: figures, plots, pictures, tables, the scene", 1, 1, "output",
+     command_report},
     {"pack", "LAW FILE... [KEY=VALUE...]",
      "makes a packing of spheres: NAME.data for LAMMPS, NAME.h5 for H5MD", 2, COMMAND_FILES_MAX,
      "overwrite quiet", command_pack},

@@ -40,6 +40,7 @@ static const struct flag flags[] = {
     {"frame", "N",
      "the frame to draw, from 0, negative from the end; default: the last; of a film the last frame",
      "picture"},
+    {"output", "FILE", "the page (also -o)", "report"},
     {"colour", "FIELD",
      "what gives a particle its colour: speed, radius, material, x, y, z, spin, mass, id, or any field of "
      "trajectory.h5 (of a vector the length, or force.z); FIELD@N: its value in frame N, so that z@0 shows "

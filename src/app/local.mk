@@ -23,6 +23,8 @@ libapp_la_SOURCES = \
 	src/app/manual.h \
 	src/app/pack.c \
 	src/app/pack.h \
+	src/app/page.c \
+	src/app/page.h \
 	src/app/picture.c \
 	src/app/picture.h \
 	src/app/program.c \
@@ -37,7 +39,7 @@ libapp_la_SOURCES = \
 	src/app/trial.h \
 	src/app/variant.c \
 	src/app/variant.h
-libapp_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
+libapp_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS) -DSCREE_PAGE_FOLDER='"$(pagedir)"'
 
 bin_PROGRAMS += scree
 scree_SOURCES = src/app/main.c

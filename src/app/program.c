@@ -63,6 +63,7 @@ static int run_command(const struct comm *comm, int argc, char **argv, struct er
     if (command == NULL) {
         error_set(error, ERROR_USER,
                   "command line: unknown command '%s'; known are run, check, ablate, info, convert, picture, "
+                  "report, "
                   "pack, help",
                   argv[1]);
         return error->kind;

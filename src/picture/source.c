@@ -76,6 +76,14 @@ bool source_open(struct source *source, const struct comm *comm, const char *fro
     return true;
 }
 
+char *source_scene(const struct comm *comm, const char *from, struct error *error) {
+    struct source source = {.comm = comm};
+    enum info_kind kind;
+    if (!find_file(&source, from, error) || !info_kind(source.path, &kind, error))
+        return NULL;
+    return read_scene(&source, kind, error);
+}
+
 void source_close(struct source *source) {
     if (source->scene)
         scene_free(&source->scene);

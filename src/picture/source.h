@@ -22,6 +22,10 @@ struct source {
 bool source_open(struct source *source, const struct comm *comm, const char *from, struct error *error);
 void source_close(struct source *source);
 
+/* The text of the effective scene of a run, from the file that source_open would take; memory_free releases. NULL: the
+ * file does not tell, or the error is filled. */
+char *source_scene(const struct comm *comm, const char *from, struct error *error);
+
 /* The number of a frame that is given as text, negative from the end; NULL: the last. */
 bool source_frame(const struct source *source, const char *text, int64_t *frame, struct error *error);
 

@@ -27,6 +27,7 @@ dist_check_SCRIPTS += \
 	tests/app/pack.sh \
 	tests/app/physics.sh \
 	tests/app/picture.sh \
+	tests/app/report.sh \
 	tests/app/restart.sh \
 	tests/app/resume.sh \
 	tests/app/stability.sh \
