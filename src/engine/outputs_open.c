@@ -59,7 +59,9 @@ static bool files_open(struct outputs *o, const struct simulation *s, bool resum
     char path[FILE_PATH_MAX];
     if (h5md_wanted(o)) {
         struct h5md_head head = {.lineage = o->run->lineage,
-                                 .dimensionless = o->run->dimensionless,
+                                 .dimensionless = o->run->dimensionless || !o->options->trajectory.units,
+                                 .single = o->options->trajectory.precision == OUTPUT_SINGLE,
+                                 .deflate = (int)o->options->trajectory.deflate,
                                  .varying = o->run->varying,
                                  .xdmf = o->options->trajectory.xdmf,
                                  .seed = o->run->seed};

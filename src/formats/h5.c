@@ -307,6 +307,15 @@ bool h5_write_text(const struct h5 *h5, const char *object, const char *name, co
     return good;
 }
 
+bool h5_write_free_text(const struct h5 *h5, const char *object, const char *name, const char *text,
+                        struct error *error) {
+    hid_t type = H5Tcopy(H5T_C_S1);
+    bool good = H5Tset_size(type, H5T_VARIABLE) >= 0 && H5Tset_cset(type, H5T_CSET_UTF8) >= 0 &&
+                write_attribute(h5, object, name, type, 0, &text, error);
+    H5Tclose(type);
+    return good;
+}
+
 bool h5_write_texts(const struct h5 *h5, const char *object, const char *name, const char *const *text, int n,
                     struct error *error) {
     size_t length = 1;

@@ -27,6 +27,8 @@ struct h5 {
  * without a dimension for the width. */
 struct h5_table {
     enum field_type type;
+    bool single; /* frames of DOUBLE alone: floats, in the file and in the data that are given */
+    int deflate; /* h5_make_frames: shuffled and compressed, 1 (fast) to 9 (small); 0: not */
     uint64_t rows, width;
     uint64_t first, count;
 };
@@ -83,6 +85,9 @@ bool h5_link(const struct h5 *h5, const char *present, const char *added, struct
  * reference to an object. */
 bool h5_write_text(const struct h5 *h5, const char *object, const char *name, const char *text,
                    struct error *error);
+/* As h5_write_text, but a string of variable length, which h5py reads as text, not as bytes. */
+bool h5_write_free_text(const struct h5 *h5, const char *object, const char *name, const char *text,
+                        struct error *error);
 bool h5_write_texts(const struct h5 *h5, const char *object, const char *name, const char *const *text, int n,
                     struct error *error);
 bool h5_write_ints(const struct h5 *h5, const char *object, const char *name, const int *value, int n,

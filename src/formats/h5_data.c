@@ -22,8 +22,13 @@ hid_t h5_type(enum field_type type) {
     }
 }
 
+/* The type of a table, in the file and in memory. */
+static hid_t table_type(const struct h5_table *table) {
+    return table->single && table->type == FIELD_DOUBLE ? H5T_NATIVE_FLOAT : h5_type(table->type);
+}
+
 /* Writes a block (start, count; with 0 rows nothing is written, but all ranks call) of an open dataset. */
-static bool write_block(const struct h5 *h5, const char *name, hid_t dataset, enum field_type type,
+static bool write_block(const struct h5 *h5, const char *name, hid_t dataset, hid_t type,
                         const hsize_t *start, const hsize_t *count, const void *data, struct error *error) {
     hid_t file_space = H5Dget_space(dataset);
     int rank = H5Sget_simple_extent_ndims(file_space);
@@ -35,7 +40,7 @@ static bool write_block(const struct h5 *h5, const char *name, hid_t dataset, en
         good = H5Sselect_none(file_space) >= 0 && H5Sselect_none(memory_space) >= 0;
     else if (good)
         good = H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start, NULL, count, NULL) >= 0;
-    good = good && H5Dwrite(dataset, h5_type(type), memory_space, file_space, h5->transfer, data) >= 0;
+    good = good && H5Dwrite(dataset, type, memory_space, file_space, h5->transfer, data) >= 0;
     if (!good)
         h5_fail(h5, ERROR_SYSTEM, name, "the data cannot be written", error);
     H5Sclose(memory_space);
@@ -107,7 +112,7 @@ bool h5_write_table(const struct h5 *h5, const char *dataset, const struct h5_ta
         return false;
     }
     if (table->rows > 0)
-        write_block(h5, dataset, id, table->type, start, count, data, error);
+        write_block(h5, dataset, id, table_type(table), start, count, data, error);
     H5Dclose(id);
     return h5_agree(h5, error);
 }
@@ -120,6 +125,8 @@ bool h5_make_frames(const struct h5 *h5, const char *dataset, const struct h5_ta
     hsize_t chunk[3] = {1, chunk_rows ? chunk_rows : 1, table->width};
     hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
     bool good = H5Pset_chunk(creation, rank, chunk) >= 0;
+    if (good && table->deflate > 0)
+        good = H5Pset_shuffle(creation) >= 0 && H5Pset_deflate(creation, (unsigned)table->deflate) >= 0;
     if (fill)
         good = good && H5Pset_fill_value(creation, h5_type(table->type), fill) >= 0 &&
                H5Pset_fill_time(creation, H5D_FILL_TIME_ALLOC) >= 0;
@@ -127,8 +134,8 @@ bool h5_make_frames(const struct h5 *h5, const char *dataset, const struct h5_ta
         good = good && H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER) >= 0;
     hid_t id = -1;
     if (good)
-        id = make_dataset(h5, dataset, h5_type(table->type), H5Screate_simple(rank, size, most), creation,
-                          error);
+        id =
+            make_dataset(h5, dataset, table_type(table), H5Screate_simple(rank, size, most), creation, error);
     else
         h5_fail(h5, ERROR_SYSTEM, dataset, "the dataset cannot be prepared", error);
     if (id >= 0)
@@ -163,7 +170,7 @@ bool h5_write_frame(const struct h5 *h5, const char *dataset, const struct h5_ta
         h5_fail(h5, ERROR_SYSTEM, dataset, "the dataset cannot be enlarged", error);
     bool ready = h5_agree(h5, error);
     if (ready && table->rows > 0)
-        write_block(h5, dataset, id, table->type, start, count, data, error);
+        write_block(h5, dataset, id, table_type(table), start, count, data, error);
     if (id >= 0)
         H5Dclose(id);
     return h5_agree(h5, error);
@@ -190,7 +197,7 @@ bool h5_write_series(const struct h5 *h5, const char *dataset, enum field_type t
     else if (!grow(id, &wanted, 1))
         h5_fail(h5, ERROR_SYSTEM, dataset, "the dataset cannot be enlarged", error);
     if (h5_agree(h5, error))
-        write_block(h5, dataset, id, type, &start, &mine, values, error);
+        write_block(h5, dataset, id, h5_type(type), &start, &mine, values, error);
     if (id >= 0)
         H5Dclose(id);
     return h5_agree(h5, error);

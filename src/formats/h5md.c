@@ -21,6 +21,8 @@ bool h5md_open(struct h5md **h5md, const struct comm *comm, const char *path, co
     made->dimensionless = head->dimensionless;
     made->varying = head->varying;
     made->xdmf = head->xdmf;
+    made->single = head->single;
+    made->deflate = head->deflate;
     made->seed = head->seed;
     snprintf(made->path, sizeof made->path, "%s", path);
     snprintf(made->xdmf_path, sizeof made->xdmf_path, "%.*s.xdmf", (int)(length - 3), path);

@@ -18,9 +18,11 @@ struct h5md;
 /* The data for the head of the file. */
 struct h5md_head {
     const struct lineage *lineage; /* for /parameters/runs; borrowed; NULL: none */
-    bool dimensionless;
+    bool dimensionless;            /* no units are written */
     bool varying;
     bool xdmf;
+    bool single; /* values of each frame are floats, not doubles */
+    int deflate; /* compression of the frames, 1 to 9; 0: none */
     uint64_t seed;
 };
 

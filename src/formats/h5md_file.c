@@ -19,7 +19,7 @@ bool h5md_write_unit(const struct h5md *h5md, const struct h5 *h5, const char *d
         snprintf(text, sizeof text, "%.*s %s-1", (int)(slash - unit), unit, slash + 1);
     else
         snprintf(text, sizeof text, "%s", unit);
-    return h5_write_text(h5, dataset, "unit", text, error);
+    return h5_write_free_text(h5, dataset, "unit", text, error);
 }
 
 bool h5md_make_element(const struct h5md *h5md, const struct h5 *h5, const char *group, const char *linked_to,
@@ -60,14 +60,15 @@ bool h5md_reserve(const struct h5md *h5md, uint64_t bytes, struct error *error) 
 
 struct h5md_element *h5md_add_element(struct h5md *h5md, const char *name, enum field_type type,
                                       int components, bool frames) {
+    bool single = h5md->single && frames && type == FIELD_DOUBLE;
     struct h5md_element *element = &h5md->element[h5md->elements++];
-    *element = (struct h5md_element){.type = type};
+    *element = (struct h5md_element){.type = type, .single = single};
     snprintf(element->name, sizeof element->name, "%s", name);
     snprintf(element->dataset, sizeof element->dataset, "/particles/all/%s%s", name, frames ? "/value" : "");
     element->shown = (struct xdmf_column){.name = element->name,
                                           .dataset = element->dataset,
                                           .integer = type != FIELD_DOUBLE,
-                                          .bytes = type == FIELD_INT32 ? 4 : 8,
+                                          .bytes = type == FIELD_INT32 || single ? 4 : 8,
                                           .components = components,
                                           .frames = frames};
     return element;

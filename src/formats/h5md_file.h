@@ -16,12 +16,15 @@ struct h5md_element {
     char dataset[2 * OUTPUT_NAME_MAX]; /* "/particles/all/velocity/value" */
     char unit[OUTPUT_NAME_MAX];
     enum field_type type;
+    bool single; /* of DOUBLE: floats in the file */
 };
 
 struct h5md {
     const struct comm *comm; /* borrowed */
     char path[FILE_PATH_MAX], xdmf_path[FILE_PATH_MAX];
     bool dimensionless, varying, xdmf;
+    bool single; /* elements that this run makes */
+    int deflate;
     uint64_t seed;
     const struct lineage *lineage; /* borrowed; NULL: none */
     bool made;                     /* the file exists */

@@ -27,6 +27,7 @@ static bool is_fixed(const struct h5md *h5md, const struct frame_column *column)
 
 static struct h5_table table_of(const struct h5md_element *element, const struct frame *frame) {
     return (struct h5_table){.type = element->type,
+                             .single = element->single,
                              .rows = frame->total,
                              .width = element->shown.components > 1 ? (uint64_t)element->shown.components : 0,
                              .first = frame->first,
@@ -45,6 +46,18 @@ static void *narrow(const struct frame_column *column, int components, size_t ro
     return data;
 }
 
+/* The data of a column as floats (memory_free); NULL where the element holds the column as it is. HDF5 would
+ * convert, too, but then could not write compressed data of several ranks. */
+static float *as_floats(const struct h5md_element *element, const void *data, size_t rows) {
+    size_t count = rows * (size_t)element->shown.components;
+    if (!element->single)
+        return NULL;
+    float *value = memory_allocate(count, sizeof *value, "columns of floats");
+    for (size_t k = 0; k < count; k++)
+        value[k] = (float)((const double *)data)[k];
+    return value;
+}
+
 static uint64_t chunk_rows(const struct h5md *h5md, uint64_t rows) {
     uint64_t least = h5md->varying ? CHUNK_ROWS_VARYING : 1;
     return rows < least ? least : rows > CHUNK_ROWS_MAX ? CHUNK_ROWS_MAX : rows;
@@ -59,6 +72,7 @@ static bool make_element(struct h5md *h5md, const struct h5 *h5, const struct fr
     const struct h5md_element *element =
         h5md_add_element(h5md, column->name, column->type, components_of(column, &frame->box), frames);
     struct h5_table table = table_of(element, frame);
+    table.deflate = h5md->deflate;
     if (frames) {
         char group[2 * OUTPUT_NAME_MAX];
         snprintf(group, sizeof group, "/particles/all/%s", element->name);
@@ -123,9 +137,11 @@ static bool write_elements(struct h5md *h5md, const struct h5 *h5, const struct 
         const struct frame_column *column = column_of(frame, element);
         struct h5_table table = table_of(element, frame);
         void *narrowed = narrow(column, element->shown.components, frame->rows);
-        bool good = h5_write_frame(h5, element->dataset, &table, h5md->frames,
-                                   narrowed ? narrowed : column->data, error);
+        const void *data = narrowed ? narrowed : column->data;
+        float *floats = as_floats(element, data, frame->rows);
+        bool good = h5_write_frame(h5, element->dataset, &table, h5md->frames, floats ? floats : data, error);
         memory_free(narrowed);
+        memory_free(floats);
         if (!good)
             return false;
     }

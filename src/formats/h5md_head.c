@@ -39,21 +39,15 @@ static bool write_meta(const struct h5md *h5md, const struct h5 *h5, struct erro
     return good;
 }
 
-static bool write_box(const struct h5md *h5md, const struct h5 *h5, const struct box *box,
-                      struct error *error) {
-    static const char group[] = "/particles/all/box", edges[] = "/particles/all/box/edges";
+static bool write_box(const struct h5 *h5, const struct box *box, struct error *error) {
+    static const char group[] = "/particles/all/box";
     const char *boundary[3];
     for (int d = 0; d < 3; d++)
         boundary[d] = box->periodic[d] ? "periodic" : "none";
-    uint64_t dimension = (uint64_t)box->dimension;
-    bool first = h5md->comm->rank == 0;
-    struct h5_table table = {.type = FIELD_DOUBLE, .rows = dimension, .count = first ? dimension : 0};
     return h5_make_group(h5, group, error) &&
            h5_write_ints(h5, group, "dimension", &box->dimension, 0, error) &&
            h5_write_texts(h5, group, "boundary", boundary, box->dimension, error) &&
-           h5_write_doubles(h5, group, "origin", box->origin, box->dimension, error) &&
-           (box->motion.moves || (h5_write_table(h5, edges, &table, box->edge, error) &&
-                                  h5md_write_unit(h5md, h5, edges, "m", error)));
+           h5_write_doubles(h5, group, "origin", box->origin, box->dimension, error);
 }
 
 static const char edges_group[] = "/particles/all/box/edges",
@@ -71,16 +65,16 @@ static struct h5_table edges_table(const struct h5md *h5md, const struct box *bo
 bool h5md_make_edges(const struct h5md *h5md, const struct h5 *h5, const struct box *box,
                      const char *linked_to, struct error *error) {
     struct h5_table table = edges_table(h5md, box);
-    return !box->motion.moves || (h5md_make_element(h5md, h5, edges_group, linked_to, error) &&
-                                  h5_make_frames(h5, edges_value, &table, table.rows, NULL, error) &&
-                                  h5md_write_unit(h5md, h5, edges_value, "m", error));
+    return (h5md_make_element(h5md, h5, edges_group, linked_to, error) &&
+            h5_make_frames(h5, edges_value, &table, table.rows, NULL, error) &&
+            h5md_write_unit(h5md, h5, edges_value, "m", error));
 }
 
 bool h5md_write_edges(const struct h5md *h5md, const struct h5 *h5, const struct box *box,
                       struct error *error) {
     double edge[9] = {0};
     int n = box->dimension;
-    if (!box->motion.moves)
+    if (!h5_exists(h5, edges_value)) /* a file of an earlier version, whose box does not move */
         return true;
     for (int d = 0; d < n; d++)
         edge[n * d + d] = box->edge[d];
@@ -129,7 +123,7 @@ bool h5md_make_file(struct h5md *h5md, const struct box *box, struct error *erro
         file_check_room(h5md->path, 0, ROOM_HEAD, error);
     if (!comm_agree(h5md->comm, error) || !h5_create(&h5, h5md->path, h5md->comm, 0, error))
         return false;
-    if (write_meta(h5md, &h5, error) && write_box(h5md, &h5, box, error))
+    if (write_meta(h5md, &h5, error) && write_box(&h5, box, error))
         write_parameters(h5md, &h5, error);
     h5md->made = h5_close(&h5, error);
     return h5md->made;

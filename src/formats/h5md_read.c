@@ -244,19 +244,25 @@ static bool read_box(const struct source *s, struct rows *rows, struct error *er
     struct element edges;
     if (!find_element(s, "box/edges", &edges, error))
         return error->kind == ERROR_NONE;
-    int lead = edges.frames;
-    if (edges.shape.rank == lead + 2)
-        return refuse_shape(s, &edges, "a box at rest: no edges that a shear or a strain moves", error);
-    if (edges.shape.rank != lead + 1 || edges.shape.size[lead] != (hsize_t)s->dimension)
-        return refuse_shape(s, &edges, "one edge length a dimension (no triclinic box)", error);
+    int lead = edges.frames, n = s->dimension;
+    bool matrix = edges.shape.rank == lead + 2 && edges.shape.size[lead + 1] == (hsize_t)n;
+    if ((!matrix && edges.shape.rank != lead + 1) || edges.shape.size[lead] != (hsize_t)n)
+        return refuse_shape(s, &edges, "one edge length, or one edge vector, a dimension", error);
     if (lead && s->frame >= edges.shape.size[0])
         return refuse_shape(s, &edges, "as many frames as the position has", error);
-    hsize_t start[2] = {lead ? s->frame : 0, 0}, count[2] = {1, (hsize_t)s->dimension};
-    if (!lead)
-        count[0] = (hsize_t)s->dimension;
-    double edge[3] = {0}, origin[3] = {0};
-    if (!h5_read_block(&s->h5, edges.dataset, FIELD_DOUBLE, start, count, edge, error))
+    hsize_t start[3] = {0}, count[3] = {1, 1, 1};
+    start[0] = lead ? s->frame : 0;
+    count[lead] = (hsize_t)n;
+    count[lead + 1] = matrix ? (hsize_t)n : 1;
+    double value[9] = {0}, edge[3] = {0}, origin[3] = {0};
+    if (!h5_read_block(&s->h5, edges.dataset, FIELD_DOUBLE, start, count, value, error))
         return false;
+    for (int k = 0; matrix && k < n * n; k++)
+        if (k % (n + 1) != 0 && value[k] != 0)
+            return error_set(error, ERROR_USER, "%s: %s: the box is not rectangular in frame %" PRIu64,
+                             s->h5.path, edges.dataset, s->frame);
+    for (int d = 0; d < n; d++)
+        edge[d] = value[matrix ? (n + 1) * d : d];
     h5_read_doubles(&s->h5, path, "origin", origin, s->dimension);
     for (int d = 0; d < 3; d++) {
         rows->lower[d] = origin[d];

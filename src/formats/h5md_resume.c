@@ -81,7 +81,10 @@ static bool recall_element(struct h5md *h5md, const struct h5 *h5, const char *n
     int components = shape.rank == 2 + frames ? (int)shape.size[1 + frames] : 1;
     if (shape.rank < 1 + frames || h5md->elements == XDMF_COLUMNS_MAX)
         return error_set(error, ERROR_USER, "%s: %s: is not a table of particles", h5->path, path);
+    bool single = h5md->single;
+    h5md->single = type == FIELD_DOUBLE && shape.bytes == 4; /* as the file has it */
     h5md_add_element(h5md, name, type, components, frames);
+    h5md->single = single;
     h5md->rows = shape.size[frames];
     if (frames)
         h5md->chunk = shape.chunk[1];

@@ -38,11 +38,16 @@ struct output_fields {
     char name[OUTPUT_FIELDS_MAX][OUTPUT_NAME_MAX];
 };
 
+enum output_precision { OUTPUT_DOUBLE, OUTPUT_SINGLE };
+
 /* DIR/trajectory.h5 and .xdmf. */
 struct trajectory_options {
     struct output_interval every;
     struct output_fields fields;
     bool xdmf;                       /* default true */
+    bool units;                      /* H5MD's attributes `unit`; default true */
+    int precision;                   /* enum output_precision */
+    int64_t deflate;                 /* 0: not compressed; 1 to 9 */
     struct output_interval contacts; /* the contact list, in the same file */
 };
 

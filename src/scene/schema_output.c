@@ -20,6 +20,10 @@ static const struct schema_table every_table = TABLE(every_rows);
 #define EVERY(owner, member)                                                                                 \
     .type = SCHEMA_SECTION, .sub = &every_table, .main = "steps", .offset = offsetof(owner, member)
 
+static const struct schema_name precision_names[] = {
+    {"double", OUTPUT_DOUBLE, "float64"},
+    {"single", OUTPUT_SINGLE, "float32, half as large; numbers keep seven digits"},
+    {0}};
 static const struct schema_row trajectory_rows[] = {
     {.key = "every", EVERY(struct trajectory_options, every),
      .help = "interval of the frames; a bare number counts steps, {time: ...} is simulated time"},
@@ -29,6 +33,12 @@ static const struct schema_row trajectory_rows[] = {
      .example = "[position, velocity, radius]"},
     {.key = "xdmf", .type = SCHEMA_BOOL, .fallback = "true", AT(struct trajectory_options, xdmf),
      .help = "whether trajectory.xdmf is written, too, for ParaView"},
+    {.key = "precision", .type = SCHEMA_NAME, .names = precision_names, .fallback = "double",
+     AT(struct trajectory_options, precision), .help = "numbers of the fields of each frame; checkpoints have all digits"},
+    {.key = "compression", .type = SCHEMA_LONG, .range = "[0, 9]", .fallback = "0", AT(struct trajectory_options, deflate),
+     .help = "HDF5's shuffle and deflate filters for the fields of each frame: 1 is fast, 9 small; 0: none", .example = "4"},
+    {.key = "units", .type = SCHEMA_BOOL, .fallback = "true", AT(struct trajectory_options, units),
+     .help = "whether the file names the units; readers that know none but molecular units (MDAnalysis) need a file without"},
     {.key = "contacts", EVERY(struct trajectory_options, contacts),
      .help = "interval of the contact lists (force chains)"},
 };

@@ -36,6 +36,8 @@ dist_check_SCRIPTS += \
 	tests/app/user_law.sh \
 	tests/app/threads.sh
 
+dist_check_SCRIPTS += tests/app/readers.sh
+EXTRA_DIST += tests/app/readers.py
 dist_check_SCRIPTS += tests/app/ranks.sh tests/app/shear.sh tests/app/stress.sh
 
 dist_check_SCRIPTS += tests/app/drum.sh tests/app/pores.sh tests/app/verify.sh

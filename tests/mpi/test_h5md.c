@@ -49,11 +49,14 @@ static void expect_box(struct team *team, hid_t file, const struct box *box) {
     }
     H5Tclose(type);
     H5Aclose(id);
-    hsize_t size = (hsize_t)dimension;
-    expect_size(team, file, "/particles/all/box/edges", 1, &size);
-    double *edges = read_all(file, "/particles/all/box/edges");
-    for (int d = 0; d < dimension; d++)
-        team_expect(team, edges[d] == box->edge[d], "edge %d", d);
+    hsize_t size[3] = {3, (hsize_t)dimension, (hsize_t)dimension};
+    expect_size(team, file, "/particles/all/box/edges/value", 3, size);
+    expect_same_object(team, file, "/particles/all/position/step", "/particles/all/box/edges/step");
+    double *edges = read_all(file, "/particles/all/box/edges/value");
+    for (int k = 0; k < 3 * dimension * dimension; k++) {
+        int i = k / dimension % dimension, j = k % dimension;
+        team_expect(team, edges[k] == (i == j ? box->edge[i] : 0), "edge %d", k);
+    }
     memory_free(edges);
 }
 
