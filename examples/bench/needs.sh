@@ -4,7 +4,7 @@
 # resistance. A line of JSON a variant: the processor's time of one thread, less that of a run of one step; the runs take turns, and the
 # fastest of REPEAT (5) counts.
 #
-#   needs.sh [STEPS]
+#   needs.sh [STEPS [VARIANT...]]
 
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
@@ -16,12 +16,13 @@ trap 'rm -rf "$out"' EXIT
 smooth='material_pairs=[{restitution: 0.9}]'
 hooke='materials=[{name: a, density: 1}]'
 discs=(--set 'box={dimension: 2, lower: [0, 0, -2], upper: [180, 180, 2], periodic: [true, true, false]}' --set particles.lattice=square)
-names=(bodies bonds heat jkr capillary luding eepa full no_rolling no_friction no_walls hooke no_periodic discs)
+names=(bodies bonds heat shear stress jkr dmt sjkr capillary van_der_waals luding eepa thornton thornton_jkr twisting marshall epsd full no_rolling no_friction no_walls hooke no_periodic discs)
+[ $# -lt 2 ] || names=("${@:2}")
 flags_of() {
     local rolling=(--set contact.rolling=none --set 'material_pairs=[{restitution: 0.9, friction: 0.5}]')
     local friction=(--set 'contact={law: hertz, tangential: none}' --set "$smooth") walls=(--set 'walls=[]')
     local spring=(--set 'contact={law: hooke, tangential: none}' --set "$hooke" --set 'material_pairs=[{restitution: 0.9, k_n: 1e5}]')
-    local pair='restitution: 0.9, friction: 0.5'
+    local pair='restitution: 0.9, friction: 0.5' wound='restitution: 0.9, friction: 0.5, rolling_friction: 0.1'
     case $1 in
     bonds) flags=(--set 'bonds={gap: 0.01, laws: [{modulus: 1e5, stiffness_ratio: 2}]}') ;;
     bodies) flags=(--set 'bodies={clumps: [{spheres: [{centre: [-1, 0, 0], radius: 1}, {centre: [1, 0, 0], radius: 1}]}]}') ;;
@@ -30,6 +31,16 @@ flags_of() {
     capillary) flags=(--set 'contact={law: hertz, cohesion: {law: capillary}}' --set "material_pairs=[{$pair, surface_tension: 10, contact_angle: 0.5, bridge_volume: 0.01}]") ;;
     luding) flags=(--set 'contact={law: luding}' --set "$hooke" --set "material_pairs=[{$pair, k_n: 1e5, k_2: 2e5, k_c: 5e4, plasticity_depth: 0.05}]") ;;
     eepa) flags=(--set 'contact={law: eepa}' --set "material_pairs=[{$pair, plasticity_ratio: 0.5, adhesion_energy: 10}]") ;;
+    dmt) flags=(--set 'contact={law: hertz, cohesion: {law: dmt}}' --set "material_pairs=[{$pair, surface_energy: 10}]") ;;
+    sjkr) flags=(--set 'contact={law: hertz, cohesion: {law: sjkr}}' --set "material_pairs=[{$pair, cohesion_density: 100}]") ;;
+    van_der_waals) flags=(--set 'contact={law: hertz, cohesion: {law: van_der_waals}}' --set "material_pairs=[{$pair, hamaker: 0.1, gap_least: 0.01, cut_off: 0.2}]") ;;
+    thornton) flags=(--set 'contact={law: thornton}' --set "material_pairs=[{$pair, yield_pressure: 1e4}]") ;;
+    thornton_jkr) flags=(--set 'contact={law: thornton, cohesion: {law: jkr}}' --set "material_pairs=[{$pair, yield_pressure: 1e4, surface_energy: 10}]") ;;
+    twisting) flags=(--set contact.twisting=sds --set "material_pairs=[{$wound, twisting_stiffness: 100, twisting_friction: 0.1}]") ;;
+    marshall) flags=(--set contact.twisting=marshall) ;;
+    epsd) flags=(--set contact.rolling=epsd) ;;
+    shear) flags=("${walls[@]}" --set box.periodic=true --set 'box.shear={rate: 0.1}') ;;
+    stress) flags=("${walls[@]}" --set box.periodic=true --set 'box.stress={pressure: 100, xy: -10}') ;;
     full) flags=() ;;
     no_rolling) flags=("${rolling[@]}") ;;
     no_friction) flags=("${friction[@]}") ;;
