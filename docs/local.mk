@@ -2,8 +2,9 @@
 EXTRA_DIST += docs/architecture.md docs/building.md docs/scene.md
 EXTRA_DIST += docs/indexes.md docs/images/penetration.png
 EXTRA_DIST += docs/physics.md docs/user-law.md docs/fluid.md \
-	docs/images/crushing.png docs/images/dumbbells.png docs/images/fluid-cavity.png docs/images/fluid-electroosmosis.png docs/images/heated-drum.png docs/images/fluid-spheres.png docs/images/fluid-vortices.png docs/images/fluidised-bed.png
-	docs/images/crushing.png docs/images/dumbbells.png docs/images/fluid-cavity.png docs/images/gate.png docs/images/heated-drum.png docs/images/fluid-spheres.png docs/images/fluid-vortices.png docs/images/fluidised-bed.png
+	docs/images/crushing.png docs/images/dumbbells.png docs/images/fluid-cavity.png docs/images/fluid-electroosmosis.png \
+	docs/images/fluid-spheres.png docs/images/fluid-vortices.png docs/images/fluidised-bed.png docs/images/gate.png docs/images/heated-drum.png \
+	docs/images/blade.png docs/images/repose.png docs/images/wet-pile.png
 EXTRA_DIST += docs/packing.md docs/pictures.md docs/images/picture-drum.png docs/reports.md docs/images/report.png docs/images/report-ablation.png
 EXTRA_DIST += docs/library.md docs/library.awk docs/python.md
 EXTRA_DIST += docs/scaling.md docs/layouts.md \
@@ -32,6 +33,14 @@ EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-drum-angle.svg \
 	docs/images/verify-end-of-contact.svg \
 	docs/images/verify-fluid-cavity.svg \
+	docs/images/verify-fluid-couette.svg \
+	docs/images/verify-fluid-electroosmosis.svg \
+	docs/images/verify-fluid-fluidised-bed.svg \
+	docs/images/verify-fluid-operators.svg \
+	docs/images/verify-fluid-poiseuille.svg \
+	docs/images/verify-fluid-sphere-array.svg \
+	docs/images/verify-fluid-taylor-aris.svg \
+	docs/images/verify-fluid-taylor-green.svg \
 	docs/images/verify-free-fall.svg \
 	docs/images/verify-haff.svg \
 	docs/images/verify-heat-chain.svg \
@@ -39,6 +48,7 @@ EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-incline.svg \
 	docs/images/verify-janssen.svg \
 	docs/images/verify-jkr-pull-off.svg \
+	docs/images/verify-lees-edwards-gas.svg \
 	docs/images/verify-luding-unloading.svg \
 	docs/images/verify-many-body.svg \
 	docs/images/verify-moving-wall.svg \
@@ -54,7 +64,8 @@ EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-slide-to-roll.svg \
 	docs/images/verify-stack.svg \
 	docs/images/verify-sticking-velocity.svg \
-	docs/images/verify-tumbling-clump.svg docs/images/verify-turning-wall.svg \
+	docs/images/verify-tumbling-clump.svg \
+	docs/images/verify-turning-wall.svg \
 	docs/images/verify-vyas.svg \
 	docs/images/verify-wall-edge.svg
 EXTRA_DIST += docs/hard-cases.md
