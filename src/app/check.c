@@ -243,6 +243,9 @@ static void print_levels(const struct simulation *s) {
                description.choice, 1e3 * description.predicted, 1e3 * tune_measured(s), description.why);
 }
 
+/* The longest step that is worth a try, as a part of the stable one (docs/speed-error.md). */
+static const double long_fraction = 0.9;
+
 static void print_step(const struct simulation *s) {
     bool limited = isfinite(s->timing.limits.stable);
     printf("\ntime step\n");
@@ -265,6 +268,12 @@ static void print_step(const struct simulation *s) {
                s->clock.dt / s->timing.limits.stable, timestep_default_fraction());
     else
         printf("  chosen       %.6g; any is stable\n", s->clock.dt);
+    double part = s->clock.dt / s->timing.limits.stable / long_fraction;
+    if (limited && s->clock.dt_fraction > 0 && part < 1)
+        printf("               step.fraction: %.3g would take %.2g of the steps; `scree ablate --error` "
+               "measures "
+               "what that changes here\n",
+               long_fraction, part);
 }
 
 /* Prints all notes together, for people who read only the notes; the last line says whether a guard would end

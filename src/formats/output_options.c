@@ -25,5 +25,6 @@ bool output_interval_due(const struct output_interval *interval, uint64_t step, 
 }
 
 struct output_options output_options_default(void) {
-    return (struct output_options){.trajectory = {.xdmf = true, .units = true}, .checkpoint = {.keep = 2, .at_end = true}};
+    return (struct output_options){.trajectory = {.xdmf = true, .units = true},
+                                   .checkpoint = {.keep = 2, .at_end = true}};
 }

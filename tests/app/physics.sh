@@ -237,6 +237,11 @@ no_longer() { # small dense spheres beside them give no leave for a longer step
         exit !good }'
 }
 check 'the lightest spheres of a material decide' no_longer
+price_of_step() { # the default, 0.15, against 0.9
+    "$scree" check light.yaml >told && grep -q 'step.fraction: 0.9 would take 0.17 of the steps' told &&
+        "$scree" check light.yaml --set step.fraction=0.9 >told && ! grep -q 'of the steps;' told
+}
+check 'check says what the default step costs' price_of_step
 
 echo '== moving walls'
 cat >oscillate.yaml <<'EOF'
