@@ -5,6 +5,7 @@
 #include "core/memory.h"
 
 #include <omp.h>
+#include <string.h>
 
 enum { CHUNK = 32, CHUNKS_A_THREAD = 8, FOUND_FIRST = 1 << 12 };
 
@@ -60,45 +61,80 @@ static void partners_sort(uint32_t *partner, size_t count) {
     }
 }
 
-/* Counts the partners of the rows [first, last) into end[]; returns their sum. */
-static size_t count_rows(struct cross_pairs *cross, size_t first, size_t last) {
-    size_t sum = 0;
-    for (size_t row = first; row < last; row++) {
-        cross->end[row] = 0;
+/* The rows of each of `threads` threads: [bound[t], bound[t + 1]). */
+struct owners {
+    size_t threads;
+    const size_t *bound;
+    double scale; /* threads / rows */
+};
+
+static size_t owner_of(const struct owners *owners, size_t row) {
+    size_t t = (size_t)((double)row * owners->scale);
+    t = t < owners->threads ? t : owners->threads - 1;
+    while (row < owners->bound[t]) {
+        t--;
     }
-    for (int t = 0; t < cross->threads; t++) {
-        const struct index_sink *found = &cross->found[t];
-        for (size_t k = 0; k < found->count; k++) {
-            size_t row = found->j[k] & particle_mask;
-            if (row - first < last - first) {
-                cross->end[row]++;
-                sum++;
-            }
-        }
+    while (row >= owners->bound[t + 1]) {
+        t++;
     }
-    return sum;
+    return t;
 }
 
-/* Turns the counts of the rows into places from `at` on and puts their partners there. */
-static void fill_rows(struct cross_pairs *cross, size_t first, size_t last, size_t at) {
-    const size_t begin = at;
+/* Sorts the finds of thread t by the threads that own their rows, so that no thread looks through the finds of
+ * all: counts of each owner first. */
+static void count_owners(struct cross_pairs *cross, const struct owners *owners, size_t t) {
+    const struct index_sink *found = &cross->found[t];
+    size_t threads = owners->threads, *count = cross->place + t * (threads + 1);
+    memset(count, 0, (threads + 1) * sizeof *count);
+    for (size_t k = 0; k < found->count; k++) {
+        count[owner_of(owners, found->j[k] & particle_mask)]++;
+    }
+}
+
+/* Then their places: those of an owner lie together, in the order of the threads that found them. Leaves the
+ * first place of each owner in place[threads] of its own row. One thread. */
+static void place_owners(struct cross_pairs *cross, size_t threads) {
+    size_t at = 0;
+    for (size_t owner = 0; owner < threads; owner++) {
+        cross->place[owner * (threads + 1) + threads] = at;
+        for (size_t t = 0; t < threads; t++) {
+            size_t *place = &cross->place[t * (threads + 1) + owner];
+            size_t count = *place;
+            *place = at;
+            at += count;
+        }
+    }
+}
+
+static void put_owners(struct cross_pairs *cross, const struct owners *owners, size_t t) {
+    const struct index_sink *found = &cross->found[t];
+    size_t *place = cross->place + t * (owners->threads + 1);
+    for (size_t k = 0; k < found->count; k++) {
+        size_t at = place[owner_of(owners, found->j[k] & particle_mask)]++;
+        cross->sorted.i[at] = found->i[k];
+        cross->sorted.j[at] = found->j[k];
+    }
+}
+
+/* Sorts the finds of an owner, [begin, end) of `from`, by rows [first, last) and their partners. */
+static void fill_rows(struct cross_pairs *cross, const struct index_sink *from, size_t begin, size_t end,
+                      size_t first, size_t last) {
+    memset(cross->end + first, 0, (last - first) * sizeof *cross->end);
+    for (size_t k = begin; k < end; k++) {
+        cross->end[from->j[k] & particle_mask]++;
+    }
+    size_t at = begin;
     for (size_t row = first; row < last; row++) {
         size_t count = cross->end[row];
         cross->end[row] = (uint32_t)at;
         at += count;
     }
-    for (int t = 0; t < cross->threads; t++) {
-        const struct index_sink *found = &cross->found[t];
-        for (size_t k = 0; k < found->count; k++) {
-            size_t row = found->j[k] & particle_mask;
-            if (row - first < last - first) {
-                unsigned code = image_opposite(found->j[k] >> INDEX_IMAGE_SHIFT);
-                cross->partner[cross->end[row]++] = found->i[k] | code << INDEX_IMAGE_SHIFT;
-            }
-        }
+    for (size_t k = begin; k < end; k++) {
+        unsigned code = image_opposite(from->j[k] >> INDEX_IMAGE_SHIFT);
+        cross->partner[cross->end[from->j[k] & particle_mask]++] = from->i[k] | code << INDEX_IMAGE_SHIFT;
     }
-    for (size_t row = first, from = begin; row < last; from = cross->end[row++]) {
-        partners_sort(cross->partner + from, cross->end[row] - from);
+    for (size_t row = first, start = begin; row < last; start = cross->end[row++]) {
+        partners_sort(cross->partner + start, cross->end[row] - start);
     }
 }
 
@@ -114,6 +150,12 @@ static void reserve(struct cross_pairs *cross, const struct index_view *view) {
     }
     for (int t = 0; t < cross->threads; t++) {
         cross->found[t].count = 0;
+    }
+    size_t places = (size_t)view->threads * ((size_t)view->threads + 1);
+    if (places > cross->place_capacity) {
+        cross->place_capacity = places;
+        memory_free(cross->place);
+        cross->place = memory_allocate(places, sizeof *cross->place, "pairs of levels");
     }
     if (view->owned > cross->row_capacity) {
         cross->row_capacity = view->owned + view->owned / 8;
@@ -139,27 +181,56 @@ void cross_clear(struct cross_pairs *cross) {
     cross->rows = 0;
 }
 
+/* The finds of all threads, counted and placed by owners; makes room for the pairs. One thread. */
+static void settle(struct cross_pairs *cross, size_t threads) {
+    size_t count = 0;
+    for (size_t t = 0; t < threads; t++) {
+        count += cross->found[t].count;
+    }
+    reserve_partners(cross, count);
+    if (threads > 1) {
+        place_owners(cross, threads);
+        cross->sorted.count = count;
+        sink_reserve(&cross->sorted, count);
+    }
+}
+
+/* The thread's part of the sorting by rows. All threads of a team. */
+static void share_sort(struct cross_pairs *cross, const struct owners *owners, size_t t) {
+    size_t threads = owners->threads, first = owners->bound[t], last = owners->bound[t + 1];
+    if (threads > 1) {
+        count_owners(cross, owners, t);
+#pragma omp barrier
+    }
+#pragma omp single
+    settle(cross, threads);
+    if (threads == 1) {
+        fill_rows(cross, &cross->found[0], 0, cross->found[0].count, first, last);
+        return;
+    }
+    put_owners(cross, owners, t);
+#pragma omp barrier
+    const size_t *start = cross->place + threads;
+    size_t end = t + 1 < threads ? start[(t + 1) * (threads + 1)] : cross->sorted.count;
+    fill_rows(cross, &cross->sorted, start[t * (threads + 1)], end, first, last);
+}
+
 void cross_find(struct cross_pairs *cross, const struct cross_finder *finder, const struct index_view *view) {
     cross->rows = view->owned;
     reserve(cross, view);
-    size_t *begin = memory_allocate_zero((size_t)view->threads + 1, sizeof *begin, "pairs of levels");
+    size_t *bound = memory_allocate((size_t)view->threads + 1, sizeof *bound, "pairs of levels");
 #pragma omp parallel num_threads(view->threads)
     {
         size_t threads = (size_t)omp_get_num_threads(), t = (size_t)omp_get_thread_num();
-        size_t first = view->owned * t / threads, last = view->owned * (t + 1) / threads;
-        find_share(finder, view, &cross->found[t]);
-        begin[t + 1] = count_rows(cross, first, last);
-#pragma omp barrier
-#pragma omp single
-        {
-            for (size_t k = 0; k < threads; k++) {
-                begin[k + 1] += begin[k];
-            }
-            reserve_partners(cross, begin[threads]);
+        struct owners owners = {threads, bound, (double)threads / (double)(view->owned + 1)};
+        bound[t] = view->owned * t / threads;
+        if (t == 0) {
+            bound[threads] = view->owned;
         }
-        fill_rows(cross, first, last, begin[t]);
+        find_share(finder, view, &cross->found[t]);
+        share_sort(cross, &owners, t);
     }
-    memory_free(begin);
+    memory_free(bound);
 }
 
 void cross_visit(const struct cross_pairs *cross, size_t first, size_t last, struct index_sink *sink) {
@@ -181,15 +252,18 @@ void cross_free(struct cross_pairs *cross) {
         memory_free(cross->found[t].j);
     }
     memory_free(cross->found);
+    memory_free(cross->sorted.i);
+    memory_free(cross->sorted.j);
+    memory_free(cross->place);
     memory_free(cross->end);
     memory_free(cross->partner);
     *cross = (struct cross_pairs){0};
 }
 
 size_t cross_memory(const struct cross_pairs *cross) {
-    size_t entries = cross->row_capacity + cross->partner_capacity;
+    size_t entries = cross->row_capacity + cross->partner_capacity + 2 * cross->sorted.capacity;
     for (int t = 0; t < cross->threads; t++) {
         entries += 2 * cross->found[t].capacity;
     }
-    return entries * sizeof(uint32_t);
+    return entries * sizeof(uint32_t) + cross->place_capacity * sizeof *cross->place;
 }

@@ -18,6 +18,9 @@ struct cross_pairs {
     size_t row_capacity, partner_capacity;
     struct index_sink *found; /* scratch, one a thread: (larger, smaller) as they are found */
     int threads;
+    struct index_sink sorted; /* scratch: all of them, by the thread that owns the row of the smaller */
+    size_t *place;            /* scratch: where the finds of a thread for each owner go */
+    size_t place_capacity;
 };
 
 /* The search from the larger side: its rows and its function. */
