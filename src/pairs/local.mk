@@ -5,7 +5,7 @@ libpairs_la_SOURCES = \
 	src/pairs/history_keep.c src/pairs/history_keep.h \
 	src/pairs/interaction.c src/pairs/interaction.h \
 	src/pairs/pairlist.c src/pairs/pairlist.h \
-	src/pairs/pairlist_build.c src/pairs/pairlist_build.h \
+	src/pairs/pairlist_shares.c src/pairs/pairlist_build.c src/pairs/pairlist_build.h \
 	src/pairs/skin.c src/pairs/skin.h \
 	src/pairs/skin_choice.c src/pairs/skin_choice.h \
 	src/pairs/sweep.c src/pairs/sweep.h \

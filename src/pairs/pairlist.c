@@ -52,6 +52,8 @@ void pairlist_destroy(struct pairlist **list) {
         pair_buffer_free(&w->one);
         pair_buffer_free(&w->slot);
         pair_buffer_free(&w->mirror);
+        pair_buffer_free(&w->mirrors.pairs);
+        pair_buffer_free(&w->ghosts.pairs);
         pair_buffer_free(&w->ghost);
     }
     memory_free(l->build->worker);
@@ -113,7 +115,8 @@ size_t pairlist_memory(const struct pairlist *list) {
     for (int t = 0; t < list->threads; t++) {
         const struct pairlist_worker *w = &list->build->worker[t];
         bytes += w->sink.capacity * 2 * sizeof(uint32_t) + buffer_bytes(&w->one) + buffer_bytes(&w->slot) +
-                 buffer_bytes(&w->mirror) + buffer_bytes(&w->ghost);
+                 buffer_bytes(&w->mirror) + buffer_bytes(&w->ghost) + buffer_bytes(&w->mirrors.pairs) +
+                 buffer_bytes(&w->ghosts.pairs);
     }
     return bytes;
 }

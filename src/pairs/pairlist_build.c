@@ -3,8 +3,9 @@
  *
  *   1. every thread visits its row blocks and sorts the pairs found: into the segments of the block, into
  *      `mirror` (second copies for other threads), into `ghost`;
- *   2. (one thread) each ghost is given to the first thread, in thread order, that meets it;
- *   3. every thread appends its mirror block, picking its pairs from all threads' `mirror` in thread order,
+ *      each ghost is given to the first thread, in thread order, that meets it;
+ *   2. every thread sorts its `mirror` and `ghost` by the threads that take the second copies;
+ *   3. every thread appends its mirror block, picking its shares of all threads' `mirror` in thread order,
  *      and its ghost block.
  *
  * A pass whose region overflowed has counted the room that it needs; the layout is made from the counts
@@ -16,7 +17,7 @@
 #include <assert.h>
 #include <string.h>
 
-enum { NO_THREAD = 255, SINK_FIRST = 1 << 14, REGION_SPARE = 1024 };
+enum { SINK_FIRST = 1 << 14, REGION_SPARE = 1024 };
 
 static void buffer_put(struct pair_buffer *buffer, uint32_t i, uint32_t j) {
     if (buffer->count == buffer->capacity) {
@@ -80,6 +81,7 @@ static void blocks_make(struct pairlist *list, const struct index_view *view) {
         memory_free(build->thread_of);
         build->thread_of = memory_allocate(build->thread_of_capacity, 1, "thread of each particle");
     }
+    memset(build->thread_of + view->owned, PAIR_NO_THREAD, view->total - view->owned);
     size_t at = 0;
     for (int t = 0; t < list->threads; t++) {
         list->thread_block[t] = (int)at;
@@ -228,22 +230,6 @@ static void pass_rows(const struct pass *pass, int t) {
     }
 }
 
-/* Gives each ghost to the first thread that meets the ghost. One thread. */
-static void ghosts_assign(const struct pass *pass) {
-    struct pairlist_build *build = pass->list->build;
-    const struct index_view *view = pass->view;
-    if (view->total > view->owned)
-        memset(build->thread_of + view->owned, NO_THREAD, view->total - view->owned);
-    for (int t = 0; t < pass->list->threads; t++) {
-        const struct pair_buffer *ghost = &build->worker[t].ghost;
-        for (size_t k = 0; k < ghost->count; k++) {
-            uint8_t *thread = &build->thread_of[pair_partner(ghost->j[k])];
-            if (*thread == NO_THREAD)
-                *thread = (uint8_t)t;
-        }
-    }
-}
-
 static void block_begin(struct pair_block *block, const struct pairlist_worker *worker) {
     block->first_pair = block->one_sided = block->slotted = block->end_pair = worker->first + worker->used;
 }
@@ -255,10 +241,9 @@ static void pass_mirror(const struct pass *pass, int t) {
     struct pair_block *block = &list->blocks[list->thread_block[t + 1] - 2];
     block_begin(block, worker);
     for (int from = 0; from < list->threads; from++) {
-        const struct pair_buffer *mirror = &build->worker[from].mirror;
-        for (size_t k = 0; k < mirror->count; k++)
-            if (build->thread_of[mirror->i[k]] == t)
-                region_put(list, worker, mirror->i[k], mirror->j[k]);
+        const struct pair_shares *mirrors = &build->worker[from].mirrors;
+        for (size_t k = pair_shares_first(mirrors, t); k < mirrors->end[t]; k++)
+            region_put(list, worker, mirrors->pairs.i[k], mirrors->pairs.j[k]);
     }
     block->slotted = block->end_pair = worker->first + worker->used;
 }
@@ -282,11 +267,10 @@ static void pass_ghosts(const struct pass *pass, int t) {
     block->one_sided = worker->first + worker->used;
     region_append(list, worker, &worker->one);
     for (int from = 0; newton && from < list->threads; from++) {
-        const struct pair_buffer *ghost = &build->worker[from].ghost;
-        for (size_t k = 0; from != t && k < ghost->count; k++) {
-            uint32_t partner = pair_partner(ghost->j[k]);
-            if (build->thread_of[partner] == t && !build->busy_class[pass->view->size_class[partner]])
-                region_put(list, worker, partner, mirror_partner(ghost->i[k], ghost->j[k]));
+        const struct pair_shares *ghosts = &build->worker[from].ghosts;
+        for (size_t k = pair_shares_first(ghosts, t); k < ghosts->end[t]; k++) {
+            uint32_t i = ghosts->pairs.i[k], j = ghosts->pairs.j[k];
+            region_put(list, worker, pair_partner(j), mirror_partner(i, j));
         }
     }
     block->slotted = worker->first + worker->used;
@@ -299,10 +283,16 @@ static void pass_run(const struct pass *pass) {
 #pragma omp parallel
     {
 #pragma omp for schedule(static, 1)
-        for (int t = 0; t < list->threads; t++)
+        for (int t = 0; t < list->threads; t++) {
             pass_rows(pass, t);
-#pragma omp single
-        ghosts_assign(pass);
+            pair_shares_mirrors(list, t);
+            pair_shares_meet(list, t);
+        }
+#pragma omp for schedule(static, 1)
+        for (int t = 0; t < list->threads; t++) {
+            if (list->threads > 1 && pass->view->newton)
+                pair_shares_ghosts(list, pass->view, t);
+        }
 #pragma omp for schedule(static, 1) nowait
         for (int t = 0; t < list->threads; t++) {
             pass_mirror(pass, t);
