@@ -242,7 +242,7 @@ static void pass_mirror(const struct pass *pass, int t) {
     block_begin(block, worker);
     for (int from = 0; from < list->threads; from++) {
         const struct pair_shares *mirrors = &build->worker[from].mirrors;
-        for (size_t k = pair_shares_first(mirrors, t); k < mirrors->end[t]; k++)
+        for (size_t k = pairlist_shares_first(mirrors, t); k < mirrors->end[t]; k++)
             region_put(list, worker, mirrors->pairs.i[k], mirrors->pairs.j[k]);
     }
     block->slotted = block->end_pair = worker->first + worker->used;
@@ -268,7 +268,7 @@ static void pass_ghosts(const struct pass *pass, int t) {
     region_append(list, worker, &worker->one);
     for (int from = 0; newton && from < list->threads; from++) {
         const struct pair_shares *ghosts = &build->worker[from].ghosts;
-        for (size_t k = pair_shares_first(ghosts, t); k < ghosts->end[t]; k++) {
+        for (size_t k = pairlist_shares_first(ghosts, t); k < ghosts->end[t]; k++) {
             uint32_t i = ghosts->pairs.i[k], j = ghosts->pairs.j[k];
             region_put(list, worker, pair_partner(j), mirror_partner(i, j));
         }
@@ -285,13 +285,13 @@ static void pass_run(const struct pass *pass) {
 #pragma omp for schedule(static, 1)
         for (int t = 0; t < list->threads; t++) {
             pass_rows(pass, t);
-            pair_shares_mirrors(list, t);
-            pair_shares_meet(list, t);
+            pairlist_shares_mirrors(list, t);
+            pairlist_shares_meet(list, t);
         }
 #pragma omp for schedule(static, 1)
         for (int t = 0; t < list->threads; t++) {
             if (list->threads > 1 && pass->view->newton)
-                pair_shares_ghosts(list, pass->view, t);
+                pairlist_shares_ghosts(list, pass->view, t);
         }
 #pragma omp for schedule(static, 1) nowait
         for (int t = 0; t < list->threads; t++) {

@@ -47,15 +47,15 @@ void pair_buffer_free(struct pair_buffer *buffer);
 
 /* Gives each ghost that thread t meets to the first thread that meets the ghost: threads lower its number to their
  * own, and the order in which they do so does not matter. Many threads at once, each with its own t. */
-void pair_shares_meet(struct pairlist *list, int t);
+void pairlist_shares_meet(struct pairlist *list, int t);
 
 /* Sort the pairs of thread t by the threads that take their second copies, so that no thread looks through the pairs of
  * all; those with ghosts once all threads have met their ghosts. Many threads at once, each with its own t. */
-void pair_shares_mirrors(struct pairlist *list, int t);
-void pair_shares_ghosts(struct pairlist *list, const struct index_view *view, int t);
+void pairlist_shares_mirrors(struct pairlist *list, int t);
+void pairlist_shares_ghosts(struct pairlist *list, const struct index_view *view, int t);
 
 /* The first pair of the share of thread t. */
-static inline size_t pair_shares_first(const struct pair_shares *shares, int t) {
+static inline size_t pairlist_shares_first(const struct pair_shares *shares, int t) {
     return t > 0 ? shares->end[t - 1] : 0;
 }
 

@@ -16,7 +16,7 @@ static void buffer_reserve(struct pair_buffer *buffer, size_t count) {
     buffer->j = memory_allocate(buffer->capacity, sizeof *buffer->j, "pair buffer");
 }
 
-void pair_shares_meet(struct pairlist *list, int t) {
+void pairlist_shares_meet(struct pairlist *list, int t) {
     struct pairlist_build *build = list->build;
     const struct pair_buffer *ghost = &build->worker[t].ghost;
     for (size_t k = 0; k < ghost->count; k++) {
@@ -74,12 +74,12 @@ static inline void shares_fill(const struct takers *takers, int t, const struct 
     }
 }
 
-void pair_shares_mirrors(struct pairlist *list, int t) {
+void pairlist_shares_mirrors(struct pairlist *list, int t) {
     struct pairlist_worker *worker = &list->build->worker[t];
     shares_fill(&(struct takers){list, NULL}, t, &worker->mirror, &worker->mirrors, mirror_taker);
 }
 
-void pair_shares_ghosts(struct pairlist *list, const struct index_view *view, int t) {
+void pairlist_shares_ghosts(struct pairlist *list, const struct index_view *view, int t) {
     struct pairlist_worker *worker = &list->build->worker[t];
     shares_fill(&(struct takers){list, view}, t, &worker->ghost, &worker->ghosts, ghost_taker);
 }
