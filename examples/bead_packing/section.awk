@@ -10,7 +10,7 @@ function percent(x) { return sprintf("%+.1f %%", 100 * x) }
 function trim(text) { gsub(/^ +| +$/, "", text); return text }
 /"overlap_percent"/ { # a packing: the beginning of a run
     runs++
-    porosity[runs] = of("porosity"); bulk[runs] = of("porosity_bulk"); height[runs] = of("height_mm"); beads[runs] = of("beads")
+    porosity[runs] = of("porosity"); bulk[runs] = of("porosity_bulk"); joint[runs] = of("porosity_joint"); height[runs] = of("height_mm"); beads[runs] = of("beads")
     touching[runs] = of("coordination"); near[runs] = of("neighbours_to_1_percent"); overlap[runs] = of("overlap_percent")
     klerk[runs] = of("from_de_klerk"); mueller[runs] = of("from_mueller")
 }
@@ -27,15 +27,15 @@ function trim(text) { gsub(/^ +| +$/, "", text); return text }
 }
 END {
     print "\n## Water through a packing of beads\n"
-    print "[examples/bead_packing](../examples/bead_packing/README.md), `run.sh`: scree pours beads of 0.5 mm into a column of 8.8 mm, a lid presses them to 12.8 mm, and water flows"
-    print "through them, slowly (Reynolds number of a bead " sprintf("%.2g", reynolds[1]) "). The packing repeats along the axis. Nothing is meshed: the grains of the granular part are the boundary of the fluid.\n"
+    print "[examples/bead_packing](../examples/bead_packing/README.md), `run.sh`: scree pours beads of 0.5 mm into a column of 8.8 mm, takes 12.8 mm out of the middle, and water flows"
+    print "through them, slowly (Reynolds number of a bead " sprintf("%.2g", reynolds[1]) "). The packing repeats along the axis, its ends pushed into each other by the granular part. Nothing is meshed: the grains of the granular part are the boundary of the fluid.\n"
     print "![The section through the axis, velocities, forces, porosity near the wall](images/bead-packing.png)\n"
-    print "| packing | beads | porosity | away from the wall | beads that touch a bead | nearer than 1 % | largest overlap | porosity near the wall, from de Klerk | from Mueller |"
-    print "|---|---|---|---|---|---|---|---|---|"
+    print "| packing | beads | porosity | away from the wall | at the joint | beads that touch a bead | nearer than 1 % | largest overlap | porosity near the wall, from de Klerk | from Mueller |"
+    print "|---|---|---|---|---|---|---|---|---|---|"
     for (r = 1; r <= runs; r++)
-        printf "| %d | %d | %.4f | %.4f | %.2f | %.2f | %.2g %% | %.3f | %.3f |\n", r, beads[r], porosity[r], bulk[r], touching[r], near[r], overlap[r], klerk[r], mueller[r]
+        printf "| %d | %d | %.4f | %.4f | %.4f | %.2f | %.2f | %.2g %% | %.3f | %.3f |\n", r, beads[r], porosity[r], bulk[r], joint[r], touching[r], near[r], overlap[r], klerk[r], mueller[r]
     print "\nThe last two columns are the root mean square differences from the curves of de Klerk (2003), with the porosity away from the wall of this packing, and of Mueller (1992), up to four"
-    print "diameters from the wall. Beads that touch: those more than two diameters away from the wall, floor and lid.\n"
+    print "diameters from the wall. At the joint: within half a diameter of the height where the packing repeats. Beads that touch: those more than two diameters away from wall and joint.\n"
     print "| packing | spacing, um | spacings a diameter | fluid particles | pressure drop, Pa | from the limit | iterations | core seconds | memory, GB | bytes a fluid particle | us a fluid particle and iteration |"
     print "|---|---|---|---|---|---|---|---|---|---|---|"
     for (k = 1; k <= n; k++) {
@@ -45,6 +45,9 @@ END {
     }
     for (k = 1; k <= n; k++) { gap = balance[k] < 1 ? 1 - balance[k] : balance[k] - 1; worst = gap > worst ? gap : worst }
     printf "\nSeconds and memory are those of the whole flow: set-up, search, operators, multigrid, solve; memory that of the program, about 60 MB, included. The drag on beads and column is\nthe force that drives the water, to %.1g; nodes in closed pockets, which belong to no bead, are not counted.\n\n", worst
+    for (k = 1; k <= n; k++)
+        if (iterations[k] > 30 && iterations[k] % 30 > 0 && iterations[k] % 30 <= 10)
+            printf "The solve of packing %d at %.4g um, %d iterations, is from before the ten iterations after a restart of GMRES were left out of the judgement (one in 30, [fluid.md](fluid.md#time)):\nits drop may be some tenths of a percent low.\n\n", run_of[k], spacing[k], iterations[k]
     print "| packing | limit, Pa | observed order | Eisfeld and Schnitzlein, Pa | difference | permeability, m2 | Kozeny and Carman, m2 |"
     print "|---|---|---|---|---|---|---|"
     for (r = 1; r <= runs; r++)
@@ -52,6 +55,9 @@ END {
             printf "| %d | %.2f | %s | %.2f | %s | %.3g | %.3g |\n", r, limit[r], order[r], reference[r], percent(away[r]), permeability[r], kozeny[r]
     print "\nBelow eight spacings a diameter a single pressure drop scatters by about 2 %, and a limit from two of them by three times as much.\nThe limit supposes that the flow at a given pressure drop approaches its limit with the square of the spacing, from the two finest spacings. Eisfeld and Schnitzlein's correlation"
     print "(2001, spheres: K1 = 154, k1 = 1.15, k2 = 0.87) is taken at the porosity and flow of this packing. Kozeny and Carman: porosity^3 d^2 / (180 (1 - porosity)^2).\n"
+    print "Floor and lid of the pouring put the beads next to them into flat layers. A packing that repeats with both layers in it has a denser middle (0.411, in the mean 0.4229): 14.25, 15.20 and"
+    print "16.08 Pa at 100, 80 and 64 um, 17.92 Pa extrapolated, 11.7 % above the correlation at the mean porosity and 2.4 % above that taken slice by slice (17.51 Pa). Solves that ended within the"
+    print "ten iterations after a restart had drops up to 1.1 % too low (13.26 and 13.40 Pa at 100 um), which moved the observed order from 2.1 to 2.8.\n"
     print "### Beside published codes\n"
     print "| code | spacing, um | pressure drop, Pa | from 14.29 Pa | wall clock x processors |"
     print "|---|---|---|---|---|"

@@ -149,7 +149,8 @@ static double mean_speed(const struct steady *steady, const double *x) {
 static bool enough(void *context, int iteration, const double *x, double residual) {
     struct steady *steady = context;
     double mean[3], difference[3], divergence;
-    (void)iteration, (void)residual;
+    bool restarted = iteration > RESTART && iteration % RESTART <= EVERY && iteration % RESTART > 0;
+    (void)residual;
     mean_flow(steady, x, mean);
     for (int d = 0; d < 3; d++) {
         difference[d] = mean[d] - steady->flow_before[d];
@@ -162,7 +163,7 @@ static bool enough(void *context, int iteration, const double *x, double residua
     else /* rolls without a net flow */
         steady->change = speed > 0 ? faster / speed : 1;
     steady->residual = momentum_residual(steady, x, &divergence);
-    return steady->change <= steady->options.tolerance && steady->residual <= RESIDUAL_ENOUGH;
+    return !restarted && steady->change <= steady->options.tolerance && steady->residual <= RESIDUAL_ENOUGH;
 }
 
 /* True if walls, grains or given velocities hold the fluid. */
