@@ -5,7 +5,8 @@ EXTRA_DIST += docs/physics.md docs/user-law.md docs/fluid.md \
 	docs/images/crushing.png docs/images/dumbbells.png docs/images/fluid-cavity.png docs/images/fluid-electroosmosis.png \
 	docs/images/fluid-spheres.png docs/images/fluid-vortices.png docs/images/fluidised-bed.png docs/images/gate.png docs/images/heated-drum.png \
 	docs/images/blade.png docs/images/repose.png docs/images/wet-pile.png
-EXTRA_DIST += docs/packing.md docs/pictures.md docs/images/picture-drum.png docs/reports.md docs/images/report.png docs/images/report-ablation.png
+EXTRA_DIST += docs/packing.md docs/pictures.md docs/images/picture-drum.png docs/reports.md docs/images/report.png docs/images/report-ablation.png \
+	docs/index.md docs/tutorial.md docs/images/tutorial.png docs/site/conf.py
 EXTRA_DIST += docs/library.md docs/library.awk docs/python.md
 EXTRA_DIST += docs/scaling.md docs/layouts.md \
 	docs/folders.dot docs/images/folders.svg docs/images/scaling-hybrid.svg docs/images/scaling-model.svg docs/images/scaling-ranks.svg \
@@ -96,3 +97,17 @@ pages: src/scene/document src/engine/document
 	src/scene/document >scene.md.new && mv scene.md.new $(top_srcdir)/docs/scene.md
 	src/engine/document <$(top_srcdir)/docs/output.md >output.md.new && mv output.md.new $(top_srcdir)/docs/output.md
 EXTRA_DIST += docs/pores.md docs/images/bead-packing.png docs/images/settling.png docs/results/pores
+
+# The pages as a site, from the source tree, where links from page to page hold; warnings, broken links too, are errors
+.PHONY: docs
+docs:
+	@test -n "$(SPHINX)" || \
+	    { echo "make docs needs Sphinx, MyST and Furo (Debian: python3-sphinx python3-myst-parser furo)" >&2; exit 1; }
+	$(SPHINX) -q -W --keep-going -c $(top_srcdir)/docs/site -b html -d site/.doctrees $(top_srcdir) site
+	@echo '<meta http-equiv="refresh" content="0; url=docs/index.html">' >site/index.html
+	@echo "the site: $(abs_builddir)/site/index.html"
+
+clean-local: clean-site
+clean-site:
+	rm -rf site
+.PHONY: clean-site

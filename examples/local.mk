@@ -52,6 +52,8 @@ nobase_dist_pkgdata_DATA += \
 	$(crushing)/scene.yaml $(crushing)/summary.awk
 nobase_dist_pkgdata_SCRIPTS += $(crushing)/check $(crushing)/run.sh
 
+nobase_dist_pkgdata_DATA += examples/gravel/README.md examples/gravel/scene.yaml
+
 gate = examples/gate
 nobase_dist_pkgdata_DATA += $(gate)/README.md $(gate)/bottom.txt $(gate)/gate.txt $(gate)/picture.gp $(gate)/scene.yaml
 nobase_dist_pkgdata_SCRIPTS += $(gate)/check $(gate)/run.sh

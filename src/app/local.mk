@@ -45,13 +45,23 @@ bin_PROGRAMS += scree
 scree_SOURCES = src/app/main.c
 scree_LDADD = $(APP_LIBS)
 
-# The manual page and the completion of bash, which the program writes from its tables
+# The manual page and the completions of bash, zsh and fish, which the program writes from its tables
 nodist_man_MANS = scree.1
 completionsdir = $(datadir)/bash-completion/completions
 nodist_completions_DATA = completions/scree
-CLEANFILES += scree.1 completions/scree
+zshdir = $(datadir)/zsh/site-functions
+nodist_zsh_DATA = completions/_scree
+fishdir = $(datadir)/fish/vendor_completions.d
+nodist_fish_DATA = completions/scree.fish
+CLEANFILES += scree.1 completions/scree completions/_scree completions/scree.fish
 scree.1: scree$(EXEEXT)
 	$(AM_V_GEN)./scree$(EXEEXT) help --man >$@.new && mv $@.new $@
 completions/scree: scree$(EXEEXT)
 	@$(MKDIR_P) completions
 	$(AM_V_GEN)./scree$(EXEEXT) help --bash >$@.new && mv $@.new $@
+completions/_scree: scree$(EXEEXT)
+	@$(MKDIR_P) completions
+	$(AM_V_GEN)./scree$(EXEEXT) help --zsh >$@.new && mv $@.new $@
+completions/scree.fish: scree$(EXEEXT)
+	@$(MKDIR_P) completions
+	$(AM_V_GEN)./scree$(EXEEXT) help --fish >$@.new && mv $@.new $@

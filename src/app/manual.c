@@ -3,6 +3,7 @@
 #include "app/manual.h"
 #include "app/command.h"
 #include "core/version.h"
+#include <string.h>
 
 /* Prints text for man: a minus is a minus, and no line begins with a dot or a quote. */
 static void put(FILE *out, const char *text) {
@@ -94,4 +95,71 @@ void manual_bash(FILE *out) {
                  "    [[ $word == -* || $COMP_CWORD == 1 ]] || COMPREPLY+=($(compgen -f -- \"$word\"))\n"
                  "}\n"
                  "complete -o filenames -F _scree scree\n");
+}
+
+/* Prints the first sentence of a text with a backslash before each of the characters in `quoted`, and a single quote as
+ * `quote`. */
+static void put_quoted(FILE *out, const char *text, const char *quoted, const char *quote) {
+    for (; *text && *text != ';'; text++) {
+        if (*text == '\'') {
+            fputs(quote, out);
+            continue;
+        }
+        if (strchr(quoted, *text))
+            fputc('\\', out);
+        fputc(*text, out);
+    }
+}
+
+void manual_zsh(FILE *out) {
+    const struct command *command;
+    const struct flag *flag;
+    fprintf(
+        out,
+        "#compdef scree\n# Made by: scree help --zsh\n_scree() {\n    local -a commands\n    commands=(\n");
+    for (int k = 0; (command = command_get(k)) != NULL; k++) {
+        fprintf(out, "        '%s:", command->name);
+        put_quoted(out, command->summary, "", "'\\''");
+        fprintf(out, "'\n");
+    }
+    fprintf(out,
+            "        'help:a command at length, all keys of a scene, or one key at length'\n    )\n"
+            "    if (( CURRENT == 2 )); then\n        _describe command commands\n        return\n    fi\n"
+            "    case $words[2] in\n");
+    for (int k = 0; (command = command_get(k)) != NULL; k++) {
+        fprintf(out, "    %s)\n        _arguments '*:file:_files'", command->name);
+        for (int f = 0; (flag = command_line_flag(command, f)) != NULL; f++) {
+            fprintf(out, " \\\n            '%s--%s[", strcmp(flag->name, "set") == 0 ? "*" : "", flag->name);
+            put_quoted(out, flag->help, "[]:\\", "'\\''");
+            fprintf(out, "]");
+            if (flag->argument) {
+                fprintf(out, ":");
+                put_quoted(out, flag->argument, ":\\", "'\\''");
+                fprintf(out, ":_files");
+            }
+            fprintf(out, "'");
+        }
+        fprintf(out, " ;;\n");
+    }
+    fprintf(out, "    help) _describe command commands ;;\n    esac\n}\n_scree \"$@\"\n");
+}
+
+void manual_fish(FILE *out) {
+    const struct command *command;
+    const struct flag *flag;
+    fprintf(out, "# Made by: scree help --fish\n");
+    for (int k = 0; (command = command_get(k)) != NULL; k++) {
+        fprintf(out, "complete -c scree -f -n __fish_use_subcommand -a %s -d '", command->name);
+        put_quoted(out, command->summary, "\\", "\\'");
+        fprintf(out, "'\n");
+        for (int f = 0; (flag = command_line_flag(command, f)) != NULL; f++) {
+            fprintf(out, "complete -c scree -n '__fish_seen_subcommand_from %s' -l %s%s -d '", command->name,
+                    flag->name, flag->argument ? " -r" : "");
+            put_quoted(out, flag->help, "\\", "\\'");
+            fprintf(out, "'\n");
+        }
+    }
+    fprintf(out, "complete -c scree -f -n __fish_use_subcommand -a help -d 'a command at length, all keys of "
+                 "a scene, or one "
+                 "key at length'\n");
 }

@@ -11,4 +11,8 @@ void manual_page(FILE *out);
 /* Prints the completion of bash, for `scree help --bash`. */
 void manual_bash(FILE *out);
 
+/* Prints the completion of zsh and of fish, for `scree help --zsh` and `--fish`. */
+void manual_zsh(FILE *out);
+void manual_fish(FILE *out);
+
 #endif

@@ -20,6 +20,14 @@ static int show_help(int argc, char **argv) {
         manual_bash(stdout);
         return 0;
     }
+    if (argc == 3 && strcmp(argv[2], "--zsh") == 0) {
+        manual_zsh(stdout);
+        return 0;
+    }
+    if (argc == 3 && strcmp(argv[2], "--fish") == 0) {
+        manual_fish(stdout);
+        return 0;
+    }
     const struct command *command = argc > 2 ? command_find(argv[2]) : NULL;
     if (command && argc > 3) {
         bool known = command_usage(stdout, command, argv[3]);

@@ -143,7 +143,7 @@ check 'a table for a report' refuses 'reads report.json' short/observables.csv -
 echo '== manual page and completion'
 described() { # every flag of every command stands in both
     "$scree" help --man | sed 's/\\-/-/g' >page && "$scree" help --bash >completion && bash -n completion || return 1
-    for command in run check ablate info convert pack; do
+    for command in run check ablate info convert picture report pack; do
         "$scree" help "$command" | sed -n 's/^  \(--[a-z-]*\).*/\1/p' >flags
         [ -s flags ] && holds page ".SS scree $command" || return 1
         while read -r flag; do
@@ -159,6 +159,19 @@ completes() { # WORDS ANSWER
 }
 check 'a command is completed' completes 'scree ab' ablate
 check 'a flag is completed' completes 'scree check --ra' --ranks
+
+fish_completes() {
+    "$scree" help --fish >scree.fish
+    [ "$(HOME=$out fish -c 'source scree.fish; complete -C "scree pic"' | cut -f1)" = picture ] &&
+        HOME=$out fish -c 'source scree.fish; complete -C "scree check --ra"' | grep -q '^--ranks'
+}
+if command -v fish >/dev/null; then check 'fish completes commands and flags' fish_completes; else skip 'completion: no fish here'; fi
+zsh_completes() { # _describe and _arguments get the words
+    "$scree" help --zsh >_scree && zsh -n _scree &&
+        zsh -c '_describe() { print -l $commands }; CURRENT=2; words=(scree pic); source ./_scree' | grep -q '^picture:draws' &&
+        zsh -c '_arguments() { print -l $@ }; CURRENT=3; words=(scree check --ra); source ./_scree' | grep -q '^--ranks\[.*\]:N:'
+}
+if command -v zsh >/dev/null; then check 'zsh completes commands and flags' zsh_completes; else skip 'completion: no zsh here'; fi
 
 echo '== a layout'
 foretold() { # by one rank: the copies of two
