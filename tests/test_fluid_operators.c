@@ -135,8 +135,7 @@ static void test_lattices(void **state) {
         int dimension, side;
         double reach;
         size_t neighbours;
-    } rows[] = {
-        {FLUID_HEXAGONAL, 2, 32, 2.4, 18}, {FLUID_BCC, 3, 12, 1.95, 26}, {FLUID_FCC, 3, 12, 2.1, 42}};
+    } rows[] = {{FLUID_HEXAGONAL, 2, 32, 2.4, 18}, {FLUID_BCC, 3, 12, 1.95, 26}, {FLUID_FCC, 3, 12, 2.1, 42}};
     (void)state;
     for (int k = 0; k < 3; k++) {
         struct fluid_cloud_errors error[2];

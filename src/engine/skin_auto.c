@@ -42,10 +42,11 @@ static double farthest(const struct simulation *s, int64_t octaves) {
 }
 
 /* The most octaves with which no two particles meet through two images. A run that has such pairs already, and
- * one whose copies may not go beyond neighbours, keeps its skin or shortens it. */
+ * one whose copies may not go beyond neighbours, keeps its skin or shortens it (a reproducible one on a single rank,
+ * too: the choice is that of all layouts). */
 static int64_t octaves_most(const struct simulation *s) {
     int64_t now = s->search.choice.octaves;
-    if (!s->ranks.alone && s->scene->ghosts.sync == GHOSTS_NEIGHBOURS && !s->scene->reproducible)
+    if (s->scene->ghosts.sync == GHOSTS_NEIGHBOURS && (!s->ranks.alone || s->scene->reproducible))
         return 0;
     for (int64_t k = SKIN_MOST; k > SKIN_LEAST; k--) {
         double reach = farthest(s, k);

@@ -11,11 +11,12 @@ static const double same = 1e-6; /* part of an edge by which multiples of the sp
 static const struct {
     double step[3];
     int numbers, dimension;
-} rows[] = {[FLUID_CUBIC] = {{1, 1, 1}, 1, 0},
-            [FLUID_BCC] = {{0.62996052494743658, 0.62996052494743658, 0.62996052494743658}, 4, 3}, /* 4^(-1/3) */
-            [FLUID_FCC] = {{0.79370052598409974, 0.79370052598409974, 0.79370052598409974}, 2, 3}, /* 2^(-1/3) */
-            /* d / 2 and d 3^(1/2) / 2 of neighbours at the distance d = (4 / 3)^(1/4) */
-            [FLUID_HEXAGONAL] = {{0.53728496591177096, 0.93060485910209967, 1}, 2, 2}};
+} rows[] = {
+    [FLUID_CUBIC] = {{1, 1, 1}, 1, 0},
+    [FLUID_BCC] = {{0.62996052494743658, 0.62996052494743658, 0.62996052494743658}, 4, 3}, /* 4^(-1/3) */
+    [FLUID_FCC] = {{0.79370052598409974, 0.79370052598409974, 0.79370052598409974}, 2, 3}, /* 2^(-1/3) */
+    /* d / 2 and d 3^(1/2) / 2 of neighbours at the distance d = (4 / 3)^(1/4) */
+    [FLUID_HEXAGONAL] = {{0.53728496591177096, 0.93060485910209967, 1}, 2, 2}};
 
 struct arrangement arrangement_make(const struct fluid_options *options, const struct box *box) {
     enum fluid_arrangement arrangement = options->fill.arrangement;
@@ -53,10 +54,11 @@ bool arrangement_suits(const struct arrangement *lattice, const struct physics_c
     if (lattice->arrangement == FLUID_CUBIC)
         return cubic_suits(lattice, context, error);
     if (lattice->dimension != rows[lattice->arrangement].dimension)
-        return scene_fail(context->scene, error, "fluid.fill.arrangement",
-                          lattice->dimension == 2
-                              ? "this is a lattice of three dimensions; allowed in two: cubic, hexagonal"
-                              : "hexagonal is a lattice of two dimensions; allowed in three: cubic, bcc, fcc");
+        return scene_fail(
+            context->scene, error, "fluid.fill.arrangement",
+            lattice->dimension == 2
+                ? "this is a lattice of three dimensions; allowed in two: cubic, hexagonal"
+                : "hexagonal is a lattice of two dimensions; allowed in three: cubic, bcc, fcc");
     return lattice->stretch <= ARRANGEMENT_STRETCH ||
            scene_fail(context->scene, error, "fluid.spacing",
                       "%g: the lattice would have to be stretched by %.2g to fit the box; allowed is %g: a "
@@ -70,9 +72,8 @@ int arrangement_edges(const struct arrangement *lattice, const int (**steps)[3])
                                         {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}};
     static const int bcc[8][3] = {{1, 1, 1},  {-1, 1, 1},  {1, -1, 1},  {-1, -1, 1},
                                   {1, 1, -1}, {-1, 1, -1}, {1, -1, -1}, {-1, -1, -1}};
-    static const int fcc[12][3] = {{1, 1, 0},  {-1, 1, 0},  {1, -1, 0},  {-1, -1, 0},
-                                   {1, 0, 1},  {-1, 0, 1},  {1, 0, -1},  {-1, 0, -1},
-                                   {0, 1, 1},  {0, -1, 1},  {0, 1, -1},  {0, -1, -1}};
+    static const int fcc[12][3] = {{1, 1, 0},  {-1, 1, 0},  {1, -1, 0}, {-1, -1, 0}, {1, 0, 1},  {-1, 0, 1},
+                                   {1, 0, -1}, {-1, 0, -1}, {0, 1, 1},  {0, -1, 1},  {0, 1, -1}, {0, -1, -1}};
     switch (lattice->arrangement) {
     case FLUID_BCC:
         *steps = bcc;

@@ -4,8 +4,10 @@
 
 double fluid_support(const struct fluid_options *options, int dimension) {
     static const double of_order[] = {0, 2.2, 2.6, 3.1, 3.6}; /* moving least squares */
-    static const double of_lattice[][2] = {
-        [FLUID_CUBIC] = {2.3, 2.2}, [FLUID_BCC] = {2.3, 1.95}, [FLUID_FCC] = {2.3, 2.1}, [FLUID_HEXAGONAL] = {2.4, 2.2}};
+    static const double of_lattice[][2] = {[FLUID_CUBIC] = {2.3, 2.2},
+                                           [FLUID_BCC] = {2.3, 1.95},
+                                           [FLUID_FCC] = {2.3, 2.1},
+                                           [FLUID_HEXAGONAL] = {2.4, 2.2}};
     double support = options->kernel.support;
     bool displaced = options->fill.jitter > 0 || options->motion.name != FLUID_FIXED;
     if (!isnan(support))

@@ -18,8 +18,8 @@
 
 #include "particles/classes.h"
 
-/* Prices of a rebuild for a particle and for a pair of the list, in those of a pair in the filter
- * (examples/bench/skin.sh measures them). */
+/* Prices of a rebuild for a particle and for a pair of the list, in those of a pair in the filter: 50 and 5 by counts of
+ * instructions; a rebuild waits for memory more often than a filter does. */
 enum { SKIN_PARTICLE = 60, SKIN_PAIR = 12 };
 
 /* The factors are quarters of octaves; one choice changes the factor by an octave at most. A change must save a
