@@ -9,6 +9,8 @@ libapp_la_SOURCES = \
 	src/app/ablate_run.h \
 	src/app/check.c \
 	src/app/check.h \
+	src/app/check_parts.c \
+	src/app/check_parts.h \
 	src/app/cost.c \
 	src/app/cost.h \
 	src/app/command.c \
