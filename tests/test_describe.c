@@ -16,7 +16,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { TEXT = 1 << 17, KEYS = 300, KEY = 128 };
+enum { TEXT = 1 << 17, KEYS = 400, KEY = 128 };
 
 static char *read_text(const char *path) {
     char *text = calloc(TEXT, 1);

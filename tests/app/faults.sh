@@ -257,8 +257,8 @@ cut_one() {
     [ $((SECONDS - began)) -le 60 ] || { echo "  the job took $((SECONDS - began)) s to end"; return 1; }
 }
 if [ -e "$cut_write" ]; then
-    check 'of a dataset' cut_one 9 '/particles/all/position/value'
-    check 'of what HDF5 keeps about the file, in a flush' cut_one 4 'trajectory.h5'
+    check 'of a dataset' cut_one 8 '/particles/all/position/value'
+    check 'of what HDF5 keeps about the file, in a flush' cut_one 3 'trajectory.h5'
     check 'of the same, in a later frame' cut_one 18 'trajectory.h5'
     writes_alone() { ! cut_one 1000000 nothing >/dev/null && [ "$(number write/report.json last_step)" = 40 ]; }
     check 'and writes that are left alone do no harm' writes_alone
