@@ -63,7 +63,7 @@ ablation() {
 command_of() {
     case $1 in
     ablation) ablation ;;
-    needs) "$here/needs.sh" ${quick:+100} ;;
+    needs) "$here/needs.sh" ${quick:+100 ${VARIANTS:-}} ;;
     roofline | auto | growth | chute) "$here/$1.sh" $quick ;;
     continuous-*-*)
         rest=${1#continuous-}

@@ -81,7 +81,8 @@ static void blocks_make(struct pairlist *list, const struct index_view *view) {
         memory_free(build->thread_of);
         build->thread_of = memory_allocate(build->thread_of_capacity, 1, "thread of each particle");
     }
-    memset(build->thread_of + view->owned, PAIR_NO_THREAD, view->total - view->owned);
+    if (view->total > view->owned)
+        memset(build->thread_of + view->owned, PAIR_NO_THREAD, view->total - view->owned);
     size_t at = 0;
     for (int t = 0; t < list->threads; t++) {
         list->thread_block[t] = (int)at;

@@ -96,7 +96,7 @@ each_kind() { local kind; for kind in step integrator law skin index classes ord
 check 'there is advice on each kind of setting' each_kind
 
 same_on_ranks() {
-    study 2 two --duration 0.05 --judge heap_z && study 1 three --duration 0.05 --judge heap_z &&
+    study 2 two --duration 0.025 --judge heap_z && study 1 three --duration 0.025 --judge heap_z &&
         within "$(field two/speed_error.csv 'dt x 1.5' trajectory_error)" "$(field three/speed_error.csv 'dt x 1.5' trajectory_error)" 1e-8
 }
 check 'two ranks find the same error' same_on_ranks
