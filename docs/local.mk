@@ -7,6 +7,15 @@ EXTRA_DIST += docs/physics.md docs/user-law.md docs/fluid.md \
 	docs/images/blade.png docs/images/repose.png docs/images/wet-pile.png
 EXTRA_DIST += docs/packing.md docs/pictures.md docs/images/picture-drum.png docs/reports.md docs/images/report.png docs/images/report-ablation.png \
 	docs/index.md docs/tutorial.md docs/images/tutorial.png docs/site/conf.py
+EXTRA_DIST += docs/view.md docs/images/view.png
+EXTRA_DIST += docs/gallery.md docs/howto/cluster.md docs/howto/compaction.md docs/howto/coupling.md docs/howto/drum.md docs/howto/hopper.md \
+	docs/howto/pouring.md docs/howto/restart.md docs/howto/shear_cell.md docs/howto/sieve.md \
+	docs/images/gallery-compaction.png docs/images/gallery-compaction-plot.png \
+	docs/images/gallery-drum.png docs/images/gallery-drum-plot.png \
+	docs/images/gallery-hopper.png docs/images/gallery-hopper-plot.png \
+	docs/images/gallery-pouring.png docs/images/gallery-pouring-plot.png \
+	docs/images/gallery-shear_cell.png docs/images/gallery-shear_cell-plot.png \
+	docs/images/gallery-sieve.png docs/images/gallery-sieve-plot.png
 EXTRA_DIST += docs/library.md docs/library.awk docs/python.md
 EXTRA_DIST += docs/scaling.md docs/layouts.md \
 	docs/folders.dot docs/images/folders.svg docs/images/scaling-hybrid.svg docs/images/scaling-model.svg docs/images/scaling-ranks.svg \

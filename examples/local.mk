@@ -54,6 +54,13 @@ nobase_dist_pkgdata_SCRIPTS += $(crushing)/check $(crushing)/run.sh
 
 nobase_dist_pkgdata_DATA += examples/gravel/README.md examples/gravel/scene.yaml
 
+gallery = examples/gallery
+nobase_dist_pkgdata_DATA += \
+	$(gallery)/README.md $(gallery)/compaction.yaml $(gallery)/drum.yaml $(gallery)/funnel.txt $(gallery)/gate.txt $(gallery)/hopper.yaml \
+	$(gallery)/pictures.txt $(gallery)/plot.gp $(gallery)/pouring.yaml $(gallery)/quick.txt $(gallery)/shear_cell.yaml $(gallery)/sieve.yaml \
+	$(gallery)/sieves.txt
+nobase_dist_pkgdata_SCRIPTS += $(gallery)/check $(gallery)/run.sh
+
 gate = examples/gate
 nobase_dist_pkgdata_DATA += $(gate)/README.md $(gate)/bottom.txt $(gate)/gate.txt $(gate)/picture.gp $(gate)/scene.yaml
 nobase_dist_pkgdata_SCRIPTS += $(gate)/check $(gate)/run.sh
@@ -125,3 +132,12 @@ nobase_dist_pkgdata_DATA += \
 	$(bead_packing)/section.awk $(bead_packing)/summary.awk examples/pores.head.md
 nobase_dist_pkgdata_SCRIPTS += \
 	$(bead_packing)/check $(bead_packing)/picture.sh $(bead_packing)/run.sh $(bead_packing)/section.sh examples/pores.sh
+
+ergun = examples/ergun
+nobase_dist_pkgdata_DATA += $(ergun)/README.md $(ergun)/scene.yaml $(ergun)/section.awk
+nobase_dist_pkgdata_SCRIPTS += $(ergun)/check $(ergun)/run.sh $(ergun)/section.sh
+
+fluid_scaling = examples/fluid_scaling
+nobase_dist_pkgdata_DATA += \
+	$(fluid_scaling)/README.md $(fluid_scaling)/count_calls.c $(fluid_scaling)/counts.awk $(fluid_scaling)/scene.yaml $(fluid_scaling)/section.awk
+nobase_dist_pkgdata_SCRIPTS += $(fluid_scaling)/run.sh $(fluid_scaling)/section.sh

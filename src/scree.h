@@ -61,7 +61,8 @@ struct scree_options {
 
 /* Makes a simulation of a scene: its particles, pairs and first forces. `text` is the scene, and `file` its name in
  * messages, relative paths starting from the folder of the file; `text` NULL: the file is read. Signals, progress
- * and all files of a run are left to the caller; the section `output` of the scene counts for observables alone.
+ * and all files of a run are left to the caller; the section `output` of the scene counts for observables alone, and a scene with
+ * `stages` is refused.
  * `options` may be NULL. NULL on failure. Release with scree_destroy. Collective. */
 struct scree_simulation *scree_create(const char *file, const char *text, const struct scree_options *options,
                                       struct scree_error *error);

@@ -67,6 +67,28 @@ static void test_jkr(void **state) {
                 1.0, 1e-4);
 }
 
+/* JKR over 24 orders of magnitude of the overlap: the root solves the equation, without surface energy that of Hertz, and the end
+ * without a root is that with one. */
+static void test_jkr_digits(void **state) {
+    (void)state;
+    const double modulus = 2e7, radius = 1e-4;
+    for (double gamma = 1e-9; gamma < 1e3; gamma *= 10.0) {
+        double s = law_jkr_length(modulus, gamma);
+        for (double d = 1e-16; d < 1e8; d *= 3.7) {
+            double x = law_jkr_root(s, radius, d), rise = x * x * x * x / radius;
+            assert_near((d + s * x) / rise, 1.0, 4e-15);
+        }
+        for (int end = 0; end < 2; end++) {
+            double last = law_jkr_end_overlap(modulus, gamma, radius, (enum law_jkr_end)end);
+            assert_true(law_jkr_holds(s, radius, last * (1.0 - 1e-14), (enum law_jkr_end)end));
+            assert_false(law_jkr_holds(s, radius, last * (1.0 + 1e-14), (enum law_jkr_end)end));
+        }
+    }
+    for (double d = 1e-16; d < 1e8; d *= 3.7)
+        assert_near(law_jkr_radius(modulus, 0.0, radius, d) / sqrt(radius * d), 1.0, 2e-15);
+    assert_true(law_jkr_radius(modulus, 0.0, radius, 0.0) == 0.0);
+}
+
 /* DMT, capillary bridge and van der Waals at chosen places. */
 static void test_pulls(void **state) {
     (void)state;
@@ -383,15 +405,12 @@ static void test_absent(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_energies),
-                                       cmocka_unit_test(test_jkr),
-                                       cmocka_unit_test(test_pulls),
-                                       cmocka_unit_test(test_mirror),
-                                       cmocka_unit_test(test_static_friction),
-                                       cmocka_unit_test(test_refused),
-                                       cmocka_unit_test(test_epsd),
-                                       cmocka_unit_test(test_root),
-                                       cmocka_unit_test(test_absent),
-                                       cmocka_unit_test(test_rub)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_energies),   cmocka_unit_test(test_jkr),
+        cmocka_unit_test(test_jkr_digits), cmocka_unit_test(test_pulls),
+        cmocka_unit_test(test_mirror),     cmocka_unit_test(test_static_friction),
+        cmocka_unit_test(test_refused),    cmocka_unit_test(test_epsd),
+        cmocka_unit_test(test_root),       cmocka_unit_test(test_absent),
+        cmocka_unit_test(test_rub)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

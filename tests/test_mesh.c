@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Reading of meshes: what is accepted, and what is refused with which place. */
+#include "config.h"
 #include "walls/mesh.h"
+#include "walls/wall.h"
 #include "files/numbers.h"
 #include "core/memory.h"
 #include <setjmp.h>
@@ -28,6 +30,41 @@ static bool read_text(struct mesh *mesh, const char *text, size_t size, const ch
     const char *colon = strchr(error.text, ':');
     snprintf(why, 256, "%.255s", colon ? colon : error.text);
     return good;
+}
+
+/* OBJ and PLY by assimp, with polygons; without assimp a message that names the package. */
+static void test_import(void **state) {
+    static const char obj[] = "# a square and a triangle\nv 0 0 0\nv 2 0 0\nv 2 1 0\nv 0 1 0\nv 0 0 3\n"
+                              "f 1 2 3 4\nf 1 2 5\n";
+    static const char ply[] = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                              "property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                              "end_header\n0 0 0\n2 0 0\n2 1 0\n0 1 0\n4 0 1 2 3\n";
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        struct mesh mesh;
+        char why[256];
+        const char *text = k ? ply : obj, *format = k ? "" : "obj";
+        bool good = read_text(&mesh, text, strlen(text), format, why);
+#ifdef HAVE_ASSIMP
+        double area = 0.0;
+        if (!good)
+            fail_msg("%s", why);
+        assert_int_equal(mesh.count, k ? 2 : 3);
+        for (size_t t = 0; t < mesh.count; t++)
+            area += wall_surface_area(mesh.corner[t]);
+        assert_near(area, k ? 2.0 : 5.0, 1e-12);
+        mesh_free(&mesh);
+#else
+        assert_false(good);
+        assert_non_null(strstr(why, "libassimp-dev"));
+#endif
+    }
+#ifdef HAVE_ASSIMP
+    struct mesh mesh;
+    char why[256];
+    assert_false(read_text(&mesh, "v 0 0 0\n", 8, "obj", why));
+    assert_non_null(strstr(why, "OBJ"));
+#endif
 }
 
 static void must_read(struct mesh *mesh, const char *text, size_t size, const char *format) {
@@ -137,7 +174,7 @@ static void test_bad_tables(void **state) {
     refuse("1 2 3 4 nan 6 7 8 9\n", "", ":1: not a finite number: 'nan'");
     refuse("1 2 3 4 5 6 7 8 1e999\n", "", ":1: not a finite number: '1e999'");
     must_refuse("1 2 3 4 5\0 6 7 8 9\n", 20, "table", "byte 9 is zero");
-    refuse("1 2 3 4 5 6 7 8 9\n", "obj", "unknown mesh format 'obj'; known: auto, stl, table");
+    refuse("1 2 3 4 5 6 7 8 9\n", "vrml", "unknown mesh format 'vrml'; known: auto, stl, obj, ply, table");
 }
 
 static void test_bad_ascii(void **state) {
@@ -211,6 +248,6 @@ int main(void) {
         cmocka_unit_test(test_binary),     cmocka_unit_test(test_table),
         cmocka_unit_test(test_bad_tables), cmocka_unit_test(test_bad_ascii),
         cmocka_unit_test(test_bad_binary), cmocka_unit_test(test_no_file),
-        cmocka_unit_test(test_numbers)};
+        cmocka_unit_test(test_import),     cmocka_unit_test(test_numbers)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

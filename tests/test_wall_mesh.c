@@ -2,6 +2,7 @@
 /* Surfaces of meshes: vertices merged, patches and features found, repairs noted, triangles found by the
  * grid. */
 #include "walls/wall_grid.h"
+#include "walls/mesh_shape.h"
 #include "walls/wall_mesh.h"
 #include "walls/wall_touch.h"
 #include <setjmp.h>
@@ -29,6 +30,85 @@ static void test_cube(void **state) {
         wall_mesh_destroy(&mesh);
         assert_null(mesh);
     }
+}
+
+/* The surface of a shape, and its area. */
+static struct wall_mesh *shape_surface(const struct wall_options *options, double *area) {
+    struct wall_mesh_place place = {.scale = 1.0};
+    struct wall_mesh *mesh;
+    struct mesh file;
+    struct error error = {0};
+    if (!mesh_shape_make(&file, options, &error) ||
+        !wall_mesh_create(&mesh, &file, "shape", &place, NULL, &error))
+        fail_msg("%s", error.text);
+    *area = 0.0;
+    for (size_t k = 0; k < file.count; k++)
+        *area += wall_surface_area(file.corner[k]);
+    mesh_free(&file);
+    return mesh;
+}
+
+/* Distance from x to the nearest triangle. */
+static double shape_distance(const struct wall_mesh *mesh, double x, double y, double z) {
+    double least = INFINITY;
+    for (size_t t = 0; t < mesh->triangles; t++)
+        least =
+            fmin(least, wall_touch_nearest(mesh, (int32_t)t, (struct law_vector){x, y, z}, 100.0).distance);
+    return least;
+}
+
+/* Shapes against closed forms: area, patches, open edges, distances. */
+static void test_shapes(void **state) {
+    (void)state;
+    double area;
+    struct wall_options box = {.shape = WALL_BOX, .lower = {-1, 0, 1}, .upper = {1, 3, 2}};
+    struct wall_mesh *mesh = shape_surface(&box, &area);
+    assert_near(area, 2.0 * (2 * 3 + 3 * 1 + 1 * 2), 1e-13);
+    assert_int_equal(mesh->patches, 6);
+    assert_int_equal(wall_mesh_open_edges(mesh, true), 0);
+    for (size_t p = 0; p < 6; p++) /* outwards */
+        assert_true(law_dot(mesh->patch[p].normal, law_add(mesh->patch[p].point, -1.0, mesh->centre)) > 0.4);
+    wall_mesh_destroy(&mesh);
+    struct wall_options rectangle = {
+        .shape = WALL_RECTANGLE, .point = {1, 1, 1}, .along = {0, 2, 0}, .across = {0, 0, 3}};
+    mesh = shape_surface(&rectangle, &area);
+    assert_near(area, 6.0, 1e-14);
+    assert_int_equal(mesh->patches, 1);
+    assert_int_equal(wall_mesh_open_edges(mesh, true), 4);
+    assert_near(shape_distance(mesh, 1, 4, 2), 1.0, 1e-14);
+    wall_mesh_destroy(&mesh);
+    for (int n = 6; n <= 600; n *= 10) {
+        double sine = sin(M_PI / n), polygon = 0.5 * n * sin(2.0 * M_PI / n), far = 1.0 - cos(M_PI / n);
+        struct wall_options disc = {.shape = WALL_DISC,
+                                    .point = {1, 2, 3},
+                                    .normal = {1, 2, -2},
+                                    .radius = 2,
+                                    .hole = 0.5,
+                                    .segments = n};
+        mesh = shape_surface(&disc, &area);
+        assert_near(area, polygon * (4 - 0.25), 1e-12);
+        assert_int_equal(mesh->patches, 1);
+        assert_near(shape_distance(mesh, 1, 2, 3), 0.5, 0.5 * far + 1e-12);
+        wall_mesh_destroy(&mesh);
+        struct wall_options cone = {
+            .shape = WALL_CONE, .axis = {0, 0, 2}, .radius = 1, .radius_end = 4, .length = 4, .segments = n};
+        mesh = shape_surface(&cone, &area);
+        double slant = hypot(4.0, 3.0 * cos(M_PI / n)); /* height of a side's trapezoid */
+        assert_near(area, n * sine * (1 + 4) * slant, 1e-11);
+        assert_int_equal(mesh->patches, n);
+        /* from the axis half way up: the radius there times the cosine of half the angle of the cone */
+        assert_near(shape_distance(mesh, 0, 0, 2), 2.5 * 0.8, 4 * far + 1e-12);
+        wall_mesh_destroy(&mesh);
+        cone.radius_end = 0;
+        mesh = shape_surface(&cone, &area);
+        assert_near(area, n * sine * hypot(4.0, cos(M_PI / n)), 1e-12);
+        wall_mesh_destroy(&mesh);
+    }
+    struct wall_options flat = {.shape = WALL_RECTANGLE, .along = {1, 0, 0}, .across = {2, 0, 0}};
+    struct mesh none;
+    struct error error = {0};
+    assert_false(mesh_shape_make(&none, &flat, &error));
+    assert_int_equal(error.kind, ERROR_USER);
 }
 
 /* Patches are of one plane, connected: not two coplanar plates, nor a ring of narrow facets. */
@@ -186,6 +266,7 @@ int main(void) {
                                        cmocka_unit_test(test_repairs),
                                        cmocka_unit_test(test_refused),
                                        cmocka_unit_test(test_grid),
+                                       cmocka_unit_test(test_shapes),
                                        cmocka_unit_test(test_examples)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

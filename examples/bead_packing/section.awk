@@ -10,7 +10,7 @@ function percent(x) { return sprintf("%+.1f %%", 100 * x) }
 function trim(text) { gsub(/^ +| +$/, "", text); return text }
 /"overlap_percent"/ { # a packing: the beginning of a run
     runs++
-    porosity[runs] = of("porosity"); bulk[runs] = of("porosity_bulk"); joint[runs] = of("porosity_joint"); height[runs] = of("height_mm"); beads[runs] = of("beads")
+    porosity[runs] = of("porosity"); bulk[runs] = of("porosity_bulk"); joint[runs] = of("porosity_joint"); height[runs] = of("height_mm"); width[runs] = of("column_mm"); beads[runs] = of("beads")
     touching[runs] = of("coordination"); near[runs] = of("neighbours_to_1_percent"); overlap[runs] = of("overlap_percent")
     klerk[runs] = of("from_de_klerk"); mueller[runs] = of("from_mueller")
 }
@@ -53,6 +53,15 @@ END {
     for (r = 1; r <= runs; r++)
         if (r in limit)
             printf "| %d | %.2f | %s | %.2f | %s | %.3g | %.3g |\n", r, limit[r], order[r], reference[r], percent(away[r]), permeability[r], kozeny[r]
+    for (r = 1; r <= runs; r++) if (r in limit) { b = beads[r]; of_size[b]++; sum_[b] += limit[r]; square_[b] += limit[r] ^ 2; gap_[b] += away[r]; gaps_[b] += away[r] ^ 2 }
+    for (r = 1; r <= runs; r++) {
+        b = beads[r]; m = of_size[b]
+        if (m < 2 || b in told) continue
+        told[b] = 1
+        spread = sqrt((gaps_[b] / m - (gap_[b] / m) ^ 2) * m / (m - 1))
+        printf "\n%d packings of %d beads (seeds 1 to %d of the pouring; a column of %.2g mm, %.2g mm long, not the large one, for the price): limit %.2f +- %.2f Pa, %s +- %.1f %% from the correlation: mean and standard error.\nA single packing lies %.1f %% (standard deviation) from the mean.\n", \
+            m, b, m, width[r], height[r], sum_[b] / m, sqrt((square_[b] / m - (sum_[b] / m) ^ 2) / (m - 1)), percent(gap_[b] / m), 100 * spread / sqrt(m), 100 * spread
+    }
     print "\nBelow eight spacings a diameter a single pressure drop scatters by about 2 %, and a limit from two of them by three times as much.\nThe limit supposes that the flow at a given pressure drop approaches its limit with the square of the spacing, from the two finest spacings. Eisfeld and Schnitzlein's correlation"
     print "(2001, spheres: K1 = 154, k1 = 1.15, k2 = 0.87) is taken at the porosity and flow of this packing. Kozeny and Carman: porosity^3 d^2 / (180 (1 - porosity)^2).\n"
     print "Floor and lid of the pouring put the beads next to them into flat layers. A packing that repeats with both layers in it has a denser middle (0.411, in the mean 0.4229): 14.25, 15.20 and"

@@ -148,8 +148,9 @@ grows with the threads is the surface between their ranges (second copies of pai
 | 64 | 207.5 million | 7.1 | 0.8 | 0.6 |
 | 64, as it was while each thread looked through the pairs of all | 232.9 million | 30.6 | 3.7 | 0.6 |
 
-In a rebuild one thread alone cuts the rows into blocks (one run of particles and one block at a time), adds up a table of threads x threads for the
-levels, and numbers the slots of particles with very many partners. With 64 threads the cuts take 1.2 of the 207.5 million instructions.
+In a rebuild one thread alone looks once through the classes of all particles and cuts the rows into blocks, adds up a table of threads x threads
+for the levels, and numbers the slots of particles with very many partners. (In the table above each thread's cuts looked through the classes
+again: with 64 threads 1.2 of the 207.5 million instructions.)
 
 A rank works best on one NUMA node: each socket, or each die with memory of its own, gets one rank with as many threads as it has cores
 (\`mpirun --map-by ppr:1:numa:pe=CORES --bind-to core\`). Whether pages lie near the threads that use them was not measured on such a machine.

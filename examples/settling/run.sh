@@ -6,7 +6,7 @@
 # --liquids LIST     some of the four
 # DIR                the results (out)
 #
-# Prints a line of JSON for each liquid and one for all. SCREE_RANKS: MPI ranks (1). PICTURE=1 draws DIR/settling.png.
+# Prints a line of JSON for each liquid and one for all, which DIR/results.jsonl has, too. SCREE_RANKS: MPI ranks (1). PICTURE=1 draws DIR/settling.png.
 set -e
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
@@ -41,8 +41,10 @@ for liquid in $liquids; do
             liquid, rho, mu, spacing, 15 / spacing, rho * most * 15e-6 / mu, most, measured, most / measured - 1, NR - 2, seconds }' \
         "$out/liquid-$liquid/observables.csv" | tee -a "$out/lines.jsonl"
 done
+cp "$out/lines.jsonl" "$out/results.jsonl"
 awk '{ match($0, /"from_measured": [-0-9.]+/); x = substr($0, RSTART + 17, RLENGTH - 17) + 0; x = x < 0 ? -x : x; if (x > worst) worst = x }
-    END { printf "{\"liquids\": %d, \"worst\": %.4f}\n", NR, worst }' "$out/lines.jsonl"
+    END { printf "{\"liquids\": %d, \"worst\": %.4f}\n", NR, worst }' "$out/lines.jsonl" >>"$out/results.jsonl"
+tail -n 1 "$out/results.jsonl"
 if [ "${PICTURE:-0}" = 1 ]; then
     gnuplot -e "out='$out/'" "$here/picture.gp"
     echo "drawn: $out/settling.png" >&2

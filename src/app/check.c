@@ -162,8 +162,10 @@ static const char *wall_note(const struct simulation *s, const struct notes *not
 
 /* Prints the extent of particles and walls, as parts that lie far apart are probably a mistake. */
 static void print_extents(const struct simulation *s, const struct notes *notes) {
-    static const char *const shapes[] = {
-        [WALL_PLANE] = "plane", [WALL_CYLINDER] = "cylinder", [WALL_MESH] = "mesh"};
+    static const char *const shapes[] = {[WALL_PLANE] = "plane", [WALL_CYLINDER] = "cylinder",
+                                         [WALL_MESH] = "mesh",   [WALL_RECTANGLE] = "rectangle",
+                                         [WALL_BOX] = "box",     [WALL_DISC] = "disc",
+                                         [WALL_CONE] = "cone"};
     const struct scene *scene = s->scene;
     struct extent box;
     char note[128] = "";

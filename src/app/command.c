@@ -12,6 +12,7 @@
 #include "formats/convert.h"
 #include "formats/info.h"
 #include "pack/laws.h"
+#include "view/view.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,7 +22,8 @@ static int run_info(const struct comm *comm, const struct command_line *line, st
 static int run_convert(const struct comm *comm, const struct command_line *line, struct error *error);
 
 static const struct command commands[] = {
-    {"run", "SCENE.yaml -o DIR", "runs a scene", 1, 1, "output set petsc resume overwrite quiet", run_run},
+    {"run", "SCENE.yaml -o DIR", "runs a scene", 1, 1, "output set petsc resume overwrite quiet view paused",
+     run_run},
     {"check", "SCENE.yaml",
      "validates a scene and prints what it needs and what a run will cost; writes nothing", 1, 1,
      "set ranks threads", command_check},
@@ -113,6 +115,41 @@ static bool newest_whole(const struct comm *comm, const char *directory, char pa
            error_set(error, ERROR_USER, "%s: holds no checkpoint to resume from", directory);
 }
 
+/* The port of --view; -1 with an error. */
+static int view_port(const struct command_line *line, struct error *error) {
+    char *end;
+    long port = line->view ? strtol(line->view, &end, 10) : 0;
+    if (line->paused && line->view == NULL)
+        error_set(error, ERROR_USER, "command line: --paused goes with --view");
+    else if (line->view && (*end != '\0' || port < 0 || port > 65535))
+        error_set(error, ERROR_USER, "command line: --view %s: the port must be a number from 1 to 65535",
+                  line->view);
+    return error->kind == ERROR_NONE ? (int)port : -1;
+}
+
+/* Runs a scene, with a live view if one is wanted. */
+static int run_viewed(const struct comm *comm, const struct scene *scene, struct run_options *options,
+                      const struct command_line *line, struct error *error) {
+    struct view *view = NULL;
+    struct run_watch watch;
+    char page[FILE_PATH_MAX];
+    struct view_options shown = {
+        .port = view_port(line, error), .paused = line->paused, .directory = line->directory, .page = page};
+    bool good = error->kind == ERROR_NONE;
+    if (good && line->view) {
+        if (comm->rank == 0)
+            page_folder("view.html", page, error);
+        good = comm_agree(comm, error) && view_open(&view, comm, &shown, error);
+    }
+    if (view && good) {
+        watch = view_watch(view);
+        options->watch = &watch;
+    }
+    int status = good ? run_scene(comm, scene, options, NULL, error) : (int)error->kind;
+    view_close(&view);
+    return status;
+}
+
 static int run_run(const struct comm *comm, const struct command_line *line, struct error *error) {
     char newest[FILE_PATH_MAX] = "";
     if (line->directory == NULL) {
@@ -131,7 +168,7 @@ static int run_run(const struct comm *comm, const struct command_line *line, str
     struct scene *scene = command_scene(comm, line, NULL, 0, error);
     if (scene == NULL)
         return error->kind;
-    int status = run_scene(comm, scene, &options, NULL, error);
+    int status = run_viewed(comm, scene, &options, line, error);
     scene_free(&scene);
     return status;
 }

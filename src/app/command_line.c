@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Reads the command line by the table of flags. */
+/* Reads the command line by the table of flags and getopt_long. */
 #include "app/command_line.h"
 #include "core/memory.h"
 #include "scene/scene_files.h"
 #include "scene/scene_text.h"
+#include <getopt.h>
+#include <stddef.h>
 #include <string.h>
 
 static const struct flag flags[] = {
@@ -35,6 +37,11 @@ static const struct flag flags[] = {
      "convert pack"},
     {"quiet", NULL, "no notes, no progress, no report and no list of what a resume changes on the terminal",
      NULL},
+    {"view", "[PORT]",
+     "shows the run while it runs, on a page for a browser on this machine; prints the address of the page; "
+     "PORT: of 127.0.0.1, default: any that is free",
+     "run"},
+    {"paused", NULL, "with --view: waits before the first step until the page lets the run go on", NULL},
     {"to", "FORMAT", "lammps-data, lammps-dump, h5md or xdmf; else by the output's name", NULL},
     {"frame", "N", "one frame only, from 0, negative from the end", "convert"},
     {"frame", "N",
@@ -62,7 +69,7 @@ static const struct flag flags[] = {
      "corner, front, right, back, left, top, or AZIMUTH,ELEVATION of the camera in degrees; default: corner, "
      "in two "
      "dimensions top",
-     NULL},
+     "picture"},
     {"size", "WxH", "width and height in pixels; default: 1280x960", NULL},
     {"rate", "N", "frames a second of a film; default: 25", NULL},
     {"bare", NULL, "no walls and no legend", NULL},
@@ -102,7 +109,7 @@ static const struct flag flags[] = {
      "with --error: columns are judged by their mean from this time on, s; default: sample by sample", NULL},
 };
 
-enum { FLAGS = sizeof flags / sizeof flags[0] };
+enum { FLAGS = sizeof flags / sizeof flags[0], OPTION_FIRST = 256 };
 
 /* True if `name` is a word of the space-separated list. */
 static bool word_in(const char *list, const char *name, size_t length) {
@@ -155,98 +162,155 @@ static bool petsc_add(struct command_line *line, const char *text, struct error 
     return setting_add(line, line->petsc, error);
 }
 
+/* The members of the command line that a flag sets: a text, once or the last one, or whether the flag was given. */
+static const struct target {
+    const char *name;
+    size_t text, given; /* offset of a const char *, of a bool; 0: none */
+    bool last;          /* of several texts the last one counts */
+} targets[] = {
+#define TEXT(flag, member)                                                                                   \
+    { .name = flag, .text = offsetof(struct command_line, member) }
+#define LAST(flag, member)                                                                                   \
+    { .name = flag, .text = offsetof(struct command_line, member), .last = true }
+#define GIVEN(flag, member)                                                                                  \
+    { .name = flag, .given = offsetof(struct command_line, member) }
+    TEXT("output", directory),
+    TEXT("resume", resume),
+    TEXT("to", to),
+    TEXT("frame", frame),
+    TEXT("ranks", ranks),
+    TEXT("get", get),
+    TEXT("column", column),
+    TEXT("row", row),
+    TEXT("view", view),
+    LAST("index", list[ABLATE_INDEX]),
+    LAST("threads", list[ABLATE_THREADS]),
+    LAST("newton", list[ABLATE_NEWTON]),
+    LAST("steps", list[ABLATE_STEPS]),
+    LAST("duration", list[ABLATE_DURATION]),
+    LAST("samples", list[ABLATE_SAMPLES]),
+    LAST("repeat", list[ABLATE_REPEAT]),
+    LAST("members", list[ABLATE_MEMBERS]),
+    LAST("tolerance", list[ABLATE_TOLERANCE]),
+    LAST("judge", list[ABLATE_JUDGE]),
+    LAST("mean-from", list[ABLATE_MEAN_FROM]),
+    LAST("colour", draw[DRAW_COLOUR]),
+    LAST("range", draw[DRAW_RANGE]),
+    LAST("bands", draw[DRAW_BANDS]),
+    LAST("palette", draw[DRAW_PALETTE]),
+    LAST("grey", draw[DRAW_GREY]),
+    LAST("cut", draw[DRAW_CUT]),
+    LAST("size", draw[DRAW_SIZE]),
+    LAST("rate", draw[DRAW_RATE]),
+    GIVEN("overwrite", overwrite),
+    GIVEN("quiet", quiet),
+    GIVEN("paused", paused),
+    GIVEN("bare", bare),
+    GIVEN("error", errors),
+#undef TEXT
+#undef LAST
+#undef GIVEN
+};
+
 static bool flag_store(struct command_line *line, const char *name, const char *value, struct error *error) {
-    static const char *const lists[ABLATE_FLAGS] = {
-        [ABLATE_INDEX] = "index",   [ABLATE_THREADS] = "threads",    [ABLATE_NEWTON] = "newton",
-        [ABLATE_STEPS] = "steps",   [ABLATE_DURATION] = "duration",  [ABLATE_SAMPLES] = "samples",
-        [ABLATE_REPEAT] = "repeat", [ABLATE_MEMBERS] = "members",    [ABLATE_TOLERANCE] = "tolerance",
-        [ABLATE_JUDGE] = "judge",   [ABLATE_MEAN_FROM] = "mean-from"};
-    static const char *const drawn[DRAW_FLAGS] = {
-        [DRAW_COLOUR] = "colour",   [DRAW_RANGE] = "range", [DRAW_BANDS] = "bands",
-        [DRAW_PALETTE] = "palette", [DRAW_GREY] = "grey",   [DRAW_CUT] = "cut",
-        [DRAW_VIEW] = "view",       [DRAW_SIZE] = "size",   [DRAW_RATE] = "rate"};
-    const struct {
-        const char *name;
-        const char **to;
-    } texts[] = {{"output", &line->directory}, {"resume", &line->resume}, {"to", &line->to},
-                 {"frame", &line->frame},      {"ranks", &line->ranks},   {"get", &line->get},
-                 {"column", &line->column},    {"row", &line->row}};
-    for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++)
-        if (strcmp(texts[k].name, name) == 0 && *texts[k].to)
-            return error_set(error, ERROR_USER, "command line: --%s is given twice: %s and %s", name,
-                             *texts[k].to, value);
     if (strcmp(name, "set") == 0)
         return setting_add(line, value, error);
     if (strcmp(name, "petsc") == 0)
         return petsc_add(line, value, error);
-    line->overwrite = line->overwrite || strcmp(name, "overwrite") == 0;
-    line->quiet = line->quiet || strcmp(name, "quiet") == 0;
-    line->bare = line->bare || strcmp(name, "bare") == 0;
-    for (size_t k = 0; k < sizeof drawn / sizeof drawn[0]; k++)
-        if (strcmp(drawn[k], name) == 0)
-            line->draw[k] = value;
-    line->errors = line->errors || strcmp(name, "error") == 0;
-    for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++)
-        if (strcmp(texts[k].name, name) == 0)
-            *texts[k].to = value;
-    for (size_t k = 0; k < sizeof lists / sizeof lists[0]; k++)
-        if (strcmp(lists[k], name) == 0)
-            line->list[k] = value;
+    for (size_t k = 0; k < sizeof targets / sizeof targets[0]; k++) {
+        const struct target *target = &targets[k];
+        if (strcmp(target->name, name) != 0)
+            continue;
+        if (target->given) {
+            *(bool *)(void *)((char *)line + target->given) = true;
+            return true;
+        }
+        const char **text = (const char **)(void *)((char *)line + target->text);
+        if (*text && !target->last)
+            return error_set(error, ERROR_USER, "command line: --%s is given twice: %s and %s", name, *text,
+                             value);
+        *text = value;
+    }
     return true;
 }
 
-/* Reads one flag at argv[*at] (and its argument). */
-static bool flag_read(struct command_line *line, const struct command *command, char **argv, int argc,
-                      int *at, struct error *error) {
-    const char *given = argv[*at], *name = given + 2, *value = NULL;
-    size_t length;
-    if (strcmp(given, "-o") == 0)
-        name = "output";
-    else if (strncmp(given, "--", 2) != 0)
-        return error_set(error, ERROR_USER,
-                         "command line: unknown flag %s; 'scree help %s' lists those of this command", given,
-                         command->name);
-    length = strcspn(name, "=");
-    if (name[length] == '=')
-        value = name + length + 1;
-    for (int f = 0; f < FLAGS; f++) {
-        const struct flag *flag = &flags[f];
-        if (strlen(flag->name) != length || strncmp(flag->name, name, length) != 0 ||
-            !flag_fits(flag, command))
-            continue;
-        if (flag->argument == NULL && value != NULL)
-            return error_set(error, ERROR_USER, "command line: --%s takes no argument", flag->name);
-        if (flag->argument != NULL && value == NULL) {
-            if (*at + 1 >= argc)
-                return error_set(error, ERROR_USER, "command line: %s needs its %s", given, flag->argument);
-            value = argv[++*at];
-        }
-        return flag_store(line, flag->name, value, error);
-    }
-    return error_set(error, ERROR_USER,
-                     "command line: unknown flag %s; 'scree help %s' lists those of this command", given,
-                     command->name);
+/* The flags of a command for getopt_long; each with a number of its own, or getopt_long takes two of one
+ * kind for the same. */
+static void options_make(const struct command *command, struct option option[FLAGS + 1]) {
+    const struct flag *flag;
+    int n = 0;
+    for (; (flag = command_line_flag(command, n)) != NULL; n++)
+        option[n] = (struct option){.name = flag->name,
+                                    .val = OPTION_FIRST + n,
+                                    .has_arg = flag->argument == NULL     ? no_argument
+                                               : flag->argument[0] == '[' ? optional_argument
+                                                                          : required_argument};
+    option[n] = (struct option){0};
+}
+
+/* What getopt_long could not read: `word` is the argument that it stands in. */
+static bool flag_refuse(const struct command *command, const struct option *option, int code,
+                        const char *word, struct error *error) {
+    size_t length = strcspn(word, "=");
+    const struct flag *flag = NULL;
+    if (strcmp(word, "-o") == 0)
+        length = strlen("--output"), word = "--output";
+    for (int k = 0; option[k].name && flag == NULL; k++)
+        if (length > 2 && strncmp(option[k].name, word + 2, length - 2) == 0)
+            flag = command_line_flag(command, k);
+    if (code == ':' && flag)
+        return error_set(error, ERROR_USER, "command line: --%s needs its %s", flag->name, flag->argument);
+    if (flag && strlen(flag->name) == length - 2 && word[length] == '=')
+        return error_set(error, ERROR_USER, "command line: --%s takes no argument", flag->name);
+    return error_set(error, ERROR_USER, "command line: %s %s; 'scree help %s' lists those of this command",
+                     flag ? "several flags begin with" : "unknown flag", word, command->name);
+}
+
+/* The argument of a flag whose argument may be missing: behind '=', or the next word if that is a number. */
+static const char *argument_given(const char *behind, int argc, char **argv) {
+    const char *next = optind < argc ? argv[optind] : "";
+    if (behind)
+        return behind;
+    return *next && next[strspn(next, "0123456789")] == '\0' ? argv[optind++] : "";
+}
+
+static bool file_add(struct command_line *line, const struct command *command, const char *word,
+                     struct error *error) {
+    if (line->files == command->files_max)
+        return error_set(error, ERROR_USER, "command line: '%s' is one argument too many; usage: scree %s %s",
+                         word, command->name, command->arguments);
+    line->file[line->files++] = word;
+    return true;
 }
 
 bool command_line_read(struct command_line *line, const struct command *command, int argc, char **argv,
                        struct error *error) {
+    struct option option[FLAGS + 1];
+    int code, which = 0;
+    bool good = true;
     *line = (struct command_line){0};
-    for (int at = 0; at < argc; at++) {
-        if (argv[at][0] == '-' && argv[at][1] != '\0') {
-            if (!flag_read(line, command, argv, argc, &at, error))
-                return false;
-        } else if (line->files == command->files_max) {
-            return error_set(error, ERROR_USER,
-                             "command line: '%s' is one argument too many; usage: scree %s %s", argv[at],
-                             command->name, command->arguments);
-        } else {
-            line->file[line->files++] = argv[at];
-        }
+    options_make(command, option);
+    optind = 0; /* begin, also where this is not the first command line */
+    opterr = 0; /* the messages are ours */
+    for (int at = 1; good && (code = getopt_long(argc, argv, "-:o:", option, &which)) != -1; at = optind) {
+        if (code == 1)
+            good = file_add(line, command, optarg, error);
+        else if (code == 'o')
+            good = flag_store(line, "output", optarg, error);
+        else if (code < OPTION_FIRST)
+            good = flag_refuse(command, option, code, argv[at], error);
+        else
+            good = flag_store(line, option[which].name,
+                              option[which].has_arg == optional_argument ? argument_given(optarg, argc, argv)
+                                                                         : optarg,
+                              error);
     }
-    if (line->files < command->files_min)
+    for (; good && optind < argc; optind++) /* behind -- */
+        good = file_add(line, command, argv[optind], error);
+    if (good && line->files < command->files_min)
         return error_set(error, ERROR_USER, "command line: too few arguments; usage: scree %s %s",
                          command->name, command->arguments);
-    return true;
+    return good;
 }
 
 struct scene *command_scene(const struct comm *comm, const struct command_line *line,

@@ -35,7 +35,6 @@ enum {
     DRAW_PALETTE,
     DRAW_GREY,
     DRAW_CUT,
-    DRAW_VIEW,
     DRAW_SIZE,
     DRAW_RATE,
     DRAW_FLAGS
@@ -54,10 +53,12 @@ struct command_line {
     const char *get;                /* --get */
     const char *column, *row;       /* --column, --row */
     const char *ranks;              /* --ranks */
+    const char *view;               /* --view of run: "" or the port; of picture: the view; NULL: not given */
     char petsc[COMMAND_PETSC_MAX];  /* --petsc, as a setting */
     const char *list[ABLATE_FLAGS]; /* of ablate */
     const char *draw[DRAW_FLAGS];   /* of picture */
     bool overwrite, quiet;
+    bool paused; /* --paused */
     bool bare;   /* --bare (picture) */
     bool errors; /* --error (ablate) */
 };
@@ -70,7 +71,8 @@ struct command {
     int (*run)(const struct comm *comm, const struct command_line *line, struct error *error);
 };
 
-/* Reads the arguments after the command's name. */
+/* Reads the words behind the name of the command, which is argv[0]; a flag may be abbreviated, and -- ends the flags. Uses
+ * getopt_long, and so its variables. One thread. */
 bool command_line_read(struct command_line *line, const struct command *command, int argc, char **argv,
                        struct error *error);
 

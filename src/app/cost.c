@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Estimates the cost of a run. Read cost.h first. */
 #include "app/cost.h"
+#include "formats/wall_frames.h"
 #include "app/trial.h"
 #include "engine/outputs.h"
 #include "engine/run.h"
@@ -73,6 +74,17 @@ static double checkpoint_bytes(const struct simulation *s) {
     return CHECKPOINT_HEAD + each * (double)s->total;
 }
 
+static void wall_frames_line(const struct simulation *s, uint64_t steps) {
+    const struct output_interval *every = &s->scene->output.walls.every;
+    struct wall_surface surface;
+    if (!output_interval_set(every) || s->grains.walls == NULL)
+        return;
+    double frames = times(s, every, steps);
+    wall_surface_make(&surface, s->grains.walls, NULL);
+    file_line("walls-STEP.vtp", frames, "frame", frames * wall_frames_bytes((double)surface.triangles));
+    wall_surface_free(&surface);
+}
+
 /* Prints the files that `steps` steps will write. Collective: frames are made to find their columns. */
 static void files_print(const struct simulation *s, uint64_t steps) {
     const struct output_options *output = &s->scene->output;
@@ -95,6 +107,7 @@ static void files_print(const struct simulation *s, uint64_t steps) {
         double count = times(s, &output->dump.every, steps);
         file_line("dump.lammpstrj", count, "frame", count * line);
     }
+    wall_frames_line(s, steps);
     if (output_interval_set(&output->observables.every))
         printf("    %-28s %.0f row%s\n", "observables.csv", times(s, &output->observables.every, steps),
                times(s, &output->observables.every, steps) == 1 ? "" : "s");
@@ -107,7 +120,8 @@ static void files_print(const struct simulation *s, uint64_t steps) {
         file_line("checkpoint-STEP.h5", checkpoints, "file", checkpoints * checkpoint_bytes(s));
     printf("    report.json\n");
     if (frames == 0 && !output_interval_set(&trajectory->contacts) &&
-        !output_interval_set(&output->dump.every) && !output_interval_set(&output->observables.every))
+        !output_interval_set(&output->dump.every) && !output_interval_set(&output->observables.every) &&
+        !output_interval_set(&output->walls.every))
         printf("    nothing else will be written: no trajectory, no dump, no observables\n");
     if (s->scene->insertions > 0)
         printf("    (particles that are inserted later come on top)\n");

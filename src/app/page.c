@@ -9,21 +9,21 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Finds the script: beside the program where it was built, else where `make install` puts it. */
-static bool find_script(char path[FILE_PATH_MAX], struct error *error) {
-    static const char *const places[] = {"page/report.py", "../share/scree/page/report.py"};
-    char program[FILE_PATH_MAX] = "";
+bool page_folder(const char *file, char folder[FILE_PATH_MAX], struct error *error) {
+    static const char *const places[] = {"page", "../share/scree/page"};
+    char program[FILE_PATH_MAX] = "", path[FILE_PATH_MAX + 64];
     ssize_t length = readlink("/proc/self/exe", program, sizeof program - 1);
     char *slash = length > 0 ? strrchr(program, '/') : NULL;
     for (size_t k = 0; slash && k < sizeof places / sizeof places[0]; k++) {
-        snprintf(path, FILE_PATH_MAX, "%.*s/%s", (int)(slash - program), program, places[k]);
+        snprintf(folder, FILE_PATH_MAX, "%.*s/%s", (int)(slash - program), program, places[k]);
+        snprintf(path, sizeof path, "%s/%s", folder, file);
         if (access(path, R_OK) == 0)
             return true;
     }
-    snprintf(path, FILE_PATH_MAX, "%s/report.py", SCREE_PAGE_FOLDER);
+    snprintf(folder, FILE_PATH_MAX, "%s", SCREE_PAGE_FOLDER);
+    snprintf(path, sizeof path, "%s/%s", folder, file);
     return access(path, R_OK) == 0 ||
-           error_set(error, ERROR_USER,
-                     "%s: the script of reports is not there; 'make install' puts it there", path);
+           error_set(error, ERROR_USER, "%s: is not there; 'make install' puts it there", path);
 }
 
 /* Writes the effective scene of the run beside the page, if the folder tells it. */
@@ -42,7 +42,7 @@ static bool write_scene(const struct comm *comm, const char *folder, const char 
 
 int command_report(const struct comm *comm, const struct command_line *line, struct error *error) {
     const char *folder = line->file[0], *out = line->directory;
-    char script[FILE_PATH_MAX], scene[FILE_PATH_MAX], told[FILE_PATH_MAX];
+    char pages[FILE_PATH_MAX], script[FILE_PATH_MAX + 16], scene[FILE_PATH_MAX], told[FILE_PATH_MAX];
     struct stat found;
     if (comm->size > 1)
         error_set(error, ERROR_USER, "command line: scree report runs on one rank; it was started on %d",
@@ -51,8 +51,9 @@ int command_report(const struct comm *comm, const struct command_line *line, str
         error_set(error, ERROR_USER, "command line: scree report needs -o FILE.html");
     else if (stat(folder, &found) != 0 || !S_ISDIR(found.st_mode))
         error_set(error, ERROR_USER, "%s: there is no such folder", folder);
-    if (error->kind != ERROR_NONE || !find_script(script, error))
+    if (error->kind != ERROR_NONE || !page_folder("report.py", pages, error))
         return error->kind;
+    snprintf(script, sizeof script, "%s/report.py", pages);
     snprintf(scene, sizeof scene, "%.1000s.scene", out);
     snprintf(told, sizeof told, "%.1000s.log", out);
     bool has_scene = write_scene(comm, folder, scene, error);

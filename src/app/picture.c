@@ -14,7 +14,7 @@ int command_picture(const struct comm *comm, const struct command_line *line, st
                                       .palette = line->draw[DRAW_PALETTE],
                                       .grey = line->draw[DRAW_GREY],
                                       .cut = line->draw[DRAW_CUT],
-                                      .view = line->draw[DRAW_VIEW],
+                                      .view = line->view,
                                       .size = line->draw[DRAW_SIZE],
                                       .rate = line->draw[DRAW_RATE],
                                       .frame = line->frame,

@@ -84,7 +84,7 @@ static int run_command(const struct comm *comm, int argc, char **argv, struct er
             return 0;
         }
     }
-    if (!command_line_read(&line, command, argc - 2, argv + 2, error))
+    if (!command_line_read(&line, command, argc - 1, argv + 1, error))
         return error->kind;
     return command->run(comm, &line, error);
 }
@@ -104,7 +104,7 @@ static int answer_shortly(int argc, char **argv) {
     static struct command_line line; /* large; read once */
     struct error error = {0};
     if (argc < 3 || strcmp(argv[1], "info") != 0 ||
-        !command_line_read(&line, command_find("info"), argc - 2, argv + 2, &error) ||
+        !command_line_read(&line, command_find("info"), argc - 1, argv + 1, &error) ||
         !(line.get || line.column || line.row))
         return -1;
     int status = command_lookup(&line, &error);

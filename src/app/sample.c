@@ -154,7 +154,7 @@ static bool sampler_due(const void *context, uint64_t step) {
 
 void sample_create(struct sampler *sampler, struct sample_record *record, uint64_t steps_each, int samples) {
     *record = (struct sample_record){0};
-    *sampler = (struct sampler){.watch = {sampler, sampler_begin, sampler_due, sampler_look},
+    *sampler = (struct sampler){.watch = {sampler, sampler_begin, sampler_due, sampler_look, false},
                                 .record = record,
                                 .steps_each = steps_each,
                                 .samples_max = samples};
@@ -202,7 +202,7 @@ static bool stopwatch_due(const void *context, uint64_t step) {
 }
 
 void sample_clock_create(struct stopwatch *stopwatch) {
-    *stopwatch = (struct stopwatch){.watch = {stopwatch, stopwatch_begin, stopwatch_due, NULL}};
+    *stopwatch = (struct stopwatch){.watch = {stopwatch, stopwatch_begin, stopwatch_due, NULL, false}};
 }
 
 double sample_clock_read(const struct stopwatch *stopwatch) {

@@ -45,29 +45,9 @@ static bool force_waits(const struct law *law) {
     return law->general && law_cohesion_remembers(law->options.cohesion);
 }
 
-/* Drops the pairs of such a law that do not touch and remember nothing: most of those within its range. Both pairs and
- * records run in the order of the list. */
-static void force_drop_untouched(const struct walk_task *task, const struct walk_batch *batch,
-                                 uint8_t *keep) {
-    const struct history_part *old = task->old;
-    size_t at = task->thread->cursor;
-    for (int k = 0; k < batch->count; k++) {
-        const double *d = batch->record[k];
-        if (d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= (1.0 + 1e-12) * (d[3] * d[3]))
-            continue;
-        while (at < old->count && old->pair[at] < batch->pair[k])
-            at++;
-        keep[k] = keep[k] && at < old->count && old->pair[at] == batch->pair[k];
-    }
-}
-
-/* Drops contacts of particles that are fixed to each other or joined, and of those that cannot pull yet. */
+/* Drops contacts of particles that are fixed to each other or joined. */
 static void force_select(const struct walk_task *task, const struct walk_batch *batch, uint8_t *keep) {
     const struct force_context *context = task->work->context;
-    if (force_waits(context->law))
-        force_drop_untouched(task, batch, keep);
-    if (!context->prescribed && !context->joined)
-        return;
     for (int k = 0; k < batch->count; k++) {
         if (force_fixed(batch->record[k], task->work->gathers > 0 ? batch->gathered[0][k] : NULL))
             keep[k] = 0;
@@ -118,7 +98,9 @@ static struct walk_work force_work(const struct force_context *context) {
                              .stride = (size_t)particles->force_stride,
                              .radii = true,
                              .range = context->range,
-                             .selective = context->prescribed || context->joined || force_waits(context->law),
+                             .waits = force_waits(context->law),
+                             .held = context->law->memory.held,
+                             .selective = context->prescribed || context->joined,
                              .ordered = context->ordered};
     if (context->law->spin) {
         work.gathers = 1;

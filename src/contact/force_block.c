@@ -24,8 +24,16 @@ static inline void force_set_parts(const struct law *law, struct force_batch *b,
 }
 
 static void force_mix_parts(const struct law *law, const uint8_t *material, struct force_batch *b) {
-    for (int k = 0; k < b->walk.padded; k++)
-        force_set_parts(law, b, k, material_of(material, b->walk.i[k]), material_of(material, b->walk.j[k]));
+    const struct force_slice cohesion = force_cohesion_slice(law->options.cohesion),
+                             past = {FORCE_STICKY_PAST,
+                                     law->memory.past < 0 ? 0 : FORCE_STICKY - FORCE_STICKY_PAST};
+    for (int k = 0; k < b->walk.padded; k++) {
+        int p = material_of(material, b->walk.i[k]), q = material_of(material, b->walk.j[k]);
+        force_set_coefficients(b, k, &law->pair[p][q]);
+        force_set_slice(b, k, &law->sticky[p][q], cohesion);
+        force_set_slice(b, k, &law->sticky[p][q], past);
+        b->extra[k] = &law->extra[p][q];
+    }
 }
 
 /* The same coefficients for all contacts of all batches. */

@@ -115,9 +115,15 @@ void force_general_compute(const struct walk_task *task, struct walk_batch *batc
 void force_general_note(const struct walk_task *task, struct walk_batch *batch) {
     const struct force_context *context = task->work->context;
     struct force_thread *thread = (struct force_thread *)batch;
+    const bool *active = thread->batch.active;
+    unsigned sides = 0;
+#pragma omp simd reduction(+ : sides)
     for (int k = 0; k < batch->count; k++)
-        if (thread->batch.active[k])
-            thread->sums.contact_sides += k >= batch->both && k < batch->one ? 1 : 2;
+        sides += active[k] ? 2u : 0u;
+#pragma omp simd reduction(+ : sides)
+    for (int k = batch->both; k < batch->one; k++)
+        sides -= active[k] ? 1u : 0u;
+    thread->sums.contact_sides += sides;
     thread->kernel->account(context, thread);
     if (thread->energies && context->pair_work)
         force_put_work(task, &thread->batch);

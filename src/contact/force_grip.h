@@ -32,7 +32,7 @@ LAW_INLINE struct law_grip force_grip_of(const struct force_grip *loop, const st
                                          const struct law_sticky *sticky, const double radius[3],
                                          double overlap, bool *held, double *past) {
     if (loop->cohesion == LAW_COHESION_JKR)
-        return law_grip_jkr(c, sticky->surface_energy, radius[2], overlap, loop->end, held);
+        return law_grip_jkr(c, sticky->length, sticky->surface_energy, radius[2], overlap, loop->end, held);
     double pressed = law_most(overlap, 0.0), before = *past;
     struct law_springs springs = force_grip_springs(loop, c, sticky, radius[2], pressed, past);
     struct law_pull pull = law_pull_at(loop->cohesion, sticky, radius[0], radius[1], radius[2], overlap);
@@ -42,21 +42,27 @@ LAW_INLINE struct law_grip force_grip_of(const struct force_grip *loop, const st
     return grip;
 }
 
+/* What force_set_sticky has written for contact k. */
+LAW_INLINE struct law_sticky force_sticky_of(const struct force_batch *restrict b, int k) {
+    return (struct law_sticky){.surface_energy = b->sticky[0][k],
+                               .length = b->sticky[1][k],
+                               .density = b->sticky[2][k],
+                               .tension = b->sticky[3][k],
+                               .volume = b->sticky[4][k],
+                               .volume_share = b->sticky[5][k],
+                               .rupture = b->sticky[6][k],
+                               .rupture_share = b->sticky[7][k],
+                               .hamaker = b->sticky[8][k],
+                               .gap_least = b->sticky[9][k],
+                               .cut_off = b->sticky[10][k],
+                               .k_2 = b->sticky[11][k],
+                               .k_c = b->sticky[12][k],
+                               .plasticity_depth = b->sticky[13][k]};
+}
+
 LAW_INLINE void force_grip_one(const struct force_grip *loop, struct force_batch *restrict b, int k) {
     struct law_coefficients c = {.k_n = b->coefficient[0][k], .k_t = b->coefficient[1][k]};
-    struct law_sticky sticky = {.surface_energy = b->sticky[0][k],
-                                .density = b->sticky[1][k],
-                                .tension = b->sticky[2][k],
-                                .volume = b->sticky[3][k],
-                                .volume_share = b->sticky[4][k],
-                                .rupture = b->sticky[5][k],
-                                .rupture_share = b->sticky[6][k],
-                                .hamaker = b->sticky[7][k],
-                                .gap_least = b->sticky[8][k],
-                                .cut_off = b->sticky[9][k],
-                                .k_2 = b->sticky[10][k],
-                                .k_c = b->sticky[11][k],
-                                .plasticity_depth = b->sticky[12][k]};
+    struct law_sticky sticky = force_sticky_of(b, k);
     double ri = b->walk.radius[0][k], rj = b->walk.radius[1][k];
     double radius[3] = {ri, rj, isinf(rj) ? ri : ri * rj / (ri + rj)};
     double past = loop->past ? loop->past[k] : 0.0;

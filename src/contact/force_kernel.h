@@ -6,7 +6,7 @@
  * force_block.c is compiled for several instruction sets, as the walk is. All compiled versions give the same
  * bits. `compute` in force_block.c has two phases:
  *
- *   measure  a vectorised loop, specialised for the law: geometry
+ *   measure  records are turned into columns; a vectorised loop, specialised for the law: geometry
  *   respond  another: law_respond
  *
  * Distances are formed as (x_j - x_i) + shift, so that a pair and its mirror have exactly opposite distances;
@@ -19,7 +19,7 @@
 #include "pairs/walk.h"
 #include <string.h>
 
-enum { FORCE_BATCH = WALK_BATCH, FORCE_LANES = WALK_LANES, FORCE_STICKY = 13 };
+enum { FORCE_BATCH = WALK_BATCH, FORCE_LANES = WALK_LANES, FORCE_STICKY = 14, FORCE_STICKY_PAST = 11 };
 
 /* Places of the law's results in `out` of the walk's batch: components x y z each. */
 enum { FORCE_OUT = 0, FORCE_MOMENT = 3, FORCE_ROLLING = 6 };
@@ -38,6 +38,7 @@ struct force_batch {
     double half_normal[3][FORCE_BATCH];
     double surface[3][FORCE_BATCH];
     double spin[3][FORCE_BATCH];
+    double omega[2][3][FORCE_BATCH]; /* of i, of j, 1/time */
     /* Of a law of the user's: force, stiffness, tangential, contact, energy. Of a law with parts that rubs: force with the
      * damper, the damper's base, tangential, press (law_general.h), 1 where the surfaces touch, 1 where they interact. */
     double springs[6][FORCE_BATCH];
@@ -64,13 +65,33 @@ static inline void force_set_coefficients(struct force_batch *restrict b, int k,
     b->coefficient[5][k] = c->rolling_friction;
 }
 
-/* Writes what the cohesion of contact k takes into a batch. */
-static inline void force_set_sticky(struct force_batch *restrict b, int k, const struct law_sticky *sticky) {
-    double number[FORCE_STICKY];
-    _Static_assert(sizeof number == sizeof *sticky, "a number is missing");
-    memcpy(number, sticky, sizeof number);
-    for (int n = 0; n < FORCE_STICKY; n++)
+/* Members of struct law_sticky that lie side by side, by number; those of laws with branches begin at FORCE_STICKY_PAST. */
+struct force_slice {
+    int first, count;
+};
+
+/* The members that a cohesion takes. */
+static inline struct force_slice force_cohesion_slice(enum law_cohesion cohesion) {
+    static const struct force_slice table[LAW_COHESION_COUNT] = {[LAW_COHESION_JKR] = {0, 2},
+                                                                 [LAW_COHESION_DMT] = {0, 1},
+                                                                 [LAW_COHESION_SJKR] = {2, 1},
+                                                                 [LAW_COHESION_CAPILLARY] = {3, 5},
+                                                                 [LAW_COHESION_VAN_DER_WAALS] = {8, 3}};
+    return table[cohesion];
+}
+
+/* Writes members of what contact k takes into a batch. */
+static inline void force_set_slice(struct force_batch *restrict b, int k, const struct law_sticky *sticky,
+                                   struct force_slice slice) {
+    const double *number = (const double *)sticky;
+    _Static_assert(sizeof *sticky == FORCE_STICKY * sizeof *number, "a number is missing");
+    for (int n = slice.first; n < slice.first + slice.count; n++)
         b->sticky[n][k] = number[n];
+}
+
+/* Writes all that the cohesion of contact k takes into a batch. */
+static inline void force_set_sticky(struct force_batch *restrict b, int k, const struct law_sticky *sticky) {
+    force_set_slice(b, k, sticky, (struct force_slice){0, FORCE_STICKY});
 }
 
 /* Adds a contact with the branch d and the force f on its far end to a virial, `weight` times. */

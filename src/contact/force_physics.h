@@ -5,6 +5,7 @@
 #define SCREE_CONTACT_FORCE_PHYSICS_H
 
 #include "contact/force_kernel.h"
+#include "pairs/walk_four.h"
 
 /* x / y, or 0 where y is 0. */
 LAW_INLINE double force_ratio(double x, double y) {
@@ -21,21 +22,44 @@ LAW_INLINE void force_set(double a[3][FORCE_BATCH], int k, struct law_vector v) 
     a[2][k] = v.z;
 }
 
-/* First loop: computes the law's input for contact k from the records. */
+/* Turns the halves [from, from + 4) of four contacts' records into columns: the entries k ... k + 3 of x, y, z and w. */
+LAW_INLINE void force_columns(const double (*record)[8], int from, double column[3][FORCE_BATCH],
+                              double *restrict fourth, int k) {
+    walk_four out[WALK_QUAD];
+    walk_turn(out, *(const walk_four *)(record[k] + from), *(const walk_four *)(record[k + 1] + from),
+              *(const walk_four *)(record[k + 2] + from), *(const walk_four *)(record[k + 3] + from));
+    for (int c = 0; c < 3; c++)
+        *(walk_four *)&column[c][k] = out[c];
+    if (fourth)
+        *(walk_four *)&fourth[k] = out[3];
+}
+
+/* Loop before the first: records become columns, so that the first loop reads side by side what it computes side by
+ * side. `normal` holds x_j - x_i until then, `overlap` r_i + r_j, and `mass` 1/m_i + 1/m_j. */
+LAW_INLINE void force_unpack(struct law_case law, struct force_batch *restrict b) {
+    for (int k = 0; k < b->walk.padded; k += WALK_QUAD) {
+        force_columns(b->walk.record, 0, b->normal, b->overlap, k);
+        force_columns(b->walk.record, 4, b->velocity, b->mass, k);
+        if (law.friction) {
+            force_columns(b->walk.gathered[0], 0, b->omega[0], NULL, k);
+            force_columns(b->walk.gathered[0], 4, b->omega[1], NULL, k);
+        }
+    }
+}
+
+/* First loop: computes the law's input for contact k from the columns. */
 LAW_INLINE void force_measure(struct law_case law, struct force_batch *b, int k, struct law_step step) {
-    const double *record = b->walk.record[k], *omega = b->walk.gathered[0][k];
-    double ri = b->walk.radius[0][k], rj = b->walk.radius[1][k];
-    struct law_vector d = {record[0], record[1], record[2]}, v = {record[4], record[5], record[6]};
-    double distance = sqrt(law_dot(d, d)), overlap = record[3] - distance;
+    double ri = b->walk.radius[0][k], rj = b->walk.radius[1][k], reach = b->overlap[k];
+    struct law_vector d = force_vector(b->normal, k), v = force_vector(b->velocity, k);
+    double distance = sqrt(law_dot(d, d)), overlap = reach - distance;
     b->overlap[k] = overlap;
-    b->mass[k] = force_ratio(1.0, record[7]);
+    b->mass[k] = force_ratio(1.0, b->mass[k]);
     force_set(b->normal, k, law_scale(force_ratio(1.0, distance), d));
-    force_set(b->velocity, k, v);
     if (law.radius)
-        b->effective[k] = ri * rj / record[3];
+        b->effective[k] = ri * rj / reach;
     if (!law.friction)
         return;
-    struct law_vector wi = {omega[0], omega[1], omega[2]}, wj = {omega[4], omega[5], omega[6]};
+    struct law_vector wi = force_vector(b->omega[0], k), wj = force_vector(b->omega[1], k);
     double lever_i = law_lever(law, ri, overlap), lever_j = law_lever(law, rj, overlap);
     b->walk.lever[0][k] = lever_i;
     b->walk.lever[1][k] = lever_j;
@@ -43,8 +67,8 @@ LAW_INLINE void force_measure(struct law_case law, struct force_batch *b, int k,
         struct law_vector half = law_add(d, -0.5 * step.dt, v);
         double apart = sqrt(law_dot(half, half));
         force_set(b->half_normal, k, law_scale(force_ratio(1.0, apart), half));
-        lever_i = law_lever(law, ri, record[3] - apart);
-        lever_j = law_lever(law, rj, record[3] - apart);
+        lever_i = law_lever(law, ri, reach - apart);
+        lever_j = law_lever(law, rj, reach - apart);
     }
     force_set(b->surface, k, law_add(law_scale(lever_i, wi), lever_j, wj));
     if (law.rolling)
@@ -136,6 +160,7 @@ LAW_INLINE void force_rub(struct law_case law, struct force_batch *b, int k, str
  * `omp simd` loop would become arrays. */
 LAW_INLINE void force_measure_all(struct law_case law, struct force_batch *restrict b, struct law_step step) {
     int count = b->walk.padded;
+    force_unpack(law, b);
 #pragma omp simd
     for (int k = 0; k < count; k++)
         force_measure(law, b, k, step);

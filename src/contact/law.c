@@ -196,7 +196,8 @@ bool law_prepare(struct law *law, const struct law_options *options, int materia
             law->pair[a][b] = law_combine(options, &material[a], &material[b], &pair[a][b]);
             law->pair[b][a] = law->pair[a][b];
             law->extra[a][b] = law->extra[b][a] = pair[a][b].extra;
-            law->sticky[a][b] = law->sticky[b][a] = law_sticky_of(options->cohesion, &pair[a][b].extra);
+            law->sticky[a][b] = law->sticky[b][a] =
+                law_sticky_of(options->cohesion, &law->pair[a][b], &pair[a][b].extra);
         }
     law->options = *options;
     law->materials = materials;

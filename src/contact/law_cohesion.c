@@ -51,7 +51,7 @@ static double pull_energy(enum law_cohesion cohesion, const struct law_sticky *s
 
 struct law_pull law_cohesion_pull(enum law_cohesion cohesion, const struct law_surfaces *s, double overlap,
                                   bool energy) {
-    struct law_sticky sticky = law_sticky_of(cohesion, s->extra);
+    struct law_sticky sticky = law_sticky_of(cohesion, s->c, s->extra);
     struct law_pull pull = law_pull_at(cohesion, &sticky, s->radius[0], s->radius[1], s->effective, overlap);
     if (energy && pull.force > 0.0)
         pull.energy = pull_energy(cohesion, &sticky, s, pull.force, overlap);
@@ -59,7 +59,7 @@ struct law_pull law_cohesion_pull(enum law_cohesion cohesion, const struct law_s
 }
 
 double law_cohesion_range(const struct law_options *options, const struct law_surfaces *s) {
-    struct law_sticky sticky = law_sticky_of(options->cohesion, s->extra);
+    struct law_sticky sticky = law_sticky_of(options->cohesion, s->c, s->extra);
     if (options->cohesion == LAW_COHESION_JKR)
         return -law_jkr_end_overlap(law_modulus(s->c), s->extra->surface_energy, s->effective,
                                     options->jkr_end);

@@ -112,9 +112,4 @@ double law_cohesion_range(const struct law_options *options, const struct law_su
 /* The largest pull on the surfaces at rest, force: 3/2 pi W R* of JKR, 2 pi W R* of DMT. */
 double law_cohesion_largest(enum law_cohesion cohesion, const struct law_surfaces *s);
 
-/* E* of the coefficients of a law with moduli. */
-LAW_INLINE double law_modulus(const struct law_coefficients *c) {
-    return 0.75 * c->k_n;
-}
-
 #endif

@@ -13,8 +13,8 @@ static struct law_grip grip_jkr(const struct law_options *options, const struct 
         past->number[0] = fmax(past->number[0], overlap);
         flat = form->flatten(s->c, s->extra, s->effective, past->number[0]);
     }
-    struct law_grip grip =
-        law_grip_jkr(s->c, gamma, flat.radius, overlap - flat.left, options->jkr_end, &past->held);
+    struct law_grip grip = law_grip_jkr(s->c, law_jkr_length(modulus, gamma), gamma, flat.radius,
+                                        overlap - flat.left, options->jkr_end, &past->held);
     if (!past->held)
         return (struct law_grip){.interacts = overlap > 0.0};
     if (!past->no_energy) {

@@ -36,19 +36,21 @@ struct law_past {
     bool no_energy;              /* nobody asks for the energy, which may cost more than the force */
 };
 
-/* JKR around the dent `left` (length) of spheres with the effective radius `radius`; updates `held`. Arithmetic without branches,
- * as the next one: loops over contacts vectorise (force_grip.h). The energy counts from a = 0. */
-LAW_INLINE struct law_grip law_grip_jkr(const struct law_coefficients *c, double gamma, double radius,
-                                        double depth, enum law_jkr_end end, bool *held) {
+/* JKR at the overlap `depth` of spheres with the effective radius `radius`; updates `held`. `s`: law_jkr_length. Arithmetic without
+ * branches, as the next one: loops over contacts vectorise (force_grip.h). As a^2/R* = d + s sqrt(a), the force is
+ * 2/3 E* a (2 d - s sqrt(a)). The energy counts from a = 0. */
+LAW_INLINE struct law_grip law_grip_jkr(const struct law_coefficients *c, double s, double gamma,
+                                        double radius, double depth, enum law_jkr_end end, bool *held) {
     double modulus = law_modulus(c);
-    bool holds = depth > 0.0 || (*held && depth > law_jkr_end_overlap(modulus, gamma, radius, end));
-    double largest = law_jkr_radius(modulus, gamma, radius, depth), a = holds ? largest : 0.0;
-    struct law_jkr now = law_jkr_at(modulus, gamma, radius, a);
+    bool holds = depth > 0.0 || (*held && law_jkr_holds(s, radius, depth, end));
+    double largest = law_jkr_root(s, radius, depth), root = holds ? largest : 0.0, a = root * root;
+    double force = 2.0 / 3.0 * modulus * a * (2.0 * depth - s * root);
+    struct law_jkr now = law_jkr_state(modulus, s, radius, root);
     *held = holds;
     return (struct law_grip){.interacts = holds,
                              .touches = holds,
-                             .force = now.force,
-                             .least = now.force < 0.0 ? now.force : 0.0,
+                             .force = force,
+                             .least = force < 0.0 ? force : 0.0,
                              .press = holds ? 6.0 * M_PI * gamma * radius : 0.0,
                              .a = a,
                              .spring = c->k_n * a,

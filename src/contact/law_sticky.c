@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Read law_sticky.h first. */
 #include "contact/law_sticky.h"
+#include "contact/law_jkr.h"
 
-struct law_sticky law_sticky_of(enum law_cohesion cohesion, const struct law_extra *extra) {
+struct law_sticky law_sticky_of(enum law_cohesion cohesion, const struct law_coefficients *c,
+                                const struct law_extra *extra) {
     struct law_sticky sticky = {.surface_energy = extra->surface_energy,
                                 .density = extra->cohesion_density,
                                 .hamaker = extra->hamaker,
@@ -11,6 +13,8 @@ struct law_sticky law_sticky_of(enum law_cohesion cohesion, const struct law_ext
                                 .k_2 = extra->k_2,
                                 .k_c = extra->k_c,
                                 .plasticity_depth = extra->plasticity_depth};
+    if (cohesion == LAW_COHESION_JKR)
+        sticky.length = law_jkr_length(law_modulus(c), extra->surface_energy);
     if (cohesion != LAW_COHESION_CAPILLARY || !(extra->surface_tension > 0.0))
         return sticky;
     double reach = 1.0 + 0.5 * extra->contact_angle;

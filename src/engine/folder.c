@@ -2,6 +2,7 @@
 /* Checks, locks, clears and rewinds the folder of a run. Read folder.h first. */
 #include "engine/folder.h"
 #include "formats/checkpoint.h"
+#include "formats/wall_frames.h"
 #include "files/file.h"
 #include <dirent.h>
 #include <errno.h>
@@ -104,12 +105,15 @@ void folder_unlock(int *handle) {
 }
 
 bool folder_clear(const struct comm *comm, const char *directory, struct error *error) {
-    static const char *const names[] = {"trajectory.h5", "trajectory.xdmf", "dump.lammpstrj",
-                                        "observables.csv", "report.json"};
+    static const char *const names[] = {"trajectory.h5",   "trajectory.xdmf", "dump.lammpstrj",
+                                        "observables.csv", "report.json",     "walls.pvd",
+                                        "walls.xdmf"};
     char path[FILE_PATH_MAX];
     for (size_t k = 0; comm->rank == 0 && k < sizeof names / sizeof names[0]; k++)
         if (file_join(path, directory, names[k], error) && unlink(path) != 0 && errno != ENOENT)
             error_set_errno(error, "%s: cannot be replaced", path);
+    if (comm->rank == 0 && error->kind == ERROR_NONE)
+        wall_frames_discard(directory, -1);
     if (comm->rank == 0 && error->kind == ERROR_NONE)
         checkpoint_discard(directory, -1, error);
     return comm_agree(comm, error);

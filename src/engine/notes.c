@@ -51,7 +51,7 @@ struct extent notes_wall_extent(const struct simulation *s, int w) {
         for (int corner = 0; corner < 3; corner++)
             extent_add(&extent, triangle[k] + 3 * corner, 0);
     memory_free(triangle);
-    for (int d = 0; wall->shape != WALL_MESH && d < 3; d++) {
+    for (int d = 0; !wall_shape_meshed(wall->shape) && d < 3; d++) {
         double along = fabs(wall->axis[d]), half = wall->length > 0 ? wall->length / 2 : INFINITY;
         double reach = (along > 0 ? along * half : 0) + wall->radius * sqrt(fmax(0, 1 - along * along));
         if (wall->shape == WALL_PLANE)
@@ -105,7 +105,7 @@ static void look_at_places(const struct simulation *s, struct notes *notes) {
             "'where it is' of scree check, tell why)",
             (long long)notes->outside, (unsigned long long)s->total);
     for (int w = 0; w < scene->walls; w++) {
-        if (scene->wall[w].shape != WALL_MESH)
+        if (!wall_shape_meshed(scene->wall[w].shape))
             continue;
         struct extent extent = notes_wall_extent(s, w);
         for (int d = 0; d < scene->box.dimension; d++)
@@ -130,7 +130,7 @@ static void look_at_servos(const struct simulation *s, struct notes *notes) {
                 double along = 0;
                 for (int d = 0; d < 3; d++) {
                     double at = wall->point[d];
-                    if (wall->shape == WALL_MESH)
+                    if (wall_shape_meshed(wall->shape))
                         at = (extent.lower[d] + extent.upper[d]) / 2;
                     double x = corner >> d & 1 ? notes->particles.upper[d] : notes->particles.lower[d];
                     along += motion->direction[d] * (x - at) * (motion->force < 0 ? 1 : -1);

@@ -74,7 +74,8 @@ static bool grid_due(const struct outputs *o, const struct simulation *s, int k)
 
 bool outputs_due(const struct outputs *o, const struct simulation *s) {
     const struct output_interval *every[] = {&o->options->observables.every, &o->options->trajectory.every,
-                                             &o->options->trajectory.contacts, &o->options->dump.every};
+                                             &o->options->trajectory.contacts, &o->options->dump.every,
+                                             &o->options->walls.every};
     for (size_t k = 0; k < sizeof every / sizeof every[0]; k++)
         if (output_interval_due(every[k], s->clock.step, s->clock.time, s->clock.dt))
             return true;
@@ -100,6 +101,9 @@ bool outputs_write(struct outputs *o, const struct simulation *s, struct error *
     if (good && o->dump &&
         output_interval_due(&options->dump.every, s->clock.step, s->clock.time, s->clock.dt))
         good = frame_write(o, &view, false, error);
+    if (good && o->walls &&
+        output_interval_due(&options->walls.every, s->clock.step, s->clock.time, s->clock.dt))
+        good = wall_frames_write(o->walls, &view, error);
     for (int k = 0; good && k < options->observables.grids; k++)
         if (grid_due(o, s, k))
             good = grid_write(o->grid[k], &view, error);

@@ -74,7 +74,8 @@ static bool files_open(struct outputs *o, const struct simulation *s, bool resum
         if (!dump_open(&o->dump, s->comm, path, step, error))
             return false;
     }
-    return true;
+    return !output_interval_set(&o->options->walls.every) ||
+           wall_frames_open(&o->walls, s->comm, o->run->directory, step, error);
 }
 
 struct output_run outputs_run(const struct simulation *s, const char *directory) {
@@ -139,6 +140,7 @@ bool outputs_close(struct outputs **outputs, const struct comm *comm, struct err
         *error = own;
     for (int k = 0; k < o->options->observables.grids; k++)
         grid_close(&o->grid[k]);
+    wall_frames_close(&o->walls);
     if (o->observables)
         observables_destroy(&o->observables);
     memory_free(o);

@@ -6,6 +6,7 @@
 #include "engine/outputs.h"
 #include "formats/dump.h"
 #include "formats/h5md.h"
+#include "formats/wall_frames.h"
 #include "observe/grid.h"
 
 struct outputs {
@@ -15,6 +16,7 @@ struct outputs {
     bool row_written;                     /* of the observables */
     struct h5md *h5md;
     struct dump *dump;
+    struct wall_frames *walls;
     struct grid *grid[OUTPUT_GRIDS_MAX];
 };
 

@@ -138,7 +138,7 @@ static bool step_once(struct run *run, struct error *error) {
     bool looked = run_stages_due(&run->stages, s, s->clock.step + 1);
     signals_ask(run);
     checked_step(s,
-                 watched || (looked && run_stages_need_sums(&run->stages)) ||
+                 (watched && !watch->without_sums) || (looked && run_stages_need_sums(&run->stages)) ||
                      (run->outputs && outputs_want_sums(run->outputs, s, s->clock.step + 1)),
                  checkpoint);
     if (s->clock.dt != dt) /* a shortened time step needs more steps to the end */
@@ -331,7 +331,8 @@ int run_one(const struct comm *comm, const struct scene *scene, const struct run
     double start = timer_now();
     if (!run_directory_suits(comm, options, error))
         return error->kind;
-    run.s = simulation_create(comm, scene, options->resume, error);
+    struct simulation_caller caller = {.quiet = options->quiet && options->series == NULL};
+    run.s = simulation_create_for(&caller, comm, scene, options->resume, error);
     if (run.s == NULL || (chain == NULL && over_already(run.s, options->resume))) {
         simulation_destroy(&run.s);
         return error->kind;

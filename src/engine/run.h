@@ -17,6 +17,7 @@ struct run_watch {
     bool (*due)(const void *context, uint64_t step);
     /* Gets the state after a step that was due. */
     bool (*look)(void *context, const struct simulation *simulation, struct error *error);
+    bool without_sums; /* look needs no sums of forces (energies, stress) */
 };
 
 struct run_options {

@@ -16,7 +16,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 static bool domain_possible(const struct simulation *s, struct error *error) {
     char place[SCENE_PATH_MAX];
@@ -148,11 +147,10 @@ bool simulation_parts_simd(const struct simulation *s, struct error *error) {
 }
 
 void simulation_parts_placed(void *context, const char *what, double part) {
-    static const double pause = 10;
+    static const double pause = 5;
     struct simulation *s = context;
-    enum progress_mode mode = s->scene->output.progress.mode;
     double now = timer_now();
-    bool shown = mode == PROGRESS_LINES || (mode != PROGRESS_OFF && isatty(fileno(stderr)));
+    bool shown = s->scene->output.progress.mode != PROGRESS_OFF && !s->caller.quiet;
     if (s->comm->rank != 0 || !shown || now - s->sources.placing_told < pause)
         return;
     if (s->sources.placing_told > 0)

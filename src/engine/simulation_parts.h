@@ -14,7 +14,7 @@ void simulation_parts_create(struct simulation *simulation);
 /* Takes the vector instructions that the scene asks for; a user's error where the CPU lacks them. */
 bool simulation_parts_simd(const struct simulation *simulation, struct error *error);
 
-/* Prints the progress of a long placement (`part` of it is done): a line of rank 0 every ten seconds, if progress is
+/* Prints the progress of a long placement (`part` of it is done): a line of rank 0 every five seconds, if progress is
  * shown. `context` is the simulation. */
 void simulation_parts_placed(void *context, const char *what, double part);
 

@@ -161,6 +161,7 @@ struct agree {
 /* The program that runs the simulation, if it is not scree's own. All zero: scree's own. */
 struct simulation_caller {
     struct log log; /* receiver of warnings and notes */
+    bool quiet;     /* nothing is told of the progress of placing particles */
     /* Adds forces of the caller's to those on owned particles, once in each evaluation of forces, before forces
      * of copies return to their originals. Main thread of every rank. NULL: none. */
     void (*force)(void *context, struct simulation *simulation);

@@ -15,5 +15,5 @@ void body_sphere_foot(const double away[3], double radius, int dimension, const 
     const double *w = omega ? omega : none, *n = foot->normal;
     for (int d = 0; d < 3; d++)
         foot->velocity[d] =
-            velocity[d] + radius * (w[(d + 1) % 3] * n[(d + 2) % 3] - w[(d + 2) % 3] * n[(d + 1) % 3]);
+            velocity[d] + distance * (w[(d + 1) % 3] * n[(d + 2) % 3] - w[(d + 2) % 3] * n[(d + 1) % 3]);
 }

@@ -28,8 +28,8 @@ static inline int body_side(int64_t body) {
     return body < -WALLS_MAX ? (int)(-1 - WALLS_MAX - body) : -1;
 }
 
-/* The foot of x on a sphere: `away` = x - centre, `velocity` and `omega` (NULL: no spin) of the sphere. The
- * distance is negative inside. A point at the centre has a normal along x. Any thread. */
+/* The foot of x on a sphere: `away` = x - centre, `velocity` and `omega` (NULL: no spin) of the sphere, whose
+ * rigid motion at x is the velocity of the foot. The distance is negative inside. A point at the centre has a normal along x. Any thread. */
 void body_sphere_foot(const double away[3], double radius, int dimension, const double velocity[3],
                       const double *omega, struct weights_foot *foot);
 

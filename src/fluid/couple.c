@@ -93,12 +93,8 @@ void couple_load(const struct physics_context *context) {
         if (!is_free(p, kind, i))
             continue;
         past_take(past[i], p->state[i].v, first, couple_dt(context));
-        if (spin == NULL)
-            continue;
-        past_take(past[i] + 6, spin[i], first, couple_dt(context));
-        for (int d = 0; d < 3; d++)
-            load[i][3 + d] -=
-                2 * fluid->options->viscosity * displaced(context, p->state[i].radius) * spin[i][d];
+        if (spin != NULL)
+            past_take(past[i] + 6, spin[i], first, couple_dt(context));
     }
 }
 

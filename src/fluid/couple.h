@@ -16,8 +16,8 @@
  * fluid that its surface drags along: C = 2 has room for discs without mass (with C = 1 one of them swung up). The second
  * part of M is that of Stokes's drag; the third one that of the pressure mu div u* of the projection, which in steps that are
  * long against the diffusion over a spacing dx answers to changes of the velocity of the surface (without it grains of 16
- * spacings swung up at nu dt_f = 13 dx^2). The torque lacks the part of the stress
- * mu (grad u)^T, which makes no force on a rigid body but the torque -2 mu V omega, added here. A virtual moment of
+ * spacings swung up at nu dt_f = 13 dx^2). The forces at feet are those of the
+ * velocity relative to the rigid motion of the grain (forces.h), so that their torque is the whole one: a stress of no strain has none. A virtual moment of
  * inertia rho V (C r^2 / 4 + 6 nu dt_f) does the same for the spin. rho V g is buoyancy, as the equations of the fluid have no gravity. In two dimensions forces and V are
  * those per depth; a grain's mass is what the scene gives. */
 #ifndef SCREE_FLUID_COUPLE_H

@@ -13,7 +13,8 @@ static void add_entry(const struct flow *flow, size_t row, size_t entry, size_t 
            push = 2 * volume * flow->pressure[weights->first + row];
     operators_mirror(weights, wall, flow_velocity(flow), flow_velocity_of(flow, row), difference);
     for (int d = 0; d < weights->dimension; d++) {
-        part->viscous[d] -= volume * viscosity * weights_scalar(weights, entry) * difference[d];
+        part->viscous[d] -= volume * viscosity * weights_scalar(weights, entry) *
+                            (difference[d] - weights_turn(weights, wall, d));
         part->pressure[d] += push * weights_vector(weights, entry)[d];
     }
 }

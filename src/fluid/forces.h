@@ -5,6 +5,8 @@
  *
  *   F_g = sum over fluid i of V_i sum over j of body g of [mu w_ij (1 + beta_ij) (u_i - u_w) + 2 p_i b_ij]
  *
+ * Of a grain that turns, u_w is its rigid motion at x_i: what the mirror adds for the turn (weights.h) has no net force on a closed
+ * body, and its torque is that of the rotation of fluid in the grain's place, 2 mu V omega, which mu grad u has and stress has not.
  * With a slip length (1 + beta)(u_i - u_w) is what the mirror gives (operators_mirror). p lacks the pressure
  * whose mean gradient drives the flow. */
 #ifndef SCREE_FLUID_FORCES_H

@@ -193,11 +193,13 @@ static void step_transient(const struct physics_context *context, struct fluid *
 /* The steady flow at once, in the first step; the steps after it leave it as it is. */
 static void step_steady(const struct physics_context *context, struct fluid *fluid) {
     const struct fluid_options *options = fluid->options;
-    const struct steady_options wanted = {.viscosity = options->viscosity,
-                                          .spacing = options->spacing,
-                                          .tolerance = tolerance_of(options, 1e-3),
-                                          .iterations = 1000,
-                                          .preconditioner = preconditioner_of(options)};
+    const struct steady_options wanted = {
+        .viscosity = options->viscosity,
+        .spacing = options->spacing,
+        .edge = fmax(context->box->edge[0], fmax(context->box->edge[1], context->box->edge[2])),
+        .tolerance = tolerance_of(options, 1e-3),
+        .iterations = 1000,
+        .preconditioner = preconditioner_of(options)};
     if (fluid->solved)
         return;
     if (fluid->steady == NULL)

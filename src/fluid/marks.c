@@ -75,7 +75,7 @@ static void side_mark(struct nodes *nodes, int side) {
 void marks_make(struct nodes *nodes, const struct physics_context *context) {
     const struct fluid_options *options = context->options;
     for (int w = 0; w < context->scene->walls; w++)
-        if (context->scene->wall[w].shape == WALL_MESH)
+        if (wall_shape_meshed(context->scene->wall[w].shape))
             mesh_mark(nodes, context->walls, w);
     for (int k = 0; k < options->opens; k++)
         side_mark(nodes, options->open[k].side);

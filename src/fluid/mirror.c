@@ -173,6 +173,54 @@ static void images_make(const struct build *build) {
     }
 }
 
+/* The spin of a grain among the pairs of particle i; NULL: the body is none of them. */
+static const double *spin_among(const struct build *build, size_t i, int64_t body) {
+    const struct weights_input *rows = build->input->rows;
+    for (size_t e = rows->pairs->start[i]; e < rows->pairs->start[i + 1]; e++) {
+        size_t j = pair_partner(rows->pairs->partner[e]);
+        if (rows->kind[j] == KIND_GRAIN && rows->particles->id[j] == body)
+            return build->input->spin[j];
+    }
+    return NULL;
+}
+
+static void row_turn(const struct build *build, size_t row) {
+    const struct weights *weights = build->weights;
+    size_t e = weights_walls(weights, row), i = weights->first + row;
+    for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
+        int64_t body = weights_foot_of(weights, k)->body;
+        const double *w = body > 0 ? spin_among(build, i, body) : NULL;
+        double to[3], *turn = weights->turn[k];
+        separation(build, i, weights->partner[e], to);
+        for (int d = 0; d < 3; d++)
+            turn[d] = w != NULL ? w[(d + 1) % 3] * to[(d + 2) % 3] - w[(d + 2) % 3] * to[(d + 1) % 3] : 0;
+    }
+}
+
+static bool some_turn(const struct mirror_input *input) {
+    const struct weights_input *rows = input->rows;
+    bool some = false;
+    for (size_t k = 0; input->spin && rows->kind && k < rows->particles->owned + rows->particles->ghosts; k++)
+        some = some || (rows->kind[k] == KIND_GRAIN &&
+                        (input->spin[k][0] != 0 || input->spin[k][1] != 0 || input->spin[k][2] != 0));
+    return some;
+}
+
+/* What turning grains add at their wall entries. */
+static void turns_make(const struct build *build) {
+    struct weights *weights = build->weights;
+    if (!some_turn(build->input)) {
+        memory_free(weights->turn);
+        weights->turn = NULL;
+        return;
+    }
+    weights->turn =
+        memory_resize(weights->turn, weights->wall_start[weights->rows], sizeof *weights->turn, "weights");
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++)
+        row_turn(build, row);
+}
+
 size_t mirror_make(struct weights *weights, const struct mirror_input *input) {
     const struct build build = {weights, input};
     size_t sum = 0, lost = 0, behind = 0;
@@ -197,5 +245,6 @@ size_t mirror_make(struct weights *weights, const struct mirror_input *input) {
         weights->opens += weights->foot[k].open;
     if (weights->opens > 0)
         images_make(&build);
+    turns_make(&build);
     return lost;
 }

@@ -290,7 +290,7 @@ static bool walls_suit(const struct physics_context *context, struct error *erro
                 "wall '%s' has %zu edges that are not shared by two triangles of one orientation; beside "
                 "`fluid` a mesh must be closed, with normals that point to the fluid",
                 wall->name, open);
-        if (wall->shape == WALL_MESH && context->box->dimension == 2)
+        if (wall_shape_meshed(wall->shape) && context->box->dimension == 2)
             return scene_fail(
                 context->scene, error, key,
                 "wall '%s' is a mesh, which cannot bound a fluid of two dimensions; take planes and "
@@ -375,7 +375,7 @@ bool nodes_make(struct nodes *nodes, const struct physics_context *context, stru
     for (size_t k = 0; k < nodes->grains; k++)
         grain_mark(nodes, (int32_t)k);
     for (int w = 0; w < context->scene->walls; w++)
-        if (context->scene->wall[w].shape != WALL_MESH)
+        if (!wall_shape_meshed(context->scene->wall[w].shape))
             wall_mark(nodes, context->walls, w);
     return true;
 }

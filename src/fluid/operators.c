@@ -105,6 +105,8 @@ void operators_mirror(const struct weights *weights, size_t wall, struct operato
         difference[d] = foot->pressed       ? 0
                         : weights->slip > 0 ? -along * relative[d] - (straight - along) * across * normal[d]
                                             : -straight * relative[d];
+    for (int d = 0; d < 3; d++)
+        difference[d] += weights_turn(weights, wall, d);
 }
 
 void operators_divergence(const struct weights *weights, struct operators_values u, double *out) {
@@ -128,7 +130,8 @@ void operators_divergence(const struct weights *weights, struct operators_values
                 relative_to_wall(weights, k, own, relative);
             }
             for (size_t d = 0; d < dimension; d++)
-                sum += factor * weights_vector(weights, e)[d] * relative[d];
+                sum +=
+                    weights_vector(weights, e)[d] * (factor * relative[d] + weights_turn(weights, k, (int)d));
         }
         out[row] = sum;
     }
@@ -199,7 +202,7 @@ static void stokes_walls(const struct weights *weights, size_t row, struct opera
             }
         }
         for (int d = 0; d < weights->dimension; d++) {
-            sums->divergence += factor * b[d] * relative[d];
+            sums->divergence += b[d] * (factor * relative[d] + weights_turn(weights, k, d));
             sums->laplacian[d] += w * difference[d];
             sums->gradient[d] += b[d] * step;
         }
@@ -256,8 +259,10 @@ void operators_advection(const struct weights *weights, struct operators_values 
             if (e >= walls) {
                 operators_mirror(weights, wall, u, own, difference);
                 double part = fmin(1, (1 + most) / (1 + weights->mirror[wall]));
-                for (int d = 0; d < 3; d++)
-                    difference[d] *= part;
+                for (int d = 0; d < 3; d++) {
+                    double turn = weights_turn(weights, wall, d);
+                    difference[d] = turn + part * (difference[d] - turn);
+                }
                 wall++;
             }
             for (int d = 0; d < 3; d++)

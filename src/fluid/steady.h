@@ -12,7 +12,8 @@
  * Collocated pressures have nearly invisible modes in dead corners, so the residual stalls long after the flow
  * has converged. Hence the solve ends when the mean flow changes by less than the tolerance over ten
  * iterations and the momentum's residual is below a thousandth of the force. In rolls without a mean flow the root mean
- * square of the velocity takes its place. The ten iterations after a restart of GMRES do not count: they change the
+ * square of the velocity takes its place. Between open sides of given pressure at most a hundredth of the flow may get
+ * lost, too: there the continuity converges slowly. The ten iterations after a restart of GMRES do not count: they change the
  * flow little even where it has a percent to go. */
 #ifndef SCREE_FLUID_STEADY_H
 #define SCREE_FLUID_STEADY_H
@@ -22,6 +23,7 @@
 
 struct steady_options {
     double viscosity, spacing;  /* dynamic viscosity */
+    double edge;                /* the longest of the box: the way between open sides */
     double tolerance;           /* of the mean flow over ten iterations */
     int iterations;             /* at most */
     const char *preconditioner; /* of the velocity (solve.h) */

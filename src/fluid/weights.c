@@ -309,6 +309,7 @@ void weights_free(struct weights *weights) {
     memory_free(weights->vectors);
     memory_free(weights->code);
     memory_free(weights->mirror);
+    memory_free(weights->turn);
     memory_free(weights->wall_foot);
     memory_free(weights->image);
     memory_free(weights->foot);
@@ -323,6 +324,7 @@ size_t weights_memory(const struct weights *weights) {
            value = sizeof *weights->scalars + (size_t)weights->dimension * sizeof *weights->vectors;
     return weights->row_room * (3 * sizeof(size_t) + 2 * sizeof(double)) + weights->entry_room * entry +
            weights->value_room * value +
-           weights->wall_room * (sizeof *weights->mirror + sizeof *weights->wall_foot) +
+           weights->wall_room * (sizeof *weights->mirror + sizeof *weights->wall_foot +
+                                 (weights->turn ? sizeof *weights->turn : 0)) +
            weights->foot_room * sizeof *weights->foot;
 }

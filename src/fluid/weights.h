@@ -18,6 +18,7 @@
  *   no slip, wall velocity u_w:   f_j - f_i = -(1 + beta) (f_i - u_w)        for each component of velocity
  *   slip length b, tangential:    f_j - f_i = -(d_i + d_j) / (d_i + b) (f_i - u_w) = -(1 + beta) d_i / (d_i + b) ...
  *   no flux (pressure):           f_j - f_i = 0
+ *   grain that turns by omega:    f_j - f_i = omega x (x_j - x_i) - (1 + beta) (f_i - u_w),  u_w its rigid motion at x_i
  *
  * and at an open side of given pressure p_w (`pressed`), where the velocity does not change along the normal,
  *
@@ -47,13 +48,14 @@ enum weights_operators { WEIGHTS_CORRECTED, WEIGHTS_STANDARD, WEIGHTS_MLS };
 
 /* The tangent plane of a body at the point nearest to a fluid particle i. */
 struct weights_foot {
-    double distance;    /* d_i, length, >= WEIGHTS_NEAREST x spacing */
-    double normal[3];   /* unit, out of the body into the fluid; the foot point is x_i - d_i n */
-    double velocity[3]; /* of the body's surface there, u_w, length/time */
-    int64_t body;       /* see body.h: id of a grain, or -1 - number of a wall or of an open side */
-    bool open;          /* an open side of the box */
-    bool pressed;       /* of given pressure */
-    double pressure;    /* there */
+    double distance;  /* d_i, length, >= WEIGHTS_NEAREST x spacing */
+    double normal[3]; /* unit, out of the body into the fluid; the foot point is x_i - d_i n */
+    double
+        velocity[3]; /* u_w, of the body's surface there, of a grain its rigid motion at x_i; length/time */
+    int64_t body;    /* see body.h: id of a grain, or -1 - number of a wall or of an open side */
+    bool open;       /* an open side of the box */
+    bool pressed;    /* of given pressure */
+    double pressure; /* there */
 };
 #define WEIGHTS_NEAREST 1e-4
 
@@ -78,8 +80,9 @@ struct weights {
      * of its own in `code`; else (NULL) value k is that of entry k. */
     double *scalars, *vectors;
     uint8_t *code;
-    double *mirror;            /* by wall entry: beta_ij = d_j / d_i, not capped */
-    uint32_t *wall_foot;       /* by wall entry: number of its foot */
+    double *mirror;      /* by wall entry: beta_ij = d_j / d_i, not capped */
+    double (*turn)[3];   /* by wall entry: omega x (x_j - x_i), omega of j's grain; NULL: no grain turns */
+    uint32_t *wall_foot; /* by wall entry: number of its foot */
     struct weights_foot *foot; /* by row, then by body */
     size_t *foot_start;        /* [rows + 1]: feet of row k */
     double *volume;            /* by row: V_i, length^dimension */
@@ -121,6 +124,11 @@ static inline double weights_divergence_factor(const struct weights *weights, si
 /* The foot of a wall entry. */
 static inline const struct weights_foot *weights_foot_of(const struct weights *weights, size_t wall) {
     return &weights->foot[weights->wall_foot[wall]];
+}
+
+/* By how much the rigid motion of a wall entry's body at j differs from that at i, one component. */
+static inline double weights_turn(const struct weights *weights, size_t wall, int d) {
+    return weights->turn != NULL ? weights->turn[wall][d] : 0;
 }
 
 /* The image of a wall entry; NULL where there is none. */

@@ -63,6 +63,8 @@ libformats_la_SOURCES = \
 	src/formats/restart.h \
 	src/formats/rows.c \
 	src/formats/rows.h \
+	src/formats/wall_frames.c \
+	src/formats/wall_frames.h \
 	src/formats/xdmf.c \
 	src/formats/xdmf.h
 libformats_la_CPPFLAGS = $(AM_CPPFLAGS) $(HDF5_CFLAGS) $(MPI_CFLAGS) $(ZLIB_CFLAGS)

@@ -57,6 +57,11 @@ struct dump_options {
     struct output_fields fields;
 };
 
+/* DIR/walls-STEP.vtp, walls.pvd and walls.xdmf. */
+struct wall_frames_options {
+    struct output_interval every;
+};
+
 /* DIR/checkpoint-STEP.h5. */
 struct checkpoint_options {
     uint64_t every_steps; /* 0: not by steps */
@@ -96,6 +101,8 @@ struct observable_request {
     unsigned components;          /* bits 1 x, 2 y, 4 z; 0: all */
     char of[OUTPUT_EXPRESSION_MAX], where[OUTPUT_EXPRESSION_MAX]; /* expressions over particles; "": none */
     char unit[OUTPUT_NAME_MAX];                                   /* of the expression */
+    int directions; /* numbers given in `cells`: 3, or 0 without */
+    int64_t cells[3];
 };
 
 enum output_kernel { OUTPUT_KERNEL_CELLS, OUTPUT_KERNEL_GAUSS };
@@ -134,6 +141,7 @@ struct progress_options {
 struct output_options {
     struct trajectory_options trajectory;
     struct dump_options dump;
+    struct wall_frames_options walls;
     struct checkpoint_options checkpoint;
     struct observables_options observables;
     struct progress_options progress;

@@ -30,7 +30,7 @@ static void force(void *context, struct simulation *state) {
 static struct scene *scene_make(const struct comm *comm, const char *file, const char *text,
                                 const struct scree_options *options, struct error *error) {
     struct scene *scene = NULL;
-    char *read = NULL;
+    char *read = NULL, place[SCENE_PATH_MAX];
     struct scene_setting *set =
         memory_allocate((size_t)(options->sets > 0 ? options->sets : 0), sizeof *set, "settings");
     for (int k = 0; k < options->sets; k++) {
@@ -44,6 +44,11 @@ static struct scene *scene_make(const struct comm *comm, const char *file, const
         text = read;
     if (error->kind == ERROR_NONE)
         scene = scene_parse(file ? file : "scene", text, set, options->sets, error);
+    if (scene && scene->stages > 0)
+        error_set(error, ERROR_USER,
+                  "%s: stages: a program that takes the steps itself gives each stage as a scene of its own; "
+                  "'scree run' runs the %d stages of this scene one after another",
+                  scene_place(scene, "stages", place, sizeof place), scene->stages);
     if (scene)
         scene_files_open(scene, error);
     memory_free(read);

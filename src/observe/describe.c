@@ -68,7 +68,7 @@ static void print_takes(FILE *out, const struct observable_info *info) {
                                         [OBSERVABLE_OF_PARTICLE] = "`id`",
                                         [OBSERVABLE_OF_REGION] = "`target`: a region",
                                         [OBSERVABLE_OF_ALL_OR_REGION] = "`target`: a region, or none",
-                                        [OBSERVABLE_OF_EXPRESSION] = "`of`, `where`, `unit`",
+                                        [OBSERVABLE_OF_EXPRESSION] = "`of`, `where`, `unit`, `cells`",
                                         [OBSERVABLE_OF_PLANE] = "`target`: a plane",
                                         [OBSERVABLE_OF_BODY] =
                                             "`target`: a wall or a group, or `/BODY` after the name"};

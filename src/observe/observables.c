@@ -287,9 +287,10 @@ static bool add_particle(struct resolving *r, const struct observable_request *r
 static bool takes_expressions(const struct observable_request *request, const struct observable_info *info,
                               struct error *error) {
     return info->target == OBSERVABLE_OF_EXPRESSION || (!request->of[0] && !request->where[0]) ||
-           error_set(error, ERROR_USER,
-                     "observables: %s: takes neither `of` nor `where`; sum, mean, largest and least do",
-                     request->name);
+           error_set(
+               error, ERROR_USER,
+               "observables: %s: takes neither `of` nor `where`; sum, mean, largest, least and lacey do",
+               request->name);
 }
 
 static bool add_kind(struct resolving *r, const struct observable_request *request, int kind,

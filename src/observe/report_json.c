@@ -10,8 +10,7 @@
 
 enum { TEXT_ROOM = 256 };
 
-/* Writes a JSON string. */
-static void put_text(FILE *file, const char *text) {
+void report_json_text(FILE *file, const char *text) {
     fputc('"', file);
     for (const unsigned char *c = (const unsigned char *)text; *c; c++) {
         if (*c == '"' || *c == '\\')
@@ -57,7 +56,7 @@ static void put_value(FILE *file, const struct report *report, const struct repo
         fprintf(file, "%s", report_row_flag(row, base) ? "true" : "false");
         break;
     case REPORT_TEXT:
-        put_text(file, report_row_text(row, base, text, sizeof text));
+        report_json_text(file, report_row_text(row, base, text, sizeof text));
         break;
     default:
         put_each(file, report_row_each(row, base), report->ranks);

@@ -5,6 +5,10 @@
 
 #include "core/error.h"
 #include "observe/report.h"
+#include <stdio.h>
+
+/* Writes a text as a JSON string. */
+void report_json_text(FILE *file, const char *text);
 
 /* Writes the report to `path` (rank 0 alone calls) by a temporary name; version, revision, compiler, flags, host
  * and CPU are added. Fails (system) where it cannot be written. */

@@ -58,6 +58,7 @@ void pairlist_destroy(struct pairlist **list) {
     }
     memory_free(l->build->worker);
     memory_free(l->build->thread_of);
+    memory_free(l->build->run);
     memory_free(l->build);
     memory_free(l->i);
     memory_free(l->j);
@@ -111,7 +112,7 @@ static size_t buffer_bytes(const struct pair_buffer *buffer) {
 
 size_t pairlist_memory(const struct pairlist *list) {
     size_t bytes = (list->capacity * 2 + list->slot_of_capacity + list->busy_capacity) * sizeof(uint32_t) +
-                   list->build->thread_of_capacity;
+                   list->build->thread_of_capacity + list->build->run_capacity * sizeof *list->build->run;
     for (int t = 0; t < list->threads; t++) {
         const struct pairlist_worker *w = &list->build->worker[t];
         bytes += w->sink.capacity * 2 * sizeof(uint32_t) + buffer_bytes(&w->one) + buffer_bytes(&w->slot) +

@@ -33,10 +33,18 @@ struct pairlist_worker {
     uint64_t partners[CLASS_MAX]; /* how often a particle of the class is in a pair */
 };
 
+/* Owned particles of one size class that lie together: [first, last). */
+struct class_run {
+    size_t first, last;
+    int size_class;
+};
+
 struct pairlist_build {
     struct pairlist_worker *worker; /* one a thread */
     uint8_t *thread_of; /* total entries: the thread that owns a particle, or meets a ghost first */
     size_t thread_of_capacity;
+    struct class_run *run; /* of the last build */
+    size_t run_count, run_capacity;
     bool busy_class[CLASS_MAX];
     double busy_bound;
     size_t block_rows;

@@ -59,7 +59,7 @@ bool walk_choose(struct walk *walk, const char *name) {
 static void walk_reset(struct walk *walk, struct history *history) {
     for (int t = 0; t < walk->threads; t++) {
         struct walk_thread *thread = walk->thread[t];
-        thread->cursor = 0;
+        thread->cursor = thread->ahead = 0;
         if (walk->slot_doubles > 0)
             memset(thread->slots, 0, walk->slot_doubles * sizeof(double));
         if (history)

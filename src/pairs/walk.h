@@ -111,6 +111,10 @@ struct walk_work {
     size_t stride;
     bool radii;
     double range;
+    /* With `radii` and a history: a pair is near if it touches, or if number `held` of its record is not 0; the range is not
+     * asked. For forces that act across a gap only where surfaces have touched. */
+    bool waits;
+    int held;
     bool selective; /* the client's `select` is asked */
     bool ordered;   /* shares are summed in an order that no layout changes (walk_ordered.h) */
 };
@@ -122,6 +126,7 @@ struct walk_thread {
     uint32_t candidate[WALK_CHUNK + WALK_BATCH + WALK_QUAD];
     size_t candidates;
     size_t cursor;              /* merge pointer into the old history records */
+    size_t ahead;               /* the filter's, of work that waits */
     double *slots;              /* stride doubles a busy particle */
     struct walk_ledger *ledger; /* NULL: shares are added at once */
 };

@@ -87,16 +87,43 @@ static inline __attribute__((always_inline)) void walk_filter(const struct walk_
     thread->candidates = (size_t)(out - thread->candidate);
 }
 
+/* Adds the pairs up to `last` of the block that have a record whose number `held` is not 0 to the candidates from place `from` on, the
+ * pairs that touch. Candidates and records run in the order of the list. */
+static __attribute__((noinline)) void walk_add_held(const struct walk_task *task, size_t from, size_t last) {
+    struct walk_thread *thread = task->thread;
+    const struct history_part *old = task->old;
+    const size_t components = (size_t)task->work->history->components;
+    const size_t held = (size_t)task->work->held;
+    const uint32_t offset = (uint32_t)(task->block->first_pair - task->pair_base);
+    uint32_t *candidate = thread->candidate, apart[WALK_CHUNK];
+    size_t count = thread->candidates, at = thread->ahead, next = from, more = 0;
+    for (; at < old->count && old->pair[at] < offset + last; at++) {
+        uint32_t pair = old->pair[at] - offset;
+        while (next < count && candidate[next] < pair)
+            next++;
+        if ((next == count || candidate[next] != pair) && old->value[at * components + held] != 0.0)
+            apart[more++] = pair;
+    }
+    thread->ahead = at;
+    thread->candidates = count + more;
+    for (size_t to = count + more; more > 0;)
+        candidate[--to] =
+            count > from && candidate[count - 1] > apart[more - 1] ? candidate[--count] : apart[--more];
+}
+
 /* A separate filter for contacts, as the filter for contacts must be fast. */
 static inline void walk_filter_any(const struct walk_task *task, const struct walk_view *view, size_t first,
                                    size_t last) {
     const struct walk_work *work = task->work;
-    if (work->radii && work->range == 0.0)
+    size_t before = task->thread->candidates;
+    if (work->radii && (work->waits || work->range == 0.0))
         walk_filter(*view, WALK_TOUCH, task->thread, first, last);
     else if (work->radii)
         walk_filter(*view, WALK_RADII, task->thread, first, last);
     else
         walk_filter(*view, WALK_RANGE, task->thread, first, last);
+    if (work->waits)
+        walk_add_held(task, before, last);
 }
 
 /* Takes out of the batch the pairs that the client does not want. */
@@ -173,6 +200,16 @@ static inline void walk_gather(const struct walk_task *task, const struct walk_v
  * padding at a time. */
 static inline void walk_recall_run(struct walk_batch *restrict b, const double *restrict value,
                                    int components) {
+    if (components == WALK_QUAD) {
+        for (int k = 0; k < b->count; k += WALK_QUAD) {
+            const walk_four *from = (const walk_four *)value + k;
+            walk_four out[WALK_QUAD];
+            walk_turn(out, from[0], from[1], from[2], from[3]);
+            for (int row = 0; row < WALK_QUAD; row++)
+                *(walk_four *)&b->history[row][k] = out[row];
+        }
+        return;
+    }
     if (components % 3 != 0) {
         for (int k = 0; k < b->count; k++)
             for (int c = 0; c < components; c++)
@@ -221,7 +258,12 @@ static inline void walk_remember(struct history_part *new, const struct walk_bat
                                  int components) {
     double *restrict value = new->value + new->count *(size_t)components;
     memcpy(new->pair + new->count, b->pair, (size_t)b->count * sizeof *b->pair);
-    for (int k = 0; components % 3 != 0 && k < b->count; k++)
+    for (int k = 0; components == WALK_QUAD && k < b->count; k += WALK_QUAD) {
+        const double(*from)[WALK_BATCH] = b->history;
+        walk_turn((walk_four *)value + k, *(const walk_four *)&from[0][k], *(const walk_four *)&from[1][k],
+                  *(const walk_four *)&from[2][k], *(const walk_four *)&from[3][k]);
+    }
+    for (int k = 0; components != WALK_QUAD && components % 3 != 0 && k < b->count; k++)
         for (int c = 0; c < components; c++)
             value[k * components + c] = b->history[c][k];
     for (int k = 0; components % 3 == 0 && k < b->count; k += WALK_QUAD) {
@@ -422,6 +464,8 @@ static void walk_rows(const struct walk_task *task) {
         walk_through(task, WALK_ROLLING, 6);
     else if (scatter == WALK_TORQUE && components == 3)
         walk_through(task, WALK_TORQUE, 3);
+    else if (scatter == WALK_TORQUE && components == 4)
+        walk_through(task, WALK_TORQUE, 4);
     else if (scatter == WALK_FORCE && components == 0)
         walk_through(task, WALK_FORCE, 0);
     else

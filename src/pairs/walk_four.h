@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Four doubles that move together through the walk over pairs; lowered to narrower registers where the CPU
- * has none so wide. Included by walk_block.c alone, which is compiled for several instruction sets. */
+/* Four doubles that move together through the walk over pairs and through the laws; lowered to narrower registers
+ * where the CPU has none so wide. Included by walk_block.c and by the laws' force_physics.h alone, which are
+ * compiled for several instruction sets. */
 #ifndef SCREE_PAIRS_WALK_FOUR_H
 #define SCREE_PAIRS_WALK_FOUR_H
 

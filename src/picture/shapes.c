@@ -45,7 +45,7 @@ static void add_wall(struct shapes *shapes, const struct walls *walls, int wall,
     walls_pose(walls, wall, &pose);
     for (int k = 0; k < o->motions; k++)
         shapes->unknown = shapes->unknown || o->motion[k].kind == WALL_SERVO;
-    if (o->shape == WALL_MESH) {
+    if (wall_shape_meshed(o->shape)) {
         add_mesh(shapes, walls, wall);
     } else if (o->shape == WALL_PLANE) {
         struct shape_plane *plane = &shapes->plane[shapes->planes++];

@@ -67,8 +67,11 @@ bool source_open(struct source *source, const struct comm *comm, const char *fro
     rows_free(&rows);
     struct error unreadable = {0};
     char *text = read_scene(source, kind, &unreadable);
+    /* The scene of a stage has the changes of the stages up to it, so that they do not fit it once more; without stages
+     * a scene needs an end, here any. */
+    static const struct scene_setting alone[] = {{"stages=[]"}, {"step.count=~"}, {"duration=1"}};
     if (text)
-        source->scene = scene_parse(source->path, text, NULL, 0, &unreadable);
+        source->scene = scene_parse(source->path, text, alone, 3, &unreadable);
     if (unreadable.kind != ERROR_NONE)
         fprintf(stderr, "scree: the scene of the run cannot be read, so walls are not drawn: %s\n",
                 unreadable.text);

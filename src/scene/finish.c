@@ -297,10 +297,13 @@ static bool finish_walls(struct scene *scene, struct error *error) {
             wall->format[0] = '\0';
         if (!only_material(scene, &wall->material, error, "walls", w))
             return false;
-        snprintf(key, sizeof(key), "walls[%d].%s", w, wall->shape == WALL_PLANE ? "normal" : "axis");
-        if (wall->shape == WALL_PLANE && !unit_vector(scene, wall->normal, error, key))
+        snprintf(key, sizeof(key), "walls[%d].%s", w,
+                 wall->shape == WALL_PLANE || wall->shape == WALL_DISC ? "normal" : "axis");
+        if ((wall->shape == WALL_PLANE || wall->shape == WALL_DISC) &&
+            !unit_vector(scene, wall->normal, error, key))
             return false;
-        if (wall->shape == WALL_CYLINDER && !unit_vector(scene, wall->axis, error, key))
+        if ((wall->shape == WALL_CYLINDER || wall->shape == WALL_CONE) &&
+            !unit_vector(scene, wall->axis, error, key))
             return false;
         for (int m = 0; m < wall->motions; m++) {
             struct wall_motion *motion = &wall->motion[m];

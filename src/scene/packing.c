@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PROGRESS_BLOCK = 4096 };
+enum { PROGRESS_BLOCK = 256 };
 
 struct draw {
     double radius;

@@ -62,7 +62,7 @@ static bool has_area(const struct scene *scene, int w) {
     bool across = false;
     for (int d = 0; d < scene->box.dimension; d++)
         across = across || fabs(wall->normal[d]) == 1;
-    return wall->shape == WALL_MESH ? scene->box.dimension == 3 : wall->shape == WALL_PLANE && across;
+    return wall_shape_meshed(wall->shape) ? scene->box.dimension == 3 : wall->shape == WALL_PLANE && across;
 }
 
 /* The target of a servo. */

@@ -25,6 +25,7 @@ static const char *const may_change[] = {"gravity",
                                          "output.trajectory.every",
                                          "output.trajectory.contacts",
                                          "output.dump.every",
+                                         "output.walls.every",
                                          "output.checkpoint",
                                          "output.progress",
                                          "observables.every"};

@@ -52,6 +52,12 @@ static const struct schema_row dump_rows[] = {
 };
 static const struct schema_table dump_table = TABLE(dump_rows);
 
+static const struct schema_row wall_frames_rows[] = {
+    {.key = "every", EVERY(struct wall_frames_options, every),
+     .help = "interval of the frames; a bare number counts steps, {time: ...} is simulated time"},
+};
+static const struct schema_table wall_frames_table = TABLE(wall_frames_rows);
+
 static const struct schema_row checkpoint_rows[] = {
     {.key = "every", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0",
      AT(struct checkpoint_options, every_steps), .help = "steps between checkpoints; 0: none",
@@ -79,6 +85,9 @@ static const struct schema_row output_rows[] = {
      .offset = offsetof(struct output_options, trajectory), .help = "the file trajectory.h5, H5MD by parallel HDF5"},
     {.key = "dump", .type = SCHEMA_SECTION, .sub = &dump_table,
      .offset = offsetof(struct output_options, dump), .help = "the file dump.lammpstrj, in LAMMPS's text format"},
+    {.key = "walls", .type = SCHEMA_SECTION, .sub = &wall_frames_table,
+     .offset = offsetof(struct output_options, walls),
+     .help = "the files walls-STEP.vtp, walls.pvd and walls.xdmf: the walls as triangles, with force and pressure, for ParaView"},
     {.key = "checkpoint", .type = SCHEMA_SECTION, .sub = &checkpoint_table,
      .offset = offsetof(struct output_options, checkpoint), .help = "the files checkpoint-STEP.h5, from which a run can resume"},
     {.key = "progress", .type = SCHEMA_NAME, .names = progress_names, .fallback = "auto",
@@ -127,6 +136,8 @@ static const struct schema_row request_rows[] = {
      .help = "an expression that is not 0 for the particles that count; left out: all", .example = "z > 0.1 && material == 1"},
     {.key = "unit", .type = SCHEMA_TEXT, .fallback = "", .in_column = true, AT(struct observable_request, unit),
      .help = "unit of the expression, for the head of the column; left out: 1", .example = "J"},
+    {.key = "cells", .type = SCHEMA_LONGS, .range = "[1, 100000]", ARRAY_AT(struct observable_request, cells, directions),
+     .help = "for lacey: cells of the box along x, y and z", .example = "[10, 1, 20]"},
     {.key = "components", .type = SCHEMA_NAME, .names = schema_components, .fallback = "all",
      AT(struct observable_request, components), .help = "components of a vector", .example = "z"},
 };

@@ -18,8 +18,8 @@ struct units_scale {
 };
 
 /* Reads a unit: factors, each a symbol with an SI prefix and an exponent ("cm3", "s^2", "m-3"), apart by
- * spaces, `*` or `/` (which divides by the one factor after it). Symbols: m g s K A N Pa J W V C F Hz rad deg rpm min h
- * t L bar %. Gives scale and dimension; false if it is none. "" and "1" are pure numbers. */
+ * spaces, `*` or `/` (which divides by the one factor after it). Symbols: m g s K A N Pa J W V C F Hz rad deg rev rpm
+ * sec min h day micron in ft yd t lb lbf L bar psi atm %. Gives scale and dimension; false if it is none. "" and "1" are pure numbers. */
 bool units_parse(const char *text, struct units_scale *scale, struct units_dimension *dimension);
 
 /* A value of a unit in base units. 3 mm gives the double nearest to 0.003. */

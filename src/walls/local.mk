@@ -3,6 +3,9 @@ noinst_LTLIBRARIES += libwalls.la
 libwalls_la_SOURCES = \
 	src/walls/mesh.c \
 	src/walls/mesh.h \
+	src/walls/mesh_import.c \
+	src/walls/mesh_shape.c \
+	src/walls/mesh_shape.h \
 	src/walls/mesh_stl.c \
 	src/walls/wall.h \
 	src/walls/wall_area.c \
@@ -15,9 +18,11 @@ libwalls_la_SOURCES = \
 	src/walls/wall_motion.h \
 	src/walls/wall_patch.c \
 	src/walls/wall_rows.c \
+	src/walls/wall_surface.c \
 	src/walls/wall_touch.c \
 	src/walls/wall_touch.h \
 	src/walls/walls.c \
+	src/walls/walls_displacement.c \
 	src/walls/walls_foot.c \
 	src/walls/walls_force.c \
 	src/walls/walls_history.c \
@@ -26,6 +31,9 @@ libwalls_la_SOURCES = \
 	src/walls/walls_near.h \
 	src/walls/walls_overlap.c \
 	src/walls/walls_parts.h \
+	src/walls/walls_pose.c \
+	src/walls/walls_sums.c \
 	src/walls/walls_visit.c \
 	src/walls/walls_touch.c \
 	src/walls/walls_touch.h
+libwalls_la_CPPFLAGS = $(AM_CPPFLAGS) $(ASSIMP_CFLAGS)

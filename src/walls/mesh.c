@@ -4,7 +4,6 @@
 #include "files/numbers.h"
 #include "core/memory.h"
 #include <string.h>
-#include <strings.h>
 
 static bool mesh_table(struct mesh *mesh, char *text, const char *path, struct error *error) {
     struct numbers numbers;
@@ -21,21 +20,11 @@ static bool mesh_table(struct mesh *mesh, char *text, const char *path, struct e
 }
 
 /* Other kinds of files that people give for a mesh: what to do with each. */
-static const char *mesh_foreign(const char *text, size_t size, const char *path) {
-    size_t length = strlen(path);
-    const char *end = length > 4 ? path + length - 4 : "";
+static const char *mesh_foreign(const char *text, size_t size) {
     if (size > 2 && memcmp(text, "\x1f\x8b", 2) == 0)
         return "is packed by gzip; a mesh must be unpacked: gunzip it";
     if (size > 2 && memcmp(text, "PK", 2) == 0)
         return "is packed by zip; a mesh must be unpacked: unzip it";
-    if (strncmp(text, "ply", 3) == 0 && (text[3] == '\n' || text[3] == '\r'))
-        return "is a PLY file; allowed: STL, ASCII or binary, or a table of nine numbers a triangle: export "
-               "the "
-               "mesh as STL";
-    if (strcasecmp(end, ".obj") == 0 || strncmp(text, "v ", 2) == 0 || strncmp(text, "mtllib ", 7) == 0)
-        return "is an OBJ file; allowed: STL, ASCII or binary, or a table of nine numbers a triangle: export "
-               "the "
-               "mesh as STL";
     return NULL;
 }
 
@@ -44,12 +33,16 @@ static bool mesh_parse(struct mesh *mesh, char *text, size_t size, const char *p
                        struct error *error) {
     bool any = strcmp(format, "") == 0 || strcmp(format, "auto") == 0;
     bool stl = strcmp(format, "stl") == 0;
-    if (!any && !stl && strcmp(format, "table") != 0)
-        return error_set(error, ERROR_USER, "%s: unknown mesh format '%s'; known: auto, stl, table", path,
-                         format);
-    const char *foreign = mesh_foreign(text, size, path);
+    bool import = strcmp(format, "obj") == 0 || strcmp(format, "ply") == 0;
+    if (!any && !stl && !import && strcmp(format, "table") != 0)
+        return error_set(error, ERROR_USER, "%s: unknown mesh format '%s'; known: auto, stl, obj, ply, table",
+                         path, format);
+    const char *foreign = mesh_foreign(text, size);
     if (foreign)
         return error_set(error, ERROR_USER, "%s: %s", path, foreign);
+    const char *found = import ? format : any ? mesh_import_format(text, path) : NULL;
+    if (found)
+        return mesh_import(mesh, text, size, found, path, error);
     if ((any || stl) && mesh_stl_is_binary(text, size))
         return mesh_stl_binary(mesh, text, size, path, error);
     if (stl || (any && mesh_stl_is_ascii(text)))

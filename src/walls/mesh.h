@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Triangle meshes as files hold them: STL (ASCII or binary) or a table of nine numbers a row. Only read here;
+/* Triangle meshes as files hold them: STL (ASCII or binary), OBJ, PLY, or a table of nine numbers a row. Only read here;
  * wall_mesh.h makes the surface of a wall from the triangles. */
 #ifndef SCREE_WALLS_MESH_H
 #define SCREE_WALLS_MESH_H
@@ -15,7 +15,7 @@ struct mesh {
     uint32_t *line; /* line of each triangle in the file, from 1 (ASCII STL: of its `facet`); NULL: binary */
 };
 
-/* Reads a mesh. `format` is "stl", "table", or "" or "auto" to decide by the content. Normals in an STL file
+/* Reads a mesh. `format` is "stl", "obj", "ply" (mesh_import), "table", or "" or "auto" to decide by the content. Normals in an STL file
  * are ignored. Fails (user, with file and line or triangle number) on an unknown format, a file that cannot
  * be read, is truncated or longer than it says, breaks the grammar, has numbers that are not finite, or no
  * triangle. mesh_free releases. One thread. */
@@ -30,5 +30,16 @@ bool mesh_stl_is_ascii(const char *content);
 bool mesh_stl_binary(struct mesh *mesh, const char *content, size_t size, const char *path,
                      struct error *error);
 bool mesh_stl_ascii(struct mesh *mesh, char *text, const char *path, struct error *error);
+
+/* OBJ and PLY files, read by assimp, a library that is loaded when a scene first has such a file.
+ *
+ * "obj" or "ply" if the content, or the end of the path, is that of such a file; else NULL. */
+const char *mesh_import_format(const char *content, const char *path);
+
+/* Reads the content of a file of this format; polygons become triangles, and the parts of a file become one mesh.
+ * assimp reads numbers as floats (seven digits). Fails (user) if the program was built without assimp, if assimp is
+ * not there, or if assimp refuses the file, with assimp's own words. mesh_free releases. One thread. */
+bool mesh_import(struct mesh *mesh, const char *content, size_t size, const char *format, const char *path,
+                 struct error *error);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Walls: planes, cylinders and triangle meshes, each with a material and a motion. A wall uses the
+/* Walls: planes, cylinders, triangle meshes and shapes made of triangles, each with a material and a motion. A wall uses the
  * particles' contact laws, as a partner of infinite mass and infinite radius (m* = m, R* = r).
  *
  *   plane      infinite and one-sided: beyond it is solid, however deep
@@ -9,6 +9,7 @@
  *   mesh       a two-sided surface of triangles. A sphere that touches several triangles of one flat patch
  *              feels one plane; edges and vertices count once, and only where no face covers them
  *              (wall_touch.h)
+ *   rectangle, box, disc, cone   surfaces like a mesh, of triangles that the program makes (mesh_shape.h)
  *
  * A contact with a wall belongs to a *feature* of it: the plane; the shell of a cylinder (0) or a rim (1, 2);
  * of a mesh a flat patch, an edge between patches or a vertex of one (numbered in this order). The history of
@@ -32,7 +33,21 @@
 
 enum { WALLS_MAX = 64, WALL_NAME_MAX = 64, WALL_PATH_MAX = 1024, WALL_MOTIONS_MAX = 8 };
 
-enum wall_shape { WALL_PLANE, WALL_CYLINDER, WALL_MESH };
+enum wall_shape {
+    WALL_PLANE,
+    WALL_CYLINDER,
+    WALL_MESH,
+    WALL_RECTANGLE, /* from here on: triangles made by mesh_shape_make */
+    WALL_BOX,
+    WALL_DISC,
+    WALL_CONE
+};
+
+/* True of the shapes that are surfaces of triangles. */
+static inline bool wall_shape_meshed(enum wall_shape shape) {
+    return shape >= WALL_MESH;
+}
+
 enum wall_motion_kind {
     WALL_TRANSLATE,          /* velocity */
     WALL_ROTATE,             /* angular velocity about a point and axis */
@@ -71,16 +86,24 @@ struct wall_options {
     char name[WALL_NAME_MAX];
     enum wall_shape shape;
     int material;
-    double point[3];  /* PLANE: a point; CYLINDER: a point of the axis; user's coordinates */
-    double normal[3]; /* PLANE: towards the particles */
-    double axis[3];   /* CYLINDER */
-    double radius;    /* CYLINDER */
-    double length;    /* CYLINDER: extent along the axis to both sides of point in total; 0: infinite */
-    bool inside;      /* CYLINDER: particles inside (true) or outside */
-    char file[WALL_PATH_MAX]; /* MESH: STL (ASCII or binary) or a table of nine numbers a row */
-    char format[16];          /* MESH: "stl", "table", or "" = by content */
-    double scale;             /* MESH: lengths in the file x this */
-    double offset[3];         /* MESH: added after scaling */
+    double point
+        [3]; /* PLANE: a point; CYLINDER: a point of the axis; RECTANGLE: a corner; DISC: the middle; CONE: the
+                         middle of the first end; user's coordinates */
+    double normal[3]; /* PLANE: towards the particles; DISC: any of the two */
+    double axis[3];   /* CYLINDER; CONE: from the first end to the second one */
+    double radius;    /* CYLINDER, DISC; CONE: of the first end */
+    double
+        length; /* CYLINDER: extent along the axis to both sides of point in total; 0: infinite. CONE: above 0 */
+    double radius_end;          /* CONE: of the second end, 0: a tip */
+    double hole;                /* DISC: radius of a round hole in the middle; 0: none */
+    double along[3], across[3]; /* RECTANGLE: its sides from the corner */
+    double lower[3], upper[3];  /* BOX: corners, user's coordinates */
+    int segments;               /* DISC, CONE: flat parts around the axis, at least 3 */
+    bool inside;                /* CYLINDER: particles inside (true) or outside */
+    char file[WALL_PATH_MAX];   /* MESH: STL (ASCII or binary) or a table of nine numbers a row */
+    char format[16];            /* MESH: "stl", "table", or "" = by content */
+    double scale;               /* MESH: lengths in the file x this */
+    double offset[3];           /* MESH: added after scaling */
     int motions;
     struct wall_motion motion[WALL_MOTIONS_MAX];
 };
@@ -222,6 +245,19 @@ typedef void walls_visitor(void *context, size_t particle, int wall, double gap)
 void walls_visit(const struct walls *walls, const struct particles *particles, int thread, double range,
                  walls_visitor *visitor, void *context);
 
+/* What one contact does to a wall. */
+struct wall_load {
+    int wall;
+    int32_t triangle; /* of a wall of triangles */
+    double at[3];     /* the contact point, box-relative, in the wall's own image */
+    double force[3];  /* on the wall */
+    double
+        push; /* the part of the force along the normal of the contact, above 0 where the particle presses */
+};
+
+/* The loads of all contacts with walls now, of this rank's particles. Allocated (memory_free). */
+size_t walls_loads(const struct walls *walls, const struct force_context *context, struct wall_load **loads);
+
 /* Contacts with walls now, for the contact list: id_j = -(wall + 1). Allocated (memory_free). */
 size_t walls_contacts(const struct walls *walls, const struct force_context *context,
                       struct force_contact **contacts);
@@ -260,9 +296,31 @@ void walls_set_pose(struct walls *walls, int wall, const struct wall_pose *pose)
 /* Displacement of the wall's centre (see struct wall_pose) from its place at rest in the scene; length. */
 void walls_offset(const struct walls *walls, int wall, double offset[3]);
 
-/* Triangles of a mesh wall at its present pose, user's coordinates, 9 doubles each, for output; 0 for other
- * shapes. */
+/* Triangles of a wall of triangles at its present pose, user's coordinates, 9 doubles each, for output; 0 for other
+ * shapes. Allocated (memory_free). */
 size_t walls_triangles(const struct walls *walls, int wall, double (**triangles)[9]);
+
+/* The walls as they stand now as triangles, with what the particles do to each triangle: for output. A plane is cut to
+ * the box (beyond the box: to its extent along the plane), an endless cylinder to the extent of the box, and cylinders
+ * are drawn with WALL_SURFACE_SECTORS flat sides. */
+enum { WALL_SURFACE_SECTORS = 64 };
+struct wall_surface {
+    size_t triangles;
+    double (*corner)[9]; /* user's coordinates */
+    int32_t *wall;       /* of each triangle */
+    double (*load)
+        [4]; /* force on the triangle; the sum of the normal parts of the contacts' forces, above 0 where
+                            particles press */
+};
+
+/* Makes the surfaces, with the loads of this rank's particles (zeros if `context` is NULL). wall_surface_free
+ * releases. One thread. */
+void wall_surface_make(struct wall_surface *surface, const struct walls *walls,
+                       const struct force_context *context);
+void wall_surface_free(struct wall_surface *surface);
+
+/* Area of a triangle. */
+double wall_surface_area(const double corner[9]);
 
 /* The least angle (rad) by which a mesh wall turns at an edge, of those edges at which a sphere touches both
  * sides at a time (more than WALL_TOUCH_SMOOTH, wall_touch.h); INFINITY without such edges, or for other

@@ -150,7 +150,8 @@ size_t wall_touch_resolve(const struct wall_mesh *mesh, struct wall_nearest *nea
         if (one->kind != WALL_TOUCH_FACE && !nearest_of_all(mesh, near, count, one, touch_rounding * radius))
             continue;
         struct law_vector behind = law_scale(-1.0, mesh->patch[mesh->triangle[one->triangle].patch].normal);
-        touch[taken] = (struct wall_touch){.kind = one->kind, .feature = one->feature, .image = one->image};
+        touch[taken] = (struct wall_touch){
+            .kind = one->kind, .feature = one->feature, .triangle = one->triangle, .image = one->image};
         touch[taken].normal = direction_of(one->to, behind, &touch[taken].distance);
         taken++;
     }

@@ -35,6 +35,7 @@ enum wall_touch_kind { WALL_TOUCH_FACE, WALL_TOUCH_EDGE, WALL_TOUCH_VERTEX };
 struct wall_touch {
     enum wall_touch_kind kind;
     int32_t feature;          /* of the wall, see wall.h */
+    int32_t triangle;         /* of a mesh: the one whose point touches */
     int image;                /* code of the wall's image */
     double distance;          /* from the centre to the wall; below 0 beyond a one-sided wall */
     struct law_vector normal; /* unit vector from the centre to the wall (to its outside, where beyond it) */

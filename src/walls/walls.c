@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Life and motion of the walls (wall.h). */
-#include "walls/mesh.h"
+#include "walls/mesh_shape.h"
 #include "walls/wall_area.h"
 #include "walls/walls_near.h"
 #include "walls/walls_touch.h"
@@ -17,17 +17,19 @@ static struct law_vector box_vector(const double x[3], const double origin[3]) {
     return (struct law_vector){x[0] - origin[0], x[1] - origin[1], x[2] - origin[2]};
 }
 
-static bool wall_read_mesh(struct wall *wall, const struct box *box, FILE *notes, struct error *error) {
+/* Reads the triangles of a mesh, or makes those of another shape. */
+static bool wall_make_mesh(struct wall *wall, const struct box *box, FILE *notes, struct error *error) {
     const struct wall_options *o = &wall->options;
-    struct wall_mesh_place place = {.scale = o->scale};
+    bool read = o->shape == WALL_MESH;
+    struct wall_mesh_place place = {.scale = read ? o->scale : 1.0};
     struct mesh file;
     for (int d = 0; d < 3; d++)
-        place.shift[d] = o->offset[d] - box->origin[d];
-    if (!(o->scale > 0.0))
+        place.shift[d] = (read ? o->offset[d] : 0.0) - box->origin[d];
+    if (!(place.scale > 0.0))
         return error_set(error, ERROR_USER, "wall '%s': scale is %g, must be above 0", o->name, o->scale);
-    if (!mesh_read(&file, o->file, o->format, error))
+    if (read ? !mesh_read(&file, o->file, o->format, error) : !mesh_shape_make(&file, o, error))
         return false;
-    bool good = wall_mesh_create(&wall->mesh, &file, o->file, &place, notes, error);
+    bool good = wall_mesh_create(&wall->mesh, &file, read ? o->file : o->name, &place, notes, error);
     mesh_free(&file);
     if (good)
         wall->grid = wall_grid_create(wall->mesh);
@@ -57,7 +59,7 @@ static void wall_find_images(struct wall *wall, const struct box *box) {
     const struct wall_options *o = &wall->options;
     const double axis[3] = {wall->axis.x, wall->axis.y, wall->axis.z};
     bool endless = o->shape == WALL_CYLINDER && o->length == 0.0;
-    wall->images = o->shape == WALL_MESH || (o->shape == WALL_CYLINDER && !(endless && o->inside));
+    wall->images = wall_shape_meshed(o->shape) || (o->shape == WALL_CYLINDER && !(endless && o->inside));
     bool along[3];
     for (int d = 0; d < 3; d++)
         along[d] = wall->images && box->periodic[d] && !(endless && fabs(axis[d]) == 1.0);
@@ -83,25 +85,18 @@ static void wall_find_reach(struct wall *wall) {
         }
 }
 
-/* Updates the members that follow from the pose. */
-static void wall_update(struct wall *wall) {
-    wall->point_now = wall_transform_point(&wall->pose, wall->point);
-    wall->axis_now = wall_turn(wall->pose.rotation, wall->axis);
-    wall->centre_now = wall_transform_point(&wall->pose, wall->centre);
-}
-
 static void wall_place(struct wall *wall, double t) {
     struct wall_transform motion = wall_mover_place(wall->mover, t, wall->servo_offset);
     wall->pose = wall_transform_compose(&motion, &wall->base);
-    wall_update(wall);
+    walls_follow(wall);
 }
 
 static bool wall_create(struct wall *wall, const struct wall_options *options, const struct box *box,
                         FILE *notes, struct error *error) {
     wall->options = *options;
     wall->base = wall->pose = wall->built = wall_transform_identity();
-    bool good = options->shape == WALL_MESH ? wall_read_mesh(wall, box, notes, error)
-                                            : wall_set_shape(wall, box, error);
+    bool good = wall_shape_meshed(options->shape) ? wall_make_mesh(wall, box, notes, error)
+                                                  : wall_set_shape(wall, box, error);
     wall_find_images(wall, box);
     wall_find_reach(wall);
     return good;
@@ -259,145 +254,4 @@ void walls_at_end(struct walls *walls, double t, double dt) {
             wall->twist =
                 wall_mover_twist(wall->mover, t - moment, moment, wall->servo_offset, wall->servo_speed);
     }
-}
-
-/* The largest displacement, across the plane, of a point of a plane within the extent of the particles: the
- * distance of a corner is linear in the corner. */
-static double plane_displacement(const struct walls *walls, const struct wall *wall) {
-    struct law_vector point = wall_transform_point(&wall->built, wall->point);
-    struct law_vector normal = wall_turn(wall->built.rotation, wall->axis);
-    double most = 0.0;
-    for (int corner = 0; corner < 8; corner++) {
-        struct law_vector x = {walls->extent[corner & 1][0], walls->extent[corner >> 1 & 1][1],
-                               walls->extent[corner >> 2][2]};
-        double before = law_dot(normal, law_add(x, -1.0, point));
-        double now = law_dot(wall->axis_now, law_add(x, -1.0, wall->point_now));
-        most = law_max(most, fabs(now - before));
-    }
-    return most;
-}
-
-static double length_of(struct law_vector a) {
-    return sqrt(law_dot(a, a));
-}
-
-/* Displacement of a cylinder without ends: of its axis near the middle of the particles' extent, as seen from
- * the wall's image, plus the part of tilting over that extent. */
-static double endless_displacement(const struct walls *walls, const struct wall *wall) {
-    struct law_vector point = wall_transform_point(&wall->built, wall->point);
-    struct law_vector axis = wall_turn(wall->built.rotation, wall->axis);
-    struct law_vector lower = wall_vector(walls->extent[0]), upper = wall_vector(walls->extent[1]);
-    struct law_vector middle = law_scale(0.5, law_add(lower, 1.0, upper));
-    middle = law_add(middle, -1.0, wall_vector(wall->wrap));
-    struct law_vector before = law_add(point, law_dot(law_add(middle, -1.0, point), axis), axis);
-    double reach = law_dot(law_add(middle, -1.0, wall->point_now), wall->axis_now);
-    struct law_vector now = law_add(wall->point_now, reach, wall->axis_now);
-    double far = length_of(law_add(upper, -1.0, lower));
-    far += wall->images ? length_of(wall_vector(walls->box.edge)) : 0.0;
-    double tilt = length_of(law_add(wall->axis_now, -1.0, axis)) * far;
-    return length_of(law_add(now, -1.0, before)) + tilt;
-}
-
-/* Displacement of a cylinder with ends: of its middle, plus the part of tilting at its rims. */
-static double cylinder_displacement(const struct walls *walls, const struct wall *wall) {
-    if (wall->options.length == 0.0)
-        return endless_displacement(walls, wall);
-    struct law_vector point = wall_transform_point(&wall->built, wall->point);
-    struct law_vector axis = wall_turn(wall->built.rotation, wall->axis);
-    double far = hypot(0.5 * wall->options.length, wall->options.radius);
-    return length_of(law_add(wall->point_now, -1.0, point)) +
-           length_of(law_add(wall->axis_now, -1.0, axis)) * far;
-}
-
-/* Displacement of a mesh: of its middle, plus the part of turning at its radius; |R - R'| = 2 sqrt(2)
- * sin(angle / 2). */
-static double mesh_displacement(const struct wall *wall) {
-    double square = 0.0;
-    for (int k = 0; k < 9; k++) {
-        double d = wall->pose.rotation[k] - wall->built.rotation[k];
-        square += d * d;
-    }
-    struct law_vector before = wall_transform_point(&wall->built, wall->mesh->centre);
-    struct law_vector now = wall_transform_point(&wall->pose, wall->mesh->centre);
-    return length_of(law_add(now, -1.0, before)) + sqrt(0.5 * square) * wall->mesh->radius;
-}
-
-void walls_set_extent(struct walls *walls, const double lower[3], const double upper[3]) {
-    for (int d = 0; d < 3; d++) {
-        walls->extent[0][d] = fmin(0.0, lower[d]);
-        walls->extent[1][d] = fmax(walls->box.edge[d], upper[d]);
-    }
-}
-
-double walls_displacement(const struct walls *walls) {
-    double most = 0.0;
-    for (int w = 0; w < walls->count; w++) {
-        const struct wall *wall = &walls->wall[w];
-        if (!wall->moving)
-            continue;
-        double moved = wall->options.shape == WALL_PLANE      ? plane_displacement(walls, wall)
-                       : wall->options.shape == WALL_CYLINDER ? cylinder_displacement(walls, wall)
-                                                              : mesh_displacement(wall);
-        most = law_max(most, moved);
-    }
-    return most;
-}
-
-void walls_pose(const struct walls *walls, int wall, struct wall_pose *pose) {
-    const struct wall *w = &walls->wall[wall];
-    *pose = (struct wall_pose){.servo_speed = w->servo_speed, .servo_offset = w->servo_offset};
-    memcpy(pose->rotation, w->pose.rotation, sizeof pose->rotation);
-    memcpy(pose->translation, w->pose.translation, sizeof pose->translation);
-    memcpy(pose->base_rotation, w->base.rotation, sizeof pose->base_rotation);
-    memcpy(pose->base_translation, w->base.translation, sizeof pose->base_translation);
-    memcpy(pose->force, walls->force[wall], sizeof pose->force);
-    put(pose->velocity, wall_twist_at(&w->twist, w->centre_now));
-    put(pose->omega, w->twist.omega);
-    put(pose->centre, w->centre_now);
-}
-
-void walls_offset(const struct walls *walls, int wall, double offset[3]) {
-    const struct wall *w = &walls->wall[wall];
-    struct law_vector turned = law_add(wall_turn(w->pose.rotation, w->centre), -1.0, w->centre);
-    put(offset, law_add(wall_vector(w->pose.translation), 1.0, turned));
-}
-
-void walls_set_pose(struct walls *walls, int wall, const struct wall_pose *pose) {
-    struct wall *w = &walls->wall[wall];
-    struct wall_transform rest = wall_transform_identity();
-    memcpy(w->pose.rotation, pose->rotation, sizeof pose->rotation);
-    memcpy(w->pose.translation, pose->translation, sizeof pose->translation);
-    memcpy(w->base.rotation, pose->base_rotation, sizeof pose->base_rotation);
-    memcpy(w->base.translation, pose->base_translation, sizeof pose->base_translation);
-    w->servo_offset = wall_mover_has_servo(w->mover) ? pose->servo_offset : 0.0;
-    w->servo_speed = pose->servo_speed;
-    w->twist = (struct wall_twist){0};
-    if (w->options.motions > 0) {
-        w->twist.omega = wall_vector(pose->omega);
-        w->twist.velocity =
-            law_add(wall_vector(pose->velocity), -1.0, law_cross(w->twist.omega, wall_vector(pose->centre)));
-    }
-    w->moving = w->options.motions > 0 || memcmp(&w->pose, &rest, sizeof rest) != 0;
-    memcpy(walls->force[wall], pose->force, sizeof pose->force);
-    w->resumed = true;
-    wall_update(w);
-}
-
-size_t walls_triangles(const struct walls *walls, int wall, double (**triangles)[9]) {
-    const struct wall *w = &walls->wall[wall];
-    size_t count = w->mesh ? w->mesh->triangles : 0;
-    *triangles = memory_allocate(count, sizeof **triangles, "triangles for output");
-    for (size_t t = 0; t < count; t++)
-        for (int k = 0; k < 3; k++) {
-            double *out = (*triangles)[t] + 3 * k;
-            put(out, wall_transform_point(&w->pose, w->mesh->triangle[t].corner[k]));
-            for (int d = 0; d < 3; d++)
-                out[d] += walls->box.origin[d];
-        }
-    return count;
-}
-
-double walls_turn(const struct walls *walls, int wall) {
-    const struct wall_mesh *mesh = walls->wall[wall].mesh;
-    return mesh ? wall_mesh_turn(mesh, WALL_TOUCH_SMOOTH) : INFINITY;
 }

@@ -22,7 +22,8 @@ struct wall_task {
     const uint8_t *material;  /* NULL where all are of one */
     size_t candidate;         /* its number */
     size_t particle;
-    struct force_contact *list; /* the list, if contacts are only listed; NULL: contacts act */
+    struct force_contact *list; /* the list, if contacts are only listed; NULL with load NULL: contacts act */
+    struct wall_load *load;     /* the same for loads */
     size_t listed;
 };
 
@@ -108,6 +109,7 @@ static void collect(const struct wall_task *task, int w, const struct wall_touch
         .candidate = task->candidate,
         .particle = task->particle,
         .key = {.wall = (int16_t)w, .image = (int16_t)touch->image, .feature = touch->feature},
+        .triangle = touch->triangle,
         .at = at,
         .lever = lever,
         .radius = state->radius};
@@ -247,6 +249,18 @@ static struct force_contact contact_of(const struct wall_task *task, int k) {
                                   .force = {f.x, f.y, f.z}};
 }
 
+/* Contact k as the load of a wall. */
+static struct wall_load load_of(const struct wall_task *task, int k) {
+    struct force_batch *b = &task->scratch->batch->contact;
+    const struct wall_entry *entry = &task->scratch->batch->entry[k];
+    struct law_vector force = get(b->walk.out + FORCE_OUT, k);
+    return (struct wall_load){.wall = entry->key.wall,
+                              .triangle = entry->triangle,
+                              .at = {entry->at.x, entry->at.y, entry->at.z},
+                              .force = {force.x, force.y, force.z},
+                              .push = law_dot(force, get(b->normal, k))};
+}
+
 /* Takes the batch through the law and applies the results. */
 static void flush(struct wall_task *task) {
     struct force_batch *b = &task->scratch->batch->contact;
@@ -260,10 +274,12 @@ static void flush(struct wall_task *task) {
     for (int k = 0; k < b->walk.count; k++) {
         if (general && !b->active[k])
             continue;
-        if (task->list) {
+        if (task->load)
+            task->load[task->listed++] = load_of(task, k);
+        else if (task->list)
             task->list[task->listed++] = contact_of(task, k);
+        if (task->load || task->list)
             continue;
-        }
         apply(task, k);
         account(task, k);
         if (task->walls->law->history_components > 0)
@@ -337,111 +353,43 @@ void walls_force_share(struct walls *walls, const struct force_context *context,
     flush(&task);
 }
 
-/* Work on the particles in this step, with the mean of the forces before and after it. */
-static double wall_work(const struct wall *wall, const double before[6], const double now[6], double dt) {
-    struct law_vector velocity = wall_twist_at(&wall->twist, wall->centre_now);
-    struct law_vector force = law_add(wall_vector(before), 1.0, wall_vector(now));
-    struct law_vector torque = law_add(wall_vector(before + 3), 1.0, wall_vector(now + 3));
-    return -0.5 * dt * (law_dot(force, velocity) + law_dot(torque, wall->twist.omega));
-}
-
-/* Stores the force on a wall, and adds its work. */
-static void set_force(struct walls *walls, int w, const double force[6], double dt) {
-    if (walls->wall[w].moving)
-        walls->work += wall_work(&walls->wall[w], walls->force[w], force, dt);
-    memcpy(walls->force[w], force, sizeof walls->force[w]);
-}
-
-static void join_threads(struct walls *walls) {
-    size_t bytes = (size_t)walls->count * sizeof *walls->exact;
-    memset(walls->exact, 0, bytes);
-    for (int t = 0; t < walls->threads; t++) {
-        for (int w = 0; w < walls->count; w++)
-            for (int c = 0; c < 6; c++)
-                exact_join(&walls->exact[w][c], &walls->scratch[t]->exact[w][c]);
-        memset(walls->scratch[t]->exact, 0, bytes);
+/* Lists all contacts of this rank in the task's list or loads. Returns their number. */
+static size_t list_all(struct wall_task *task, struct wall_scratch *scratch) {
+    struct walls *walls = task->walls;
+    task->scratch = scratch;
+    for (size_t k = 0; k < walls->candidates; k++) {
+        task->candidate = k;
+        task->particle = walls->particle[k];
+        walls_scratch_reserve(scratch, walls->first[k + 1] - walls->first[k]);
+        take_particle(task);
     }
+    flush(task);
+    walls_scratch_free(scratch);
+    return task->listed;
 }
 
-void walls_set_exact(struct walls *walls) {
-    size_t count = (size_t)walls->count;
-    walls->exact = memory_allocate_zero(count, sizeof *walls->exact, "forces on walls");
-    for (int t = 0; t < walls->threads; t++)
-        walls->scratch[t]->exact =
-            memory_allocate_zero(count, sizeof *walls->scratch[t]->exact, "forces on walls");
-}
-
-int64_t *walls_exact(struct walls *walls, int *count) {
-    *count = 6 * walls->count * (int)EXACT_WORDS;
-    return walls->exact[0][0].word;
-}
-
-void walls_close(struct walls *walls, double dt, bool mine) {
-    for (int w = 0; w < walls->count; w++) {
-        double force[6] = {0};
-        for (int c = 0; mine && c < 6; c++)
-            force[c] = exact_value(&walls->exact[w][c]);
-        set_force(walls, w, force, dt);
-    }
-}
-
-void walls_finish(struct walls *walls, const struct force_context *context, struct force_sums *sums) {
-    if (walls->exact)
-        join_threads(walls);
-    for (int w = 0; walls->exact == NULL && w < walls->count; w++) {
-        double force[6] = {0};
-        for (int t = 0; t < walls->threads; t++)
-            for (int c = 0; c < 6; c++)
-                force[c] += walls->scratch[t]->force[w][c];
-        set_force(walls, w, force, context->dt);
-    }
-    memset(walls->impedance, 0, (size_t)walls->count * sizeof *walls->impedance);
-    for (int t = 0; t < walls->threads; t++) {
-        for (int w = 0; w < walls->count; w++)
-            walls->impedance[w] += walls->scratch[t]->impedance[w];
-        memset(walls->scratch[t]->impedance, 0, (size_t)walls->count * sizeof *walls->impedance);
-        force_sums_add(sums, &walls->scratch[t]->sums);
-        walls->scratch[t]->sums = (struct force_sums){0};
-        memset(walls->scratch[t]->force, 0, (size_t)walls->count * sizeof *walls->force);
-    }
-    walls->now = 1 - walls->now;
-}
-
-void walls_forces(const struct walls *walls, double (*force_torque)[6]) {
-    memcpy(force_torque, walls->force, (size_t)walls->count * sizeof *walls->force);
-}
-
-void walls_set_forces(struct walls *walls, double (*force_torque)[6]) {
-    memcpy(walls->force, force_torque, (size_t)walls->count * sizeof *walls->force);
-}
-
-double walls_work(const struct walls *walls) {
-    return walls->work;
-}
-
-void walls_set_work(struct walls *walls, double work) {
-    walls->work = work;
+static struct wall_task listing(const struct walls *walls, const struct force_context *context) {
+    return (struct wall_task){.walls = (struct walls *)walls, /* only read */
+                              .context = context,
+                              .law = law_case_of(&context->law->options, false),
+                              .step = wall_step(context->law, 0.0),
+                              .omega = spin_values(context->particles),
+                              .material = material_numbers(context->particles)};
 }
 
 size_t walls_contacts(const struct walls *walls, const struct force_context *context,
                       struct force_contact **contacts) {
     struct wall_scratch scratch = {.batch = memory_allocate_zero(1, sizeof *scratch.batch, "contact list")};
-    struct wall_task task = {.walls = (struct walls *)walls, /* only read */
-                             .context = context,
-                             .scratch = &scratch,
-                             .law = law_case_of(&context->law->options, false),
-                             .step = wall_step(context->law, 0.0),
-                             .omega = spin_values(context->particles),
-                             .material = material_numbers(context->particles)};
+    struct wall_task task = listing(walls, context);
     *contacts = memory_allocate(walls->first[walls->candidates], sizeof **contacts, "contact list");
     task.list = *contacts;
-    for (size_t k = 0; k < walls->candidates; k++) {
-        task.candidate = k;
-        task.particle = walls->particle[k];
-        walls_scratch_reserve(&scratch, walls->first[k + 1] - walls->first[k]);
-        take_particle(&task);
-    }
-    flush(&task);
-    walls_scratch_free(&scratch);
-    return task.listed;
+    return list_all(&task, &scratch);
+}
+
+size_t walls_loads(const struct walls *walls, const struct force_context *context, struct wall_load **loads) {
+    struct wall_scratch scratch = {.batch = memory_allocate_zero(1, sizeof *scratch.batch, "loads of walls")};
+    struct wall_task task = listing(walls, context);
+    *loads = memory_allocate(walls->first[walls->candidates] + 1, sizeof **loads, "loads of walls");
+    task.load = *loads;
+    return list_all(&task, &scratch);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Inside of the walls: the common part of walls.c (life and motion), walls_near.h (candidates), walls_touch.h
- * (geometry of one sphere), walls_force.c and walls_history.h. No other file includes this one.
+/* Inside of the walls: the common part of walls.c (life and motion), walls_pose.c, walls_displacement.c,
+ * walls_near.h (candidates), walls_touch.h (geometry of one sphere), walls_force.c, walls_sums.c, wall_surface.c and
+ * walls_history.h. No other file includes this one.
  *
  * Candidates. At a rebuild each owned particle near a wall becomes a candidate, in the order of the
  * particles, with the *pieces* near it: (wall, image, triangle), sorted. Candidate k has the pieces first[k]
@@ -72,6 +73,7 @@ struct wall_batch {
     struct wall_entry {
         size_t candidate, particle;
         struct wall_key key;
+        int32_t triangle;     /* of a mesh */
         struct law_vector at; /* the contact point, in the wall's image */
         double lever, radius;
     } entry[FORCE_BATCH];
@@ -127,6 +129,13 @@ struct wall_sphere {
 static inline struct law_vector walls_shift(const struct walls *walls, int wall, int code) {
     const double *shift = walls->shift[code], *wrap = walls->wall[wall].wrap;
     return (struct law_vector){shift[0] + wrap[0], shift[1] + wrap[1], shift[2] + wrap[2]};
+}
+
+/* Sets the members of a wall that follow from its pose. */
+static inline void walls_follow(struct wall *wall) {
+    wall->point_now = wall_transform_point(&wall->pose, wall->point);
+    wall->axis_now = wall_turn(wall->pose.rotation, wall->axis);
+    wall->centre_now = wall_transform_point(&wall->pose, wall->centre);
 }
 
 /* A position in the frame of a mesh. */

@@ -65,7 +65,7 @@ size_t walls_touch(const struct walls *walls, const struct wall_piece *piece, si
         return touch_plane(wall, x, radius, scratch->touch);
     case WALL_CYLINDER:
         return touch_cylinder(walls, piece, pieces, x, radius, scratch->touch);
-    case WALL_MESH:
+    default: /* made of triangles */
         break;
     }
     return touch_mesh(walls, piece, pieces, x, radius, scratch);

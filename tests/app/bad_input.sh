@@ -242,7 +242,7 @@ mistake 'an alias of nothing' "case.yaml:8|'*bed' stands for nothing" 'title: *b
 mistake 'a wall that faces away' "case.yaml:8: walls[0].normal|'floor' faces away|turned round: [0, 0, 1]" \
     'particles: {from: random, count: 30, sizes: 0.5 mm}' 'walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, -1]}]'
 echo 'v 0 0 0' >case.obj
-mistake 'an OBJ file for a mesh' "case.obj|OBJ|export the mesh as STL" 'walls: [{shape: mesh, file: case.obj}]'
+mistake 'an OBJ file without a triangle for a mesh' "case.obj|OBJ" 'walls: [{shape: mesh, file: case.obj}]'
 echo 'solid' | gzip >case.stl
 mistake 'a packed mesh' "case.stl|gzip|gunzip" 'walls: [{shape: mesh, file: case.stl}]'
 rm case.obj case.stl
@@ -438,6 +438,9 @@ line 'unknown flag' "--fast" run good.yaml -o new --fast
 line 'a flag of another command' "--frame" run good.yaml -o new --frame 1
 line 'no -o' "-o DIR" run good.yaml
 line 'no scene' "too few" run -o new
+line 'the beginning of several flags' "several flags begin with --s" ablate good.yaml -o new --s 3
+line 'an argument for none' "--quiet takes no argument" run good.yaml -o new --quiet=3
+line 'a flag twice' "--output is given twice: a and b" run good.yaml --out a -o b
 line 'two scenes' "one argument too many" run good.yaml good.yaml -o new
 line '-o without a folder' "needs its DIR" run good.yaml -o
 line '--set without =' "KEY=VALUE" run good.yaml -o new --set step.count

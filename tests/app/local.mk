@@ -34,7 +34,8 @@ dist_check_SCRIPTS += \
 	tests/app/stages.sh \
 	tests/app/terminal.sh \
 	tests/app/user_law.sh \
-	tests/app/threads.sh
+	tests/app/threads.sh \
+	tests/app/view.sh
 
 dist_check_SCRIPTS += tests/app/readers.sh
 EXTRA_DIST += tests/app/readers.py
@@ -42,7 +43,7 @@ dist_check_SCRIPTS += tests/app/ranks.sh tests/app/shear.sh tests/app/stress.sh
 
 dist_check_SCRIPTS += tests/app/drum.sh tests/app/pores.sh tests/app/verify.sh
 
-dist_check_SCRIPTS += tests/app/reproducible.sh
+dist_check_SCRIPTS += tests/app/pages.sh tests/app/reproducible.sh
 
 # faults.sh makes one message or one write too short by libraries that stand before MPI
 dist_check_SCRIPTS += tests/app/faults.sh

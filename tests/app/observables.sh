@@ -112,6 +112,17 @@ words() { # RANKS
 if grep -q 'define HAVE_MUPARSER 1' "$top_builddir/config.h"; then
     check 'expressions over the fields of grains' words 1
     check 'and on two ranks' words 2
+    # Lacey's index: layers apart are 0; columns all alike are above 1; else by counting
+    lacey() { # RANKS
+        run_scene "$1" words.yaml "lacey$1" --set 'observables.list=[{name: lacey, where: "z > 2", cells: [1, 1, 3], label: apart}, {name: lacey, where: "z > 2", cells: [3, 3, 1], label: alike}, {name: lacey, where: "x+2*y+z > 11.5", cells: [2, 3, 1]}]' || return 1
+        within "$(last "lacey$1" apart)" 0 1e-12 && within "$(last "lacey$1" alike)" 1.5 1e-12 &&
+            within "$(last "lacey$1" lacey)" "$(awk '{ c = int(($1 + 0.01) / 3) "," int($2 / 2); n[c]++; N++; if ($1 + 0.01 + 2 * $2 + $3 > 11.5) { m[c]++; M++ } }
+                END { p = M / N; for (c in n) { K++; s += n[c] * (m[c] / n[c] - p) ^ 2 / N }
+                      print (p * (1 - p) - s) / (p * (1 - p) * (1 - K / N)) }' cube.txt)" 1e-5
+    }
+    check "Lacey's index" lacey 1
+    check 'and on two ranks' lacey 2
+    check "Lacey's index without cells" scene_refused 'lacey: cells: needed: three numbers' words.yaml --set 'observables.list=[{name: lacey, where: "z > 2"}]'
     check 'an expression with an unknown word' scene_refused "observables: mean: where: 'zz > 2' is no expression: Unexpected token|known are t, x, y" \
         words.yaml --set 'observables.list=[{name: mean, of: z, where: "zz > 2"}]'
     check 'an expression where none belongs' scene_refused 'speed_max: takes neither `of` nor `where`; sum, mean' words.yaml --set 'observables.list=[{name: speed_max, of: z}]'

@@ -75,6 +75,12 @@ moved() { # from the front 0.02 s at a speed of 5 are a tenth of the unit on the
 check 'a wall that moves is where it is at that time' moved
 bare() { draw --bare && ! grep -q '^union\|^text' bed.pov; }
 check 'no walls and no legend' bare
+gone() { # in a stage that has opened the gate: the plate is no more, the floor is
+    sed -e '/name: plate/d' -e '/name: roof/d' -e 's/^duration: .*/stages: [{name: closed, duration: 0.01}, {name: open, duration: 0.01, set: {"walls[tube]": ~}}]/' bed.yaml >gate.yaml
+    run_scene 1 gate.yaml gate && on 1 "$scree" picture gate -o gate.pov --view 0,30 >said.txt 2>&1 && ! grep . said.txt &&
+        [ "$(grep -c '^union' gate.pov)" = 1 ] && ! grep '^cylinder' gate.pov || { cat said.txt; return 1; }
+}
+check 'a wall that a stage has taken away is not drawn, the others are' gone
 whole() { on 1 "$scree" picture bed/checkpoint-20.h5 -o point.pov --colour radius --bands 4 && grep -c '^sphere' point.pov | grep -qx 4; }
 check 'a checkpoint is drawn' whole
 

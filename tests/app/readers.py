@@ -64,4 +64,63 @@ def by_mdanalysis():
     assert abs(u.trajectory.time - 20e6) < 1  # ps
 
 
-{"h5py": by_h5py, "MDAnalysis": by_mdanalysis}[sys.argv[1]]()
+def by_vtk():
+    """Force on each triangle adds up to the observable, in VTK's files as in XDMF's references; pressure follows from
+    the force where there is no friction but by the law's own normal part, so that only its sign and bound are known."""
+    import csv
+    import xml.etree.ElementTree
+
+    import numpy
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+    types = {"Int": "<i8", "Float": "<f8"}
+    for folder in "walls_one", "walls_three":
+        rows = list(csv.reader(open(folder + "/observables.csv")))
+        grids = xml.etree.ElementTree.parse(folder + "/walls.xdmf").getroot().findall(".//Grid[@GridType='Uniform']")
+        assert len(grids) == 4 and len(rows) == 5
+        pressed = set()
+        loaded, aligned = {1: 0, 3: 0}, {1: 0, 3: 0}
+        for frame, step in enumerate((0, 200, 400, 600)):
+            reader = vtkXMLPolyDataReader()
+            reader.SetFileName(f"{folder}/walls-{step}.vtp")
+            reader.Update()
+            read = reader.GetOutput()
+            count = read.GetNumberOfPolys()
+            cell = {name: vtk_to_numpy(read.GetCellData().GetArray(name)) for name in ("wall", "force", "pressure")}
+            point = vtk_to_numpy(read.GetPoints().GetData()).reshape(count, 3, 3)
+            for wall in range(6):
+                own = cell["force"][cell["wall"] == wall].sum(axis=0)
+                told = [float(x) for x in rows[1 + frame][1 + 3 * wall : 4 + 3 * wall]]
+                assert abs(own - told).max() < 1e-12, (folder, step, wall, own, told)
+                if abs(own).max() > 0:
+                    pressed.add(wall)
+            area = numpy.linalg.norm(numpy.cross(point[:, 1] - point[:, 0], point[:, 2] - point[:, 0]), axis=1) / 2
+            force = numpy.linalg.norm(cell["force"], axis=1)
+            assert (cell["pressure"] >= -1e-9).all() and ((cell["pressure"] > 0) == (force > 0)).all()
+            lid = cell["wall"] == 5
+            normal = abs(cell["force"][lid][:, 2]) / area[lid]  # the lid is flat and nothing touches its rim
+            assert abs(cell["pressure"][lid] - normal).max() <= 1e-9 * (1 + normal.max())
+            # without friction the force on a side of the funnel and of the tube is along its normal, save at rims
+            across = numpy.cross(point[:, 1] - point[:, 0], point[:, 2] - point[:, 0]) / (2 * area[:, None])
+            for wall in 1, 3:
+                on = (cell["wall"] == wall) & (force > 0)
+                along = abs((cell["force"][on] * across[on]).sum(axis=1)) / force[on]
+                aligned[wall] += (along > 0.995).sum()
+                loaded[wall] += on.sum()
+            plate = point[cell["wall"] == 2][:, :, 2]
+            assert abs(plate - (0.003 + 2 * step * 1e-5)).max() < 1e-12, (step, plate.min(), plate.max())
+            found = {}
+            for item in grids[frame].iter("DataItem"):
+                shape = [int(n) for n in item.get("Dimensions").split()]
+                values = numpy.fromfile(f"{folder}/{item.text}", types[item.get("NumberType")], shape[0] * shape[1],
+                                        offset=int(item.get("Seek")))
+                found[len(found)] = values.reshape(shape)
+            assert (found[0].ravel() == range(3 * count)).all() and (found[1] == point.reshape(-1, 3)).all()
+            assert (found[2].ravel() == cell["wall"]).all() and (found[3] == cell["force"]).all()
+            assert (found[4].ravel() == cell["pressure"]).all()
+        assert len(pressed) >= 4, pressed
+        assert all(loaded[w] >= 2 and aligned[w] >= 0.8 * loaded[w] for w in loaded), (loaded, aligned)
+
+
+{"vtkmodules": by_vtk, "h5py": by_h5py, "MDAnalysis": by_mdanalysis}[sys.argv[1]]()

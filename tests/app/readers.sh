@@ -59,6 +59,49 @@ by_reader() {
     done
     echo "skipped: no Python here has $1"
 }
+# walls: planes, a tube and a mesh that move, under a rain
+cat >quad.obj <<'EOF'
+v -0.01 -0.01 0
+v 0.01 -0.01 0
+v 0.01 0.01 0
+v -0.01 0.01 0
+f 1 2 3 4
+EOF
+cat >walls.yaml <<'EOF'
+box: {lower: [-2 cm, -2 cm, 0], upper: [2 cm, 2 cm, 5 cm]}
+gravity: [0, 0, -200]
+step: {count: 600, dt: 10 us}
+contact: {law: hooke}
+materials: [{name: glass, density: 2500}]
+material_pairs: [{restitution: 0.5, k_n: 1000}]
+particles: {from: random, sizes: 1 mm, count: 150, velocity_sigma: 0.5,
+            region: {shape: box, lower: [-8 mm, -8 mm, 16 mm], upper: [8 mm, 8 mm, 28 mm]}}
+walls:
+  - {name: floor, shape: plane, point: [0, 0, 1.3 cm], normal: [0.1, 0, 1]}
+  - {name: funnel, shape: cone, point: [0, 0, 9 mm], axis: [0, 0, 1], radius: 4 mm, radius_end: 15 mm, length: 20 mm}
+  - {name: plate, shape: disc, point: [0, 0, 3 mm], normal: [0, 0, 1], radius: 18 mm, hole: 5 mm,
+     motion: [{kind: translate, velocity: [0, 0, 2]}]}
+  - {name: tube, shape: cylinder, point: [0, 0, 2.5 cm], axis: [0, 0, 1], radius: 11.5 mm, length: 5 cm}
+  - {name: step, shape: box, lower: [-2 mm, -2 mm, 1 mm], upper: [2 mm, 2 mm, 16 mm]}
+  - {name: lid, shape: rectangle, point: [-1 cm, -1 cm, 29.5 mm], along: [2 cm, 0, 0], across: [0, 2 cm, 0]}
+output: {walls: {every: 200}}
+observables: {every: 200, list: [{name: wall_force}]}
+EOF
+grep -q 'HAVE_ASSIMP 1' "$top_builddir/config.h" && sed -i 's/name: lid, .*/name: lid, shape: mesh, file: quad.obj, offset: [0, 0, 29.5 mm]}/' walls.yaml
+walled() { # FOLDER RANKS SETTING...
+    local folder=$1 ranks=$2
+    shift 2
+    on "$ranks" "$scree" run walls.yaml -o "$folder" --overwrite --quiet "$@" >said 2>&1 || { cat said; return 1; }
+}
+check 'walls on one rank' walled walls_one 1
+check 'walls on three ranks' walled walls_three 3 --set step.count=400
+check 'a resume goes on with the walls' walled walls_three 3 --resume last --set step.count=600
+list_of() { # a frame each, in order
+    [ "$(grep -o 'walls-[0-9]*' "$1/walls.pvd" | tr '\n' ' ')" = 'walls-0 walls-200 walls-400 walls-600 ' ]
+}
+check 'the list of frames' list_of walls_one
+check 'the list of frames over a resume' list_of walls_three
+by_reader vtkmodules
 by_reader h5py
 by_reader MDAnalysis
 

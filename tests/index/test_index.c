@@ -64,11 +64,11 @@ static void check_order(struct cloud *cloud, const uint32_t *order) {
 static void orders_are_stable_permutations(void **state) {
     (void)state;
     const struct cloud_spec specs[] = {
-        {"faces", 30000, 500, CLOUD_BIDISPERSE, 3, CLOUD_FACES, .edge = {60, 60, 60}, .dimension = 3,
+        {"faces", 20000, 500, CLOUD_BIDISPERSE, 3, CLOUD_FACES, .edge = {60, 60, 60}, .dimension = 3,
          .periodic = {true, true, true}},
-        {"power", 30000, 0, CLOUD_POWER, 20, .fraction = 0.5, .dimension = 3,
+        {"power", 20000, 0, CLOUD_POWER, 20, .fraction = 0.5, .dimension = 3,
          .periodic = {true, false, true}},
-        {"sparse", 30000, 9, CLOUD_BIDISPERSE, 50, CLOUD_CLUSTERED, .edge = {9000, 9000, 9000},
+        {"sparse", 20000, 9, CLOUD_BIDISPERSE, 50, CLOUD_CLUSTERED, .edge = {9000, 9000, 9000},
          .dimension = 3},
         {"same place", 10000, 0, CLOUD_MONO, 1, .edge = {0, 0, 0}, .fraction = 1e9, .dimension = 3}};
     for (size_t s = 0; s < sizeof specs / sizeof specs[0]; s++) {

@@ -219,6 +219,13 @@ static void mistakes_and_guards_are_told(void **test) {
     set[0] = "walls[0].colour=red";
     s = scree_create("scene", scene, &options, &error);
     team_expect(team, s == NULL && error.status == SCREE_USER, "%s", error.text);
+    const char *stages[] = {"step.count=~", "stages=[{name: fall, duration: 0.1}]"};
+    options.set = stages;
+    options.sets = 2;
+    s = scree_create("scene", scene, &options, &error);
+    team_expect(team, s == NULL && error.status == SCREE_USER && strstr(error.text, "each stage as a scene"),
+                "%s", error.text);
+    options.set = set;
     set[0] = "guards.step=off";
     options.sets = 4;
     s = scree_create("scene", scene, &options, &error);

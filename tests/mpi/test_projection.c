@@ -299,7 +299,12 @@ static void steady_flow_is_found(void **state) {
         struct error error = {0};
         struct steady_report report = {0};
         if (square_make(&s, team, 32, walls, KERNEL_WENDLAND_C2, 2.3, 0)) {
-            struct steady_options options = {1, s.spacing, 1e-4, 200, "boomeramg"};
+            struct steady_options options = {.viscosity = 1,
+                                             .spacing = s.spacing,
+                                             .edge = 1,
+                                             .tolerance = 1e-4,
+                                             .iterations = 200,
+                                             .preconditioner = "boomeramg"};
             flow_number(&s.flow);
             struct steady *steady = steady_create(s.solve, &s.flow, &options, &error);
             team_expect(team, (steady != NULL) == walls, "walls %d: %s", walls, error.text);
