@@ -254,7 +254,7 @@ cut_one() {
         "$scree" run scene.yaml -o $dir --quiet --set output.trajectory.every=20 >write.said 2>&1
     status=$?
     [ $status = 1 ] && says_once write.said "$2|cannot be written" || { echo "  status $status"; cat write.said; return 1; }
-    [ $((SECONDS - began)) -le 60 ] || { echo "  the job took $((SECONDS - began)) s to end"; return 1; }
+    [ $((SECONDS - began)) -le 200 ] || { echo "  the job took $((SECONDS - began)) s to end"; return 1; }
 }
 if [ -e "$cut_write" ]; then
     check 'of a dataset' cut_one 8 '/particles/all/position/value'
