@@ -8,6 +8,8 @@
 #include <stdint.h>
 #include <setjmp.h>
 #include <cmocka.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { SETTINGS_MAX = 8 };
@@ -89,6 +91,93 @@ static void nothing_overlaps(void **state) {
     check_packing("power", "count=1500 min=0.001 max=0.0011 fraction=0.56 threads=3", 0.56);
 }
 
+/* An L of three cubes of edge `edge`, one high: its triangles, nine numbers a row. */
+static void write_prism(const char *path, double edge) {
+    static const int square[3][4][2] = {
+        {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{1, 0}, {2, 0}, {2, 1}, {1, 1}}, {{0, 1}, {1, 1}, {1, 2}, {0, 2}}};
+    static const int loop[8][2] = {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}, {0, 1}};
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    for (int k = 0; k < 12; k++) { /* floor and lid */
+        int order[3] = {0, 1 + k % 2, 2 + k % 2}, lid = k / 2 % 2;
+        for (int c = 0; c < 3; c++) {
+            const int *at = square[k / 4][order[lid ? c : 2 - c]];
+            fprintf(file, "%g %g %g ", edge * at[0], edge * at[1], edge * lid);
+        }
+        fprintf(file, "\n");
+    }
+    for (int k = 0; k < 8; k++) {
+        const int *a = loop[k], *b = loop[(k + 1) % 8];
+        fprintf(file, "%g %g 0 %g %g 0 %g %g %g\n", edge * a[0], edge * a[1], edge * b[0], edge * b[1],
+                edge * b[0], edge * b[1], edge);
+        fprintf(file, "%g %g 0 %g %g %g %g %g %g\n", edge * a[0], edge * a[1], edge * b[0], edge * b[1], edge,
+                edge * a[0], edge * a[1], edge);
+    }
+    fclose(file);
+}
+
+/* How far a sphere lies inside of a container by closed forms, less its radius. */
+static double inside_cylinder(const double x[3], double r) {
+    return fmin(12 - hypot(x[0], x[1]), fmin(x[2], 30 - x[2])) - r;
+}
+static double inside_sphere(const double x[3], double r) {
+    return 14 - sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) - r;
+}
+static double inside_box(const double x[3], double r) {
+    static const double edge[3] = {20, 15, 30};
+    double least = INFINITY;
+    for (int c = 0; c < 3; c++)
+        least = fmin(least, fmin(x[c], edge[c] - x[c]));
+    return least - r;
+}
+static double inside_prism(const double x[3], double r) {
+    double least = fmin(x[2], 12 - x[2]), corner = hypot(fmax(12 - x[0], 0), fmax(12 - x[1], 0));
+    for (int c = 0; c < 2; c++)
+        least = fmin(least, fmin(x[c], 24 - x[c]));
+    return fmin(least, corner) - r;
+}
+
+static void fills_containers(void **state) {
+    (void)state;
+    static const struct {
+        const char *settings;
+        double volume, (*inside)(const double x[3], double r);
+    } cases[] = {
+        {"shape=cylinder radius=12 length=30 fraction=0.55 max=2", M_PI * 144 * 30, inside_cylinder},
+        {"shape=sphere radius=14 fraction=0.55 max=2", 4 * M_PI / 3 * 14 * 14 * 14, inside_sphere},
+        {"shape=box edges=20,15,30 fraction=0.5 max=2 walls=hard", 9000, inside_box},
+        {"shape=mesh file=test_pack_prism.txt fraction=0.5 max=2", 3 * 12 * 12 * 12, inside_prism},
+        {"shape=mesh file=test_pack_prism.txt count=200 max=2", 3 * 12 * 12 * 12, inside_prism},
+    };
+    write_prism("test_pack_prism.txt", 12);
+    for (size_t m = 0; m < sizeof cases / sizeof cases[0]; m++) {
+        struct rows rows;
+        struct pack_report report;
+        double solid = 0, largest = 0, least = INFINITY;
+        make_good("power", cases[m].settings, &rows, &report);
+        for (size_t k = 0; k < rows.count; k++) {
+            double volume = 4 * M_PI / 3 * pow(rows.radius[k], 3);
+            solid += volume;
+            largest = fmax(largest, volume);
+            least = fmin(least, cases[m].inside(rows.position[k], rows.radius[k]));
+            for (int c = 0; c < 3; c++)
+                assert_true(rows.position[k][c] > rows.lower[c] && rows.position[k][c] < rows.upper[c]);
+        }
+        if (!(least > -1e-9))
+            fail_msg("%s: a sphere is out by %g", cases[m].settings, -least);
+        assert_true(overlap_by_all(&rows) <= 1e-12);
+        assert_true(report.overlap == 0);
+        assert_true(fabs(solid / cases[m].volume - report.fraction) < 1e-6);
+        const char *wanted = strstr(cases[m].settings, "fraction=");
+        if (wanted) /* the last sphere makes it no nearer */
+            assert_true(fabs(solid - strtod(wanted + 9, NULL) * cases[m].volume) <= largest);
+        else
+            assert_int_equal(rows.count, 200);
+        rows_free(&rows);
+    }
+    remove("test_pack_prism.txt");
+}
+
 /* A bound on the overlap is kept, and used: the first packing that meets it is taken. */
 static void overlap_bound(void **state) {
     (void)state;
@@ -140,9 +229,11 @@ static void bidisperse_removed(void **state) {
 static void same_for_any_threads(void **state) {
     (void)state;
     static const char *const made[][2] = {{"univol", "count=2500 ratio=30 fraction=0.5 velocity=2 threads="},
-                                          {"bidisperse", "ratio=4 box=30 large=9 small=2500 threads="}};
+                                          {"bidisperse", "ratio=4 box=30 large=9 small=2500 threads="},
+                                          {"power", "shape=mesh file=test_pack_prism.txt max=3 threads="}};
     static const char *const threads[] = {"1", "2", "4"};
-    for (int m = 0; m < 2; m++) {
+    write_prism("test_pack_prism.txt", 15);
+    for (int m = 0; m < 3; m++) {
         struct rows first = {0};
         for (int t = 0; t < 3; t++) {
             char settings[128];
@@ -161,6 +252,7 @@ static void same_for_any_threads(void **state) {
         }
         rows_free(&first);
     }
+    remove("test_pack_prism.txt");
 }
 
 static void seeds_differ(void **state) {
@@ -216,9 +308,11 @@ static void too_dense(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_overlaps),     cmocka_unit_test(overlap_bound), cmocka_unit_test(bidisperse),
-        cmocka_unit_test(bidisperse_removed),   cmocka_unit_test(seeds_differ),  cmocka_unit_test(velocities),
-        cmocka_unit_test(same_for_any_threads), cmocka_unit_test(too_dense),
+        cmocka_unit_test(nothing_overlaps),   cmocka_unit_test(fills_containers),
+        cmocka_unit_test(overlap_bound),      cmocka_unit_test(bidisperse),
+        cmocka_unit_test(bidisperse_removed), cmocka_unit_test(seeds_differ),
+        cmocka_unit_test(velocities),         cmocka_unit_test(same_for_any_threads),
+        cmocka_unit_test(too_dense),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

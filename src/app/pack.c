@@ -126,6 +126,7 @@ static bool write_files(const struct comm *comm, const struct request *request, 
     if (comm->rank > 0) {
         rows_create(rows, 0, columns);
         rows->first = rows->total = head.count;
+        memcpy(rows->lower, head.lower, sizeof rows->lower);
         memcpy(rows->upper, head.upper, sizeof rows->upper);
         memcpy(rows->periodic, head.periodic, sizeof rows->periodic);
     }
@@ -143,8 +144,8 @@ static bool write_files(const struct comm *comm, const struct request *request, 
 static void print_report(const struct request *request, const struct pack_report *report, size_t count,
                          double seconds) {
     const struct pack_options *o = &request->options;
-    printf("law %s, seed %.0f: %zu particles in a cube of edge %.6g, %s\n", pack_law_name(o->law), o->seed,
-           count, report->box, o->walls == PACK_HARD ? "hard walls" : "periodic");
+    printf("law %s, seed %.0f: %zu particles in %s\n", pack_law_name(o->law), o->seed, count,
+           report->container);
     printf("radii %.6g to %.6g, solid fraction %.4f\n", report->smallest, report->largest, report->fraction);
     if (o->law == PACK_SAND)
         printf("part of the particles in the broad peak, by number: %g\n", o->broad);

@@ -2,10 +2,10 @@
 /* Fills surfaces with spheres, the largest first. Read inscribe.h first. */
 #include "bodies/inscribe.h"
 #include "core/memory.h"
-#include "walls/wall_touch.h"
+#include "walls/wall_inside.h"
 #include <math.h>
 
-enum { NODES_ACROSS = 24, TRIANGLES_MOST = 20000 };
+enum { NODES_ACROSS = 24 };
 
 static const double least_part = 0.1; /* of the radius of the first sphere */
 
@@ -25,26 +25,6 @@ static double length_of(struct law_vector a) {
     return sqrt(law_dot(a, a));
 }
 
-/* The solid angle of a triangle as seen from x, with a sign (Van Oosterom and Strackee, IEEE Trans. Biomed. Eng. 30
- * (1983) 125). */
-static double solid_angle(const struct wall_triangle *triangle, struct law_vector x) {
-    struct law_vector a = law_add(triangle->corner[0], -1.0, x), b = law_add(triangle->corner[1], -1.0, x),
-                      c = law_add(triangle->corner[2], -1.0, x);
-    double p = length_of(a), q = length_of(b), r = length_of(c);
-    double below = p * q * r + law_dot(a, b) * r + law_dot(b, c) * p + law_dot(c, a) * q;
-    return 2.0 * atan2(law_dot(a, law_cross(b, c)), below);
-}
-
-/* The distance from x to the surface; 0 outside, where the surface fills no solid angle. */
-static double depth_of(const struct wall_mesh *mesh, struct law_vector x) {
-    double least = INFINITY, angle = 0.0;
-    for (size_t t = 0; t < mesh->triangles; t++) {
-        least = fmin(least, fabs(wall_touch_nearest(mesh, (int32_t)t, x, least).distance));
-        angle += solid_angle(&mesh->triangle[t], x);
-    }
-    return fabs(angle) > 2.0 * M_PI ? least : 0.0;
-}
-
 static void lattice_make(struct lattice *lattice, const struct wall_mesh *mesh) {
     struct law_vector edge = law_add(mesh->upper, -1.0, mesh->lower);
     double spacing = fmax(edge.x, fmax(edge.y, edge.z)) / NODES_ACROSS;
@@ -58,7 +38,7 @@ static void lattice_make(struct lattice *lattice, const struct wall_mesh *mesh) 
                 struct law_vector x = {mesh->lower.x + (i + 0.5) * spacing,
                                        mesh->lower.y + (j + 0.5) * spacing,
                                        mesh->lower.z + (k + 0.5) * spacing};
-                double depth = depth_of(mesh, x);
+                double depth = wall_inside_depth(mesh, x);
                 if (depth > 0.0)
                     lattice->node[lattice->count++] = (struct node){x, depth};
             }
@@ -73,7 +53,7 @@ static struct node deepest_near(const struct wall_mesh *mesh, struct node start,
         for (int d = 0; d < 6; d++) {
             struct law_vector x = law_add(best.x, step, along[d]), off = law_add(x, -1.0, start.x);
             bool near = fmax(fabs(off.x), fmax(fabs(off.y), fabs(off.z))) <= spacing;
-            double depth = near ? depth_of(mesh, x) : 0.0;
+            double depth = near ? wall_inside_depth(mesh, x) : 0.0;
             if (depth > best.depth)
                 best = (struct node){x, depth};
         }
@@ -102,34 +82,12 @@ static int choose(const struct wall_mesh *mesh, struct lattice *lattice, int mos
     return chosen;
 }
 
-/* Reads the surface and refuses what holds no volume. */
-static bool surface_read(struct wall_mesh **mesh, const struct inscribe_options *options,
-                         struct error *error) {
-    struct mesh file;
-    struct wall_mesh_place place = {.scale = options->scale};
-    *mesh = NULL;
-    if (!mesh_read(&file, options->file, "", error))
-        return false;
-    bool good = file.count <= TRIANGLES_MOST ||
-                error_set(error, ERROR_USER, "%s: a body of %zu triangles; at most %d are allowed",
-                          options->file, file.count, TRIANGLES_MOST);
-    good = good && wall_mesh_create(mesh, &file, options->file, &place, NULL, error);
-    mesh_free(&file);
-    size_t open = good ? wall_mesh_open_edges(*mesh, true) : 0;
-    if (open > 0)
-        error_set(
-            error, ERROR_USER,
-            "%s: is no closed surface of one orientation: %zu edges are not shared by two triangles, or by "
-            "two that run round in different senses; a body needs a closed surface",
-            options->file, open);
-    return good && open == 0;
-}
-
 int inscribe_spheres(const struct inscribe_options *options, struct clump_sphere *sphere,
                      struct moments *moments, struct error *error) {
     struct wall_mesh *mesh;
+    struct wall_mesh_place place = {.scale = options->scale};
     int chosen = 0;
-    if (surface_read(&mesh, options, error)) {
+    if (wall_inside_read(&mesh, options->file, &place, "a body", error)) {
         struct lattice lattice;
         double(*corner)[9] = memory_allocate(mesh->triangles, sizeof *corner, "triangles of a body");
         for (size_t t = 0; t < mesh->triangles; t++)

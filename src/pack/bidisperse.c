@@ -55,7 +55,7 @@ static bool place_large(struct pack_work *work, struct error *error) {
     work->particles = particles_create((size_t)o->large);
     for (int64_t k = 1; k <= (int64_t)o->large; k++)
         work_add(work, k, o->ratio);
-    return work_relax(work, "large", error);
+    return work_place(work, error) && work_relax(work, "large", error);
 }
 
 /* Marks the small spheres of pairs that overlap and are not alike. */
@@ -81,7 +81,7 @@ static void mark_overlaps(const struct pack_search *search, uint8_t *remove) {
 static bool remove_overlaps(struct pack_work *work, struct error *error) {
     struct particles *particles = work->particles;
     struct pack_search *search =
-        pack_search_create(particles, &work->box, work->options->gap, work->threads, error);
+        pack_search_create(particles, &work->container.box, work->options->gap, work->threads, error);
     if (!search)
         return false;
     pack_search_run(search);
@@ -133,7 +133,7 @@ bool bidisperse_make(struct pack_work *work, struct error *error) {
     work->particles = particles_create(large + started);
     for (size_t k = 1; k <= started; k++)
         work_add(work, (int64_t)(large + k), 1);
-    bool good = work_relax(work, "small", error);
+    bool good = work_place(work, error) && work_relax(work, "small", error);
     for (size_t k = 0; k < large && good; k++) {
         size_t at = particles_append(work->particles);
         work->particles->state[at] = placed->state[k];

@@ -2,7 +2,9 @@
 /* Draws radii from a law of sizes. Read draw.h first. */
 #include "pack/draw.h"
 
+#include "core/memory.h"
 #include "core/random.h"
+#include "particles/particles.h"
 #include "scene/sizes_file.h"
 
 #include <math.h>
@@ -120,4 +122,44 @@ bool draw_radii(const struct pack_options *options, double *radius, size_t count
     for (size_t k = 0; k < count; k++)
         radius[k] = draw_one(&drawing, k);
     return true;
+}
+
+/* The number of leading radii whose spheres come nearest to `solid`; 0 if all hold less. */
+static size_t count_leading(const double *radius, size_t count, double solid) {
+    double sum = 0;
+    for (size_t k = 0; k < count; k++) {
+        double more = particles_sphere_mass(radius[k], 1);
+        if (sum + more >= solid)
+            return solid - sum < sum + more - solid && k > 0 ? k : k + 1;
+        sum += more;
+    }
+    return 0;
+}
+
+static double volume_of(const double *radius, size_t count) {
+    double sum = 0;
+    for (size_t k = 0; k < count; k++)
+        sum += particles_sphere_mass(radius[k], 1);
+    return sum;
+}
+
+double *draw_fill(const struct pack_options *options, double solid, size_t *count, struct error *error) {
+    double *radius = NULL;
+    bool good = true;
+    *count = 0;
+    for (size_t drawn = 1024; good && *count == 0 && drawn <= (size_t)1 << 27; drawn *= 2) {
+        radius = memory_resize(radius, drawn, sizeof *radius, "radii");
+        good = draw_radii(options, radius, drawn, error);
+        *count = good ? count_leading(radius, drawn, solid) : 0;
+        if (good && drawn == 1024 && *count == 0 && solid > 1e5 * volume_of(radius, drawn))
+            break;
+    }
+    if (good && *count == 0)
+        error_set(error, ERROR_USER,
+                  "command line: to fill the container to %g takes more than 134 million spheres of this law",
+                  options->fraction);
+    if (*count > 0)
+        return radius;
+    memory_free(radius);
+    return NULL;
 }

@@ -12,4 +12,8 @@
  * its own thread team. */
 bool draw_radii(const struct pack_options *options, double *radius, size_t count, struct error *error);
 
+/* Draws radii until their spheres hold `solid`, to the nearest sphere; at most 134 million. The caller frees them with memory_free. NULL:
+ * error (user). Opens its own thread team. */
+double *draw_fill(const struct pack_options *options, double solid, size_t *count, struct error *error);
+
 #endif

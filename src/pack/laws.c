@@ -8,6 +8,7 @@ enum { VALUE_MAX = 64 };
 
 static const char *const by_names[] = {"number", "mass", NULL};
 static const char *const wall_names[] = {"periodic", "hard", NULL};
+static const char *const shape_names[] = {"cube", "box", "cylinder", "sphere", "mesh", NULL};
 static const char *const number_names[] = {"table", "recipe", NULL};
 
 #define AT(member) .offset = offsetof(struct pack_options, member)
@@ -39,8 +40,39 @@ static const struct law_key keys[] = {
      AT(fraction),
      .least = 1e-6,
      .most = 0.9,
-     .help = "part of the cube that is solid; gives the edge"},
-    {.name = "walls", .type = LAW_NAME, AT(walls), .names = wall_names, .help = "all six sides of the cube"},
+     .help = "part of the volume that is solid: gives the edge of a cube, or, where the size is given, the "
+             "count"},
+    {.name = "walls",
+     .type = LAW_NAME,
+     AT(walls),
+     .names = wall_names,
+     .help = "all six sides of the cube or box"},
+    {.name = "shape",
+     .type = LAW_NAME,
+     AT(shape),
+     .names = shape_names,
+     .help = "what is filled: cube (box=), box (edges=), cylinder upright on the origin (radius=, length=), "
+             "sphere around the origin (radius=), or the inside of a closed mesh (file=)"},
+    {.name = "edges",
+     .type = LAW_EDGES,
+     AT(edges),
+     .least = 1e-9,
+     .most = 1e9,
+     .help = "of the box, as in 10,10,30"},
+    {.name = "radius",
+     .type = LAW_REAL,
+     AT(radius),
+     .least = 1e-9,
+     .most = 1e9,
+     .help = "of the cylinder or the sphere that is filled"},
+    {.name = "length", .type = LAW_REAL, AT(length), .least = 1e-9, .most = 1e9, .help = "of the cylinder"},
+    {.name = "file", .type = LAW_TEXT, AT(file), .help = "of the mesh: STL, OBJ, PLY, or nine numbers a row"},
+    {.name = "scaled",
+     .type = LAW_REAL,
+     AT(scaled),
+     .least = 1e-12,
+     .most = 1e12,
+     .help = "coordinates of the mesh's file x this"},
     {.name = "broad",
      .type = LAW_REAL,
      AT(broad),
@@ -122,12 +154,14 @@ static const struct law_key keys[] = {
 enum { KEYS = sizeof keys / sizeof keys[0] };
 
 static const char *const common = "gap=0.001 overlap=0 sweeps=20000 velocity=0 density=1 seed=1 threads=0";
+static const char *const container = "shape=cube edges radius length file scaled=1";
 
 static const struct laws_row laws[] = {
     [PACK_BIDISPERSE] = {.name = "bidisperse",
                          .summary = "spheres of radius 1 and R in a periodic cube",
                          .defaults = "ratio=10 numbers=table",
                          .more = "box large small",
+                         .cube_only = true,
                          .text = "The systems of Table 1 of Stratford, Shire and Hanley, for ratio 10, 20,\n"
                                  "40, 80 and 100. Large spheres at a solid fraction of 0.12 and small ones\n"
                                  "are thrown at random into the cube and moved apart until none overlap,\n"
@@ -199,6 +233,10 @@ const char *laws_common(void) {
     return common;
 }
 
+const char *laws_container(void) {
+    return container;
+}
+
 const char *pack_law_name(enum pack_law law) {
     return laws[law].name;
 }
@@ -215,14 +253,14 @@ static bool listed(const char *list, const char *name, size_t length) {
 
 bool laws_has(const struct laws_row *law, const char *name, size_t length) {
     return listed(law->defaults, name, length) || listed(law->more, name, length) ||
-           listed(common, name, length);
+           listed(common, name, length) || (!law->cube_only && listed(container, name, length));
 }
 
 /* The default of a key in a list, "" if it has none. */
 static void find_default(const char *list, const char *name, char *value, size_t size) {
     for (const char *at = list; *at; at += *at == ' ') {
-        size_t length = strcspn(at, " "), word = strcspn(at, "=");
-        if (word == strlen(name) && strncmp(at, name, word) == 0)
+        size_t length = strcspn(at, " "), word = strcspn(at, "= ");
+        if (word < length && word == strlen(name) && strncmp(at, name, word) == 0)
             snprintf(value, size, "%.*s", (int)(length - word - 1), at + word + 1);
         at += length;
     }
@@ -231,12 +269,14 @@ static void find_default(const char *list, const char *name, char *value, size_t
 static void help_key(FILE *out, const struct laws_row *law, const struct law_key *key) {
     char value[VALUE_MAX] = "";
     find_default(common, key->name, value, sizeof value);
+    find_default(container, key->name, value, sizeof value);
     find_default(law->defaults, key->name, value, sizeof value);
     fprintf(out, "  %s=", key->name);
-    if (key->type == LAW_NAME)
-        fprintf(out, "%s|%s", key->names[0], key->names[1]);
-    else
-        fputs(key->type == LAW_TEXT ? "FILE" : key->type == LAW_WHOLE ? "N" : "X", out);
+    static const char *const kinds[] = {
+        [LAW_REAL] = "X", [LAW_WHOLE] = "N", [LAW_TEXT] = "FILE", [LAW_NAME] = "", [LAW_EDGES] = "X,Y,Z"};
+    fputs(kinds[key->type], out);
+    for (int k = 0; key->names && key->names[k]; k++)
+        fprintf(out, "%s%s", k ? "|" : "", key->names[k]);
     if (*value)
         fprintf(out, " (default: %s)", value);
     fprintf(out, "\n      %s\n", key->help);

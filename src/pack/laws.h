@@ -8,14 +8,14 @@
 #include <stddef.h>
 #include <stdio.h>
 
-enum law_key_type { LAW_REAL, LAW_WHOLE, LAW_TEXT, LAW_NAME };
+enum law_key_type { LAW_REAL, LAW_WHOLE, LAW_TEXT, LAW_NAME, LAW_EDGES };
 
 struct law_key {
     const char *name;
     enum law_key_type type;
     size_t offset; /* in struct pack_options */
     double least, most;
-    const char *const *names; /* NAME: the names of the two values of the enum */
+    const char *const *names; /* NAME: those of the values of the enum */
     const char *help;
 };
 
@@ -23,6 +23,7 @@ struct law_key {
  * of all. */
 struct laws_row {
     const char *name, *summary, *defaults, *more, *text;
+    bool cube_only; /* without the keys of other containers */
 };
 
 /* The k-th law (an enum pack_law) and key; NULL after the last. */
@@ -31,6 +32,9 @@ const struct law_key *laws_key(int k);
 
 /* The keys of all laws with their defaults. */
 const char *laws_common(void);
+
+/* The keys of containers with their defaults; laws that are `cube_only` have none of them. */
+const char *laws_container(void);
 
 /* True if the law has a key of this name (of `length` letters). */
 bool laws_has(const struct laws_row *law, const char *name, size_t length);

@@ -2,6 +2,7 @@
 noinst_LTLIBRARIES += libpack.la
 libpack_la_SOURCES = \
 	src/pack/bidisperse.c src/pack/bidisperse.h \
+	src/pack/container.c src/pack/container.h \
 	src/pack/draw.c src/pack/draw.h \
 	src/pack/laws.c src/pack/laws.h \
 	src/pack/options.h \

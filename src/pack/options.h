@@ -17,19 +17,27 @@ enum pack_law {
 };
 enum pack_by { PACK_BY_NUMBER, PACK_BY_MASS };
 enum pack_sides { PACK_PERIODIC, PACK_HARD };
+enum pack_shape { PACK_CUBE, PACK_BOX, PACK_CYLINDER, PACK_SPHERE, PACK_MESH };
 enum pack_numbers { PACK_TABLE, PACK_RECIPE };
 
 /* Lengths in the unit of the law, see pack_help. Zero counts, box and fraction: not given. */
 struct pack_options {
     enum pack_law law;
     enum pack_by by;           /* EXPONENTIAL, SIEVE, DISCRETE: what the law counts */
-    enum pack_sides walls;     /* all six sides */
+    enum pack_sides walls;     /* all six sides; HARD in round containers and meshes */
     enum pack_numbers numbers; /* BIDISPERSE */
     double ratio;              /* of the largest to the smallest radius */
     double count;              /* of particles, a whole number */
     double large, small;       /* BIDISPERSE: of either size, whole numbers */
     double box;                /* edge of the cube */
-    double fraction;           /* of the cube's volume that is solid */
+    double
+        fraction; /* of the container's volume that is solid; where the size is known and the count is not, as many
+                      * particles as reach it */
+    enum pack_shape shape;     /* of the container */
+    double edges[3];           /* BOX */
+    double radius, length;     /* CYLINDER, SPHERE */
+    const char *file;          /* MESH; borrowed */
+    double scaled;             /* MESH: coordinates of the file x this */
     double broad;              /* SAND: part of the particles in the broad peak, by number */
     double scale;              /* EXPONENTIAL: diameter over which the density falls by a factor e */
     double exponent, min, max; /* POWER: number density of radii ~ r^exponent in [min, max] */

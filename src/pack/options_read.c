@@ -17,8 +17,25 @@ static bool set_name(void *to, const struct law_key *key, const char *text, stru
             *(int *)to = k; /* enums of these options are ints */
             return true;
         }
-    return error_set(error, ERROR_USER, "command line: %s=%s: allowed are %s and %s", key->name, text,
-                     key->names[0], key->names[1]);
+    char allowed[SETTING_MAX] = "";
+    for (int k = 0; key->names[k]; k++)
+        snprintf(allowed + strlen(allowed), sizeof allowed - strlen(allowed), "%s%s", k ? ", " : "",
+                 key->names[k]);
+    return error_set(error, ERROR_USER, "command line: %s=%s: allowed are %s", key->name, text, allowed);
+}
+
+static bool set_edges(double *edge, const struct law_key *key, const char *text, struct error *error) {
+    const char *at = text;
+    for (int c = 0; c < 3; c++) {
+        char *end;
+        edge[c] = strtod(at, &end);
+        if (end == at || *end != (c < 2 ? ',' : '\0') || !(edge[c] >= key->least && edge[c] <= key->most))
+            return error_set(error, ERROR_USER,
+                             "command line: %s=%s: must be three lengths in %g ... %g, as in 10,10,30",
+                             key->name, text, key->least, key->most);
+        at = end + 1;
+    }
+    return true;
 }
 
 static bool set_value(struct pack_options *options, const struct law_key *key, const char *text,
@@ -26,6 +43,8 @@ static bool set_value(struct pack_options *options, const struct law_key *key, c
     void *to = (char *)options + key->offset;
     if (key->type == LAW_NAME)
         return set_name(to, key, text, error);
+    if (key->type == LAW_EDGES)
+        return set_edges(to, key, text, error);
     if (key->type == LAW_TEXT) {
         *(const char **)to = text;
         return *text || error_set(error, ERROR_USER, "command line: %s= needs a value", key->name);
@@ -43,7 +62,7 @@ static bool set_value(struct pack_options *options, const struct law_key *key, c
     return true;
 }
 
-/* One KEY=VALUE. Box and fraction replace each other. */
+/* One KEY=VALUE. */
 static bool set_key(struct pack_options *options, const struct laws_row *law, const char *text,
                     struct error *error) {
     size_t length = strcspn(text, "=");
@@ -54,10 +73,6 @@ static bool set_key(struct pack_options *options, const struct laws_row *law, co
         if (strlen(key->name) != length || strncmp(key->name, text, length) != 0 ||
             !laws_has(law, text, length))
             continue;
-        if (strcmp(key->name, "box") == 0)
-            options->fraction = 0;
-        if (strcmp(key->name, "fraction") == 0)
-            options->box = 0;
         return set_value(options, key, text + length + 1, error);
     }
     return error_set(error, ERROR_USER,
@@ -65,14 +80,15 @@ static bool set_key(struct pack_options *options, const struct laws_row *law, co
                      (int)length, text, law->name, law->name);
 }
 
-/* Reads the words of a list of defaults. The lists are part of the program, so no word fails. */
+/* Reads the words of a list of defaults, KEY=VALUE or KEY. The lists are part of the program, so no word fails. */
 static void set_defaults(struct pack_options *options, const struct laws_row *law, const char *list,
                          struct error *error) {
     char word[SETTING_MAX];
     for (const char *at = list; *at; at += *at == ' ') {
         size_t length = strcspn(at, " ");
         snprintf(word, sizeof word, "%.*s", (int)length, at);
-        set_key(options, law, word, error);
+        if (strchr(word, '='))
+            set_key(options, law, word, error);
         at += length;
     }
 }
@@ -134,17 +150,84 @@ static bool finish_published(struct pack_options *o, const struct published *sys
                      "command line: ratio=%g is not a published system: give box or fraction", o->ratio);
 }
 
+/* The keys that a container has, and how many of them it needs. */
+static const struct {
+    const char *name, *keys[2];
+    int needed;
+} shapes[] = {[PACK_CUBE] = {"cube", {"box"}, 0},
+              [PACK_BOX] = {"box", {"edges"}, 1},
+              [PACK_CYLINDER] = {"cylinder", {"radius", "length"}, 2},
+              [PACK_SPHERE] = {"sphere", {"radius"}, 1},
+              [PACK_MESH] = {"mesh", {"file", "scaled"}, 1}};
+static const char *const shape_keys[] = {"box", "edges", "radius", "length", "file", "scaled"};
+
+/* What the command line gives. */
+struct given {
+    const char *const *setting;
+    int settings;
+};
+
+static bool is_given(const struct given *given, const char *key) {
+    size_t length = strlen(key);
+    for (int k = 0; k < given->settings; k++)
+        if (strncmp(given->setting[k], key, length) == 0 && given->setting[k][length] == '=')
+            return true;
+    return false;
+}
+
+/* The keys of the container are given, and no others. */
+static bool check_shape(const struct pack_options *o, const struct given *given, struct error *error) {
+    const char *const *keys = shapes[o->shape].keys, *name = shapes[o->shape].name;
+    for (size_t k = 0; k < sizeof shape_keys / sizeof shape_keys[0]; k++) {
+        bool fits = strcmp(shape_keys[k], keys[0]) == 0 || (keys[1] && strcmp(shape_keys[k], keys[1]) == 0);
+        if (!fits && is_given(given, shape_keys[k]))
+            return error_set(error, ERROR_USER,
+                             "command line: %s= does not go with shape=%s, which has %s%s%s", shape_keys[k],
+                             name, keys[0], keys[1] ? " and " : "", keys[1] ? keys[1] : "");
+    }
+    for (int k = 0; k < shapes[o->shape].needed; k++)
+        if (!is_given(given, keys[k]))
+            return error_set(error, ERROR_USER, "command line: shape=%s needs %s=", name, keys[k]);
+    return o->shape <= PACK_BOX || o->walls == PACK_HARD || !is_given(given, "walls") ||
+           error_set(error, ERROR_USER, "command line: walls=periodic goes with shape=cube and shape=box");
+}
+
+/* Of size, count and fraction two decide the third. */
+static bool finish_shape(struct pack_options *o, const struct given *given, struct error *error) {
+    bool count = is_given(given, "count"), fraction = is_given(given, "fraction");
+    bool box = is_given(given, "box");
+    const char *name = shapes[o->shape].name;
+    if (!check_shape(o, given, error))
+        return false;
+    if (o->shape > PACK_BOX)
+        o->walls = PACK_HARD;
+    if (o->shape == PACK_CUBE && !(box && fraction)) {
+        o->fraction = box ? 0 : o->fraction;
+        return true;
+    }
+    if (count && fraction)
+        return error_set(error, ERROR_USER,
+                         "command line: of count, fraction and the size of the %s two decide the third; here "
+                         "all are given",
+                         name);
+    o->fraction = count ? 0 : o->fraction;
+    o->count = count ? o->count : 0;
+    return count || o->fraction > 0 ||
+           error_set(error, ERROR_USER, "command line: shape=%s needs fraction= or count=", name);
+}
+
 static bool finish(struct pack_options *o, struct error *error) {
     static const struct published sand[] = {
         {10, 205.9, 0, 712333}, {20, 506, 0, 2336380}, {40, 1475, 0, 9591137}};
     static const struct published exponential[] = {{50, 368.77, 0, 5040560}};
+    bool sized = o->shape != PACK_CUBE || (o->box > 0 && o->fraction > 0);
     switch (o->law) {
     case PACK_BIDISPERSE:
         return finish_bidisperse(o, error);
     case PACK_SAND:
-        return finish_published(o, published_find(sand, 3, o->ratio), error);
+        return sized || finish_published(o, published_find(sand, 3, o->ratio), error);
     case PACK_EXPONENTIAL:
-        return finish_published(o, published_find(exponential, 1, o->ratio), error);
+        return sized || finish_published(o, published_find(exponential, 1, o->ratio), error);
     case PACK_POWER:
         return (o->max > o->min && o->max <= 1000 * o->min) ||
                error_set(error, ERROR_USER,
@@ -174,15 +257,12 @@ bool pack_options_read(struct pack_options *options, const char *law, const char
             law);
     *options = (struct pack_options){.law = (enum pack_law)l};
     set_defaults(options, laws_get(l), laws_common(), error);
+    if (!laws_get(l)->cube_only)
+        set_defaults(options, laws_get(l), laws_container(), error);
     set_defaults(options, laws_get(l), laws_get(l)->defaults, error);
-    bool box = false, fraction = false;
-    for (int k = 0; k < settings; k++) {
+    for (int k = 0; k < settings; k++)
         if (!set_key(options, laws_get(l), setting[k], error))
             return false;
-        box = box || strncmp(setting[k], "box=", 4) == 0;
-        fraction = fraction || strncmp(setting[k], "fraction=", 9) == 0;
-    }
-    if (box && fraction)
-        return error_set(error, ERROR_USER, "command line: box and fraction exclude each other");
-    return finish(options, error);
+    struct given given = {setting, settings};
+    return finish_shape(options, &given, error) && finish(options, error);
 }

@@ -119,23 +119,24 @@ double push_all(struct pushes *pushes, const struct pack_search *search) {
 
 /* Moves one particle and returns the square of its displacement. Walls act, too: a wall may move a particle
  * that no other one pushes, after the particle has grown. */
-static double move_one(const struct pushes *pushes, const struct box *box, struct particle_state *state,
-                       const struct push_sum *sum, double factor) {
+static double move_one(const struct pushes *pushes, const struct pack_container *container,
+                       struct particle_state *state, const struct push_sum *sum, double factor) {
     double square = 0, room = state->radius * (1 + pushes->gap);
     double stiffness = 2 * fmax((double)sum->stiffest, (double)sum->stiffness / 3);
     double step = stiffness > 0 ? factor * pushes->smallest / stiffness : 0;
+    double x[3];
+    for (int c = 0; c < 3; c++)
+        x[c] = state->x[c] + step * (double)sum->push[c];
+    container_hold(container, state->x, room, x);
     for (int c = 0; c < 3; c++) {
-        double x = state->x[c] + step * (double)sum->push[c];
-        if (!box->periodic[c])
-            x = fmin(fmax(x, room), box->edge[c] - room);
-        square += (x - state->x[c]) * (x - state->x[c]);
-        state->x[c] = x;
+        square += (x[c] - state->x[c]) * (x[c] - state->x[c]);
+        state->x[c] = x[c];
     }
     return square;
 }
 
-void push_move(struct pushes *pushes, const struct pack_search *search, double factor,
-               double largest[CLASS_MAX]) {
+void push_move(struct pushes *pushes, const struct pack_search *search,
+               const struct pack_container *container, double factor, double largest[CLASS_MAX]) {
     struct particles *particles = search->particles;
     for (int c = 0; c < CLASS_MAX; c++)
         largest[c] = 0;
@@ -144,7 +145,7 @@ void push_move(struct pushes *pushes, const struct pack_search *search, double f
         double mine[CLASS_MAX] = {0};
 #pragma omp for schedule(static)
         for (size_t k = 0; k < particles->owned; k++) {
-            double square = move_one(pushes, search->box, &particles->state[k], &pushes->sum[k], factor);
+            double square = move_one(pushes, container, &particles->state[k], &pushes->sum[k], factor);
             double *most = &mine[particles->size_class[k]];
             *most = fmax(*most, square);
             pushes->sum[k] = (struct push_sum){0};

@@ -3,6 +3,7 @@
 #ifndef SCREE_PACK_PUSH_H
 #define SCREE_PACK_PUSH_H
 
+#include "pack/container.h"
 #include "pack/search.h"
 
 /* The pushes on a particle in whole numbers: the sum of stiffness times distance, the sum of stiffnesses and
@@ -29,9 +30,9 @@ void push_destroy(struct pushes **pushes);
  * none. Opens its own thread team. */
 double push_all(struct pushes *pushes, const struct pack_search *search);
 
-/* Moves all particles by `factor` times their pushes, and clears the pushes; `largest` gets the largest
+/* Moves all particles by `factor` times their pushes, within the container, and clears the pushes; `largest` gets the largest
  * displacement of each class. Opens its own thread team. */
-void push_move(struct pushes *pushes, const struct pack_search *search, double factor,
-               double largest[CLASS_MAX]);
+void push_move(struct pushes *pushes, const struct pack_search *search,
+               const struct pack_container *container, double factor, double largest[CLASS_MAX]);
 
 #endif

@@ -9,6 +9,7 @@
 static const double step_factor = 2;
 
 struct relaxing {
+    const struct pack_container *container;
     const struct relax_options *options;
     struct pack_search *search;
     struct pushes *pushes;
@@ -21,7 +22,7 @@ static bool is_done(struct relaxing *r) {
     double largest[CLASS_MAX];
     if (r->state.overlap > r->options->bound)
         return false;
-    push_move(r->pushes, r->search, 0, largest);
+    push_move(r->pushes, r->search, r->container, 0, largest);
     pack_search_run(r->search);
     r->state.overlap = push_all(r->pushes, r->search);
     return r->state.overlap <= r->options->bound;
@@ -35,7 +36,7 @@ static bool relax_all(struct relaxing *r, struct error *error) {
         r->state.overlap = push_all(r->pushes, r->search);
         if (is_done(r))
             return true;
-        push_move(r->pushes, r->search, step_factor, largest);
+        push_move(r->pushes, r->search, r->container, step_factor, largest);
         if (pack_search_moved(r->search, largest))
             pack_search_run(r->search);
         r->state.searches = r->search->searches;
@@ -49,13 +50,13 @@ static bool relax_all(struct relaxing *r, struct error *error) {
         options->sweeps, r->state.overlap);
 }
 
-bool relax_run(struct particles *particles, const struct box *box, const struct relax_options *options,
-               struct relax_state *state, struct error *error) {
-    struct relaxing r = {.options = options};
+bool relax_run(struct particles *particles, const struct pack_container *container,
+               const struct relax_options *options, struct relax_state *state, struct error *error) {
+    struct relaxing r = {.container = container, .options = options};
     *state = r.state;
     if (particles->owned == 0)
         return true;
-    r.search = pack_search_create(particles, box, options->gap, options->threads, error);
+    r.search = pack_search_create(particles, &container->box, options->gap, options->threads, error);
     if (r.search == NULL)
         return false;
     r.pushes = push_create(particles->owned, r.search->classes.radius_min[0], options->gap, options->threads);

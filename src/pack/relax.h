@@ -14,7 +14,7 @@
 #define SCREE_PACK_RELAX_H
 
 #include "core/error.h"
-#include "particles/particles.h"
+#include "pack/container.h"
 
 /* State of a relaxation. */
 struct relax_state {
@@ -32,12 +32,12 @@ struct relax_options {
     void *context;
 };
 
-/* Relaxes the particles. In directions that are not periodic the box is a hard wall, and must be wider than
- * the largest particle; in periodic directions the box must be wider than 1.25 times the diameter of the
+/* Relaxes the particles. All particles lie in the container, whose hard walls must be farther apart
+ * than the largest particle is wide; in periodic directions the box must be wider than 1.25 times the diameter of the
  * largest particle. The largest radius may be 1000 times the smallest. The order of the particles changes.
  * Fails (user) if `sweeps` sweeps leave larger overlaps. `state` is that of the end: its overlap comes from a
  * new search. Opens its own thread team. */
-bool relax_run(struct particles *particles, const struct box *box, const struct relax_options *options,
-               struct relax_state *state, struct error *error);
+bool relax_run(struct particles *particles, const struct pack_container *container,
+               const struct relax_options *options, struct relax_state *state, struct error *error);
 
 #endif

@@ -12,8 +12,9 @@ struct pack_hook {
 };
 
 struct pack_report {
+    char container[256];      /* its shape and size in words */
     double box;               /* edge of the cube */
-    double fraction;          /* of its volume that is solid */
+    double fraction;          /* of the container's volume that is solid */
     double smallest, largest; /* radii */
     double overlap;           /* the largest in the final packing, as part of the smaller radius; 0: none */
     int sweeps;

@@ -5,17 +5,31 @@
 
 #include "core/random.h"
 
+#include <math.h>
+
 void work_add(struct pack_work *work, int64_t id, double radius) {
-    struct random_sequence random =
-        random_sequence((uint64_t)work->options->seed, RANDOM_POSITION, (uint64_t)id);
     size_t k = particles_append(work->particles);
-    struct particle_state *state = &work->particles->state[k];
     work->particles->id[k] = id;
-    state->radius = radius;
-    for (int c = 0; c < 3; c++) {
-        double room = work->box.periodic[c] ? 0 : radius;
-        state->x[c] = room + (work->box.edge[c] - 2 * room) * random_uniform(&random);
+    work->particles->state[k].radius = radius;
+}
+
+bool work_place(struct pack_work *work, struct error *error) {
+    struct particles *particles = work->particles;
+    double part = work->container.shape == PACK_MESH ? 1 + work->options->gap : 1, homeless = 0;
+#pragma omp parallel for schedule(dynamic, 64) reduction(max : homeless)
+    for (size_t k = 0; k < particles->owned; k++) {
+        struct particle_state *state = &particles->state[k];
+        struct random_sequence random =
+            random_sequence((uint64_t)work->options->seed, RANDOM_POSITION, (uint64_t)particles->id[k]);
+        if (!container_draw(&work->container, part * state->radius, &random, state->x))
+            homeless = fmax(homeless, state->radius);
     }
+    return homeless == 0 ||
+           error_set(
+               error, ERROR_USER,
+               "%s: no place inside was found for a sphere of radius %g: smaller spheres are needed, or a "
+               "larger mesh (scaled=)",
+               work->options->file, homeless);
 }
 
 struct relay {
@@ -38,7 +52,7 @@ bool work_relax(struct pack_work *work, const char *what, struct error *error) {
                                     .show = work->hook ? relay_show : NULL,
                                     .context = &relay};
     struct relax_state state;
-    bool good = relax_run(work->particles, &work->box, &options, &state, error);
+    bool good = relax_run(work->particles, &work->container, &options, &state, error);
     work->report->sweeps += state.sweep;
     return good;
 }

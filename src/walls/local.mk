@@ -12,6 +12,8 @@ libwalls_la_SOURCES = \
 	src/walls/wall_area.h \
 	src/walls/wall_grid.c \
 	src/walls/wall_grid.h \
+	src/walls/wall_inside.c \
+	src/walls/wall_inside.h \
 	src/walls/wall_mesh.c \
 	src/walls/wall_mesh.h \
 	src/walls/wall_motion.c \

@@ -59,6 +59,22 @@ for law in "univol count=500 ratio=8 fraction=0.5" "sand count=500" "exponential
     check "$law has help" "$scree" help pack "$law"
 done
 
+check "a cylinder" packed 1 power c.data c.h5 shape=cylinder radius=10 length=20 max=2 fraction=0.5
+check "is named, with its fraction" holds said "in a cylinder of radius 10 and length 20"
+check "on three ranks" packed 3 power c3.data c3.h5 shape=cylinder radius=10 length=20 max=2 fraction=0.5
+check "the cylinder is the same" same_numbers c.data c3.data
+check "its axis is that of z" holds c.data "10 10 xlo xhi"
+check "its H5MD has the same box" sh -c '"$1" convert c3.h5 cback.data --overwrite && grep -q "^-10 10 xlo xhi" cback.data' sh "$scree"
+cat >pour.yaml <<'EOF'
+units: none
+step: {count: 5}
+contact: {law: hooke}
+materials: [{name: a, density: 1}]
+material_pairs: [{restitution: 0.5, k_n: 1000}]
+walls: [{shape: cylinder, point: [0, 0, 10], axis: [0, 0, 1], radius: 10, length: 20, inside: true}]
+particles: {file: c.h5, format: h5md, material: a}
+EOF
+check "a scene runs in it" "$scree" run pour.yaml -o poured --quiet
 check "a sieve curve as a list" packed 1 sieve list.data diameters=1,2,4 passing=0,40,100 count=500
 check "is that of the file" same_numbers list.data sieve.data
 printf 'radius passing\n0.5 0\n1 0.4\n2 1\n' >radii.txt
@@ -100,6 +116,17 @@ check "a folder that is not" refused "folder is not there" sand nowhere/new.data
 check "no such key" refused "no key of the law" sand new.data colour=3
 check "too dense" refused "too dense" power new.data count=200 max=1.01 fraction=0.8 sweeps=20
 check "a sieve file that is not there" refused "no.txt" sieve new.data table=no.txt
+check "no such container" refused "allowed are cube, box, cylinder, sphere, mesh" power new.data shape=ball
+check "a container's key that is missing" refused "needs length=" power new.data shape=cylinder radius=3
+check "another container's key" refused "edges= does not go with shape=sphere" power new.data shape=sphere radius=9 edges=1,2,3
+check "two edges" refused "three lengths" power new.data shape=box edges=1,2
+check "periodic and round" refused "walls=periodic goes with" power new.data shape=sphere radius=9 walls=periodic
+check "count, fraction and size" refused "two decide the third" power new.data shape=sphere radius=9 count=9 fraction=0.3
+check "too many for it" refused "times that of the container" power new.data shape=sphere radius=20 count=5000
+check "too large a container" refused "more than 134 million" power new.data shape=sphere radius=1e6
+check "a mesh that is not there" refused "nix.stl" power new.data shape=mesh file=nix.stl
+printf '0 0 0 1 0 0 0 1 0\n' >open.txt
+check "an open mesh" refused "no closed surface" power new.data shape=mesh file=open.txt
 check "overwriting" packed 1 power b.data count=100 --overwrite --quiet
 check "quietly" test ! -s said
 
