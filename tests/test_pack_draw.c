@@ -195,6 +195,23 @@ static void published_numbers(void **state) {
     assert_true(options.box == 0 && options.fraction == 0.3);
 }
 
+/* Of box, count and fraction two decide the third. */
+static void two_of_three(void **state) {
+    (void)state;
+    struct pack_options options;
+    struct error error = {0};
+    read_good(&options, "power", "box=3", "fraction=0.2");
+    assert_true(options.box == 3 && options.fraction == 0.2 && options.count == 0);
+    read_good(&options, "power", "box=3", "count=5");
+    assert_true(options.box == 3 && options.fraction == 0 && options.count == 5);
+    read_good(&options, "power", "count=5", "fraction=0.2");
+    assert_true(options.box == 0 && options.fraction == 0.2 && options.count == 5);
+    const char *all[] = {"box=3", "fraction=0.2", "count=5"};
+    assert_false(pack_options_read(&options, "power", all, 3, &error));
+    assert_int_equal(error.kind, ERROR_USER);
+    assert_non_null(strstr(error.text, "two decide the third"));
+}
+
 static void bad_options(void **state) {
     (void)state;
     static const char *const bad[][4] = {{"gravel", NULL, NULL, "known are bidisperse"},
@@ -208,7 +225,10 @@ static void bad_options(void **state) {
                                          {"power", "count=1.5", NULL, "whole number"},
                                          {"power", "min=3", "max=2", "above min"},
                                          {"power", "min=3", "max=3001", "1000 times"},
-                                         {"power", "box=3", "fraction=0.2", "exclude"},
+                                         {"power", "radius=3", NULL, "does not go with shape=cube"},
+                                         {"power", "shape=sphere", NULL, "needs radius="},
+                                         {"power", "shape=sphere", "box=3", "does not go with"},
+                                         {"power", "shape=ball", NULL, "allowed are"},
                                          {"power", "walls=soft", NULL, "periodic and hard"},
                                          {"sieve", NULL, NULL, "needs table=FILE"},
                                          {"sieve", "table=", NULL, "needs a value"},
@@ -227,10 +247,10 @@ static void bad_options(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(power_laws),  cmocka_unit_test(exponential_laws),
-        cmocka_unit_test(sand),        cmocka_unit_test(sieves),
-        cmocka_unit_test(bad_sieves),  cmocka_unit_test(published_numbers),
-        cmocka_unit_test(bad_options),
+        cmocka_unit_test(power_laws),   cmocka_unit_test(exponential_laws),
+        cmocka_unit_test(sand),         cmocka_unit_test(sieves),
+        cmocka_unit_test(bad_sieves),   cmocka_unit_test(published_numbers),
+        cmocka_unit_test(two_of_three), cmocka_unit_test(bad_options),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
