@@ -229,7 +229,7 @@ static void bad_options(void **state) {
                                          {"power", "shape=sphere", NULL, "needs radius="},
                                          {"power", "shape=sphere", "box=3", "does not go with"},
                                          {"power", "shape=ball", NULL, "allowed are"},
-                                         {"power", "walls=soft", NULL, "periodic and hard"},
+                                         {"power", "walls=soft", NULL, "allowed are periodic, hard"},
                                          {"sieve", NULL, NULL, "needs table=FILE"},
                                          {"sieve", "table=", NULL, "needs a value"},
                                          {"bidisperse", "ratio=7", NULL, "published table"},
