@@ -56,13 +56,15 @@ struct scree_options {
      * then off. */
     void (*force)(void *context, struct scree_simulation *simulation);
     void *force_context;
-    void *reserved[8]; /* NULL */
+    /* Of a scene with `stages`: gets the checkpoint at the end of each stage. NULL: the checkpoints are kept in $TMPDIR
+     * or /tmp until the next stage begins; ranks on several nodes need a folder that all of them see. */
+    const char *folder;
+    void *reserved[7]; /* NULL */
 };
 
 /* Makes a simulation of a scene: its particles, pairs and first forces. `text` is the scene, and `file` its name in
  * messages, relative paths starting from the folder of the file; `text` NULL: the file is read. Signals, progress
- * and all files of a run are left to the caller; the section `output` of the scene counts for observables alone, and a scene with
- * `stages` is refused.
+ * and all files of a run are left to the caller; the section `output` of the scene counts for observables alone.
  * `options` may be NULL. NULL on failure. Release with scree_destroy. Collective. */
 struct scree_simulation *scree_create(const char *file, const char *text, const struct scree_options *options,
                                       struct scree_error *error);
@@ -70,11 +72,17 @@ struct scree_simulation *scree_create(const char *file, const char *text, const 
 /* Frees a simulation, and sets the pointer to NULL. Before MPI_Finalize. Collective. */
 void scree_destroy(struct scree_simulation **simulation);
 
-/* Runs `steps` time steps. After a failure no further step is possible. Collective. */
+/* Runs `steps` time steps. After a failure no further step is possible. If the scene has stages, the step that ends a
+ * stage begins the next one, and no step is taken after the end of the last stage. Collective. */
 bool scree_step(struct scree_simulation *simulation, uint64_t steps, struct scree_error *error);
 
-/* The number of steps from now to the end of the scene (`duration` or `step.count`); 0 if the end is reached. */
+/* The number of steps from now to the end of the scene (`duration` or `step.count`); 0 if the end is reached. With stages:
+ * to the end of the present stage, at most, as its conditions may end the stage earlier; 0 only after the last stage. */
 uint64_t scree_steps_left(const struct scree_simulation *simulation);
+
+/* The name of the present stage; "" without stages, and after the last one. Belongs to the simulation until its next
+ * step. */
+const char *scree_stage(const struct scree_simulation *simulation);
 
 /* The state of the clock: number of the last step, time, and length of a step. */
 uint64_t scree_step_number(const struct scree_simulation *simulation);
@@ -151,7 +159,8 @@ const char *scree_column_name(const struct scree_simulation *simulation, int col
 const char *scree_column_unit(const struct scree_simulation *simulation, int column);
 
 /* Computes the observables of this moment into values[scree_columns()]. Energies and stresses of contacts are those
- * of the last step of a scree_step, or of the start. Collective. */
+ * of the last step of a scree_step, or of the start; right after the end of a stage all values are those of that end.
+ * Collective. */
 bool scree_observe(struct scree_simulation *simulation, double *values, struct scree_error *error);
 
 /* The rows that the simulation has recorded as `observables.every` of the scene says, as in observables.csv: their

@@ -15,6 +15,7 @@
 #include "engine/resume.h"
 #include "engine/run_report.h"
 #include "engine/run_stages.h"
+#include "core/log.h"
 #include "core/memory.h"
 #include "formats/checkpoint.h"
 #include "observe/progress.h"
@@ -311,11 +312,13 @@ static void report_make(struct run *run, struct report *report, struct error *er
 static void start_tell(const struct run *run) {
     const struct simulation *s = run->s;
     const char *resume = run->options->resume;
-    char label[2 * OUTPUT_NAME_MAX];
+    char label[2 * OUTPUT_NAME_MAX], title[RUN_STAGES_TITLE_MAX];
     if (s->comm->rank != 0 || run->options->quiet)
         return;
-    if (run->chain)
-        run_stages_print(s, stderr);
+    if (run->chain) {
+        run_stages_title(s, title, sizeof title);
+        log_text(NULL, title);
+    }
     if (run->chain && run->chain->done > 0) {
         snprintf(label, sizeof label, "scree: stage '%s'", s->scene->stage[s->stage.number].name);
         resume = label;

@@ -128,8 +128,8 @@ bool run_stages_first(const struct comm *comm, const struct scene *scene, const 
     return comm_agree(comm, error) && good;
 }
 
-void run_stages_print(const struct simulation *s, FILE *file) {
-    fprintf(file, "scree: stage '%s' (%d of %d) from step %" PRIu64 ", t = %.9g\n",
-            s->scene->stage[s->stage.number].name, (int)s->stage.number + 1, s->scene->stages, s->clock.step,
-            s->clock.time);
+void run_stages_title(const struct simulation *s, char *text, size_t size) {
+    snprintf(text, size, "stage '%s' (%d of %d) from step %" PRIu64 ", t = %.9g",
+             s->scene->stage[s->stage.number].name, (int)s->stage.number + 1, s->scene->stages, s->clock.step,
+             s->clock.time);
 }

@@ -58,7 +58,8 @@ void run_stages_add(const struct run_stages *stages, const struct simulation *si
 bool run_stages_first(const struct comm *comm, const struct scene *scene, const char *resume, int *first,
                       struct error *error);
 
-/* Says on `file` which stage begins. */
-void run_stages_print(const struct simulation *simulation, FILE *file);
+/* Writes the line that says which stage begins. */
+enum { RUN_STAGES_TITLE_MAX = 160 };
+void run_stages_title(const struct simulation *simulation, char *text, size_t size);
 
 #endif

@@ -9,6 +9,8 @@ libcalls_la_SOURCES = \
 	src/lib/scree_parts.c \
 	src/lib/scree_parts.h \
 	src/lib/scree_simulation.c \
+	src/lib/scree_stages.c \
+	src/lib/scree_stages.h \
 	src/scree.h
 libcalls_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 

@@ -6,6 +6,7 @@
 #include "engine/rebuild.h"
 #include "engine/resume.h"
 #include "engine/view.h"
+#include <assert.h>
 #include <string.h>
 
 static size_t row_length(const struct scree_simulation *simulation) {
@@ -48,9 +49,30 @@ bool scree_observe_begin(struct scree_simulation *simulation, bool resumed, stru
                        error);
     if (!comm_agree(s->comm, error))
         return false;
+    assert(simulation->kept == NULL || observables_columns(simulation->observables) == simulation->columns);
+    simulation->columns = observables_columns(simulation->observables);
     s->grains.sums_each_step = s->grains.sums_each_step || observables_need_work(simulation->observables);
     return resumed || !scree_observe_due(simulation, s->clock.step, s->clock.time) ||
            scree_observe_record(simulation, error);
+}
+
+void scree_observe_end(struct scree_simulation *simulation) {
+    observables_destroy(&simulation->observables);
+}
+
+bool scree_observe_keep(struct scree_simulation *simulation, struct error *error) {
+    size_t columns = row_length(simulation) - 1;
+    if (!compute(simulation, error))
+        return false;
+    simulation->kept = memory_resize(simulation->kept, columns, sizeof(double), "observables of a stage");
+    if (columns > 0)
+        memcpy(simulation->kept, observables_values(simulation->observables), columns * sizeof(double));
+    return true;
+}
+
+void scree_observe_drop(struct scree_simulation *simulation) {
+    memory_free(simulation->kept);
+    simulation->kept = NULL;
 }
 
 int scree_columns(const struct scree_simulation *simulation) {
@@ -68,8 +90,8 @@ const char *scree_column_unit(const struct scree_simulation *simulation, int col
 bool scree_observe(struct scree_simulation *simulation, double *values, struct scree_error *error) {
     struct error own = {0};
     int threads = scree_parts_enter(simulation);
-    if (compute(simulation, &own))
-        memcpy(values, observables_values(simulation->observables),
+    if (simulation->kept || compute(simulation, &own))
+        memcpy(values, simulation->kept ? simulation->kept : observables_values(simulation->observables),
                (row_length(simulation) - 1) * sizeof(double));
     scree_parts_leave(threads);
     return scree_parts_tell(&own, error);

@@ -3,7 +3,10 @@
 #ifndef SCREE_LIB_SCREE_PARTS_H
 #define SCREE_LIB_SCREE_PARTS_H
 
+#include "engine/run.h"
+#include "engine/run_stages.h"
 #include "engine/state.h"
+#include "files/file.h"
 #include "observe/observables.h"
 #include "scree.h"
 
@@ -18,9 +21,14 @@ struct scree_simulation {
     void *log_context;
     struct output_run run;
     struct observables *observables;
+    int columns;  /* of the observables; all stages have the same */
     bool changed; /* the next step rebuilds */
     double *row;  /* recorded rows, one after another */
     size_t rows, room;
+    struct run_stages stages;
+    struct scene *before;       /* of the stage that ends, while the next one begins */
+    double *kept;               /* observables at the end of a stage, until the next step; NULL: none */
+    char folder[FILE_PATH_MAX]; /* of the checkpoints between stages; "": they are deleted */
 };
 
 /* Copies an error to the caller's, if there is one. True if there is no error. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A simulation in another program: made, stepped, ended. Read scree.h first. */
 #include "lib/scree_observe.h"
+#include "lib/scree_stages.h"
 #include "core/memory.h"
 #include "engine/checked.h"
 #include "engine/outputs.h"
@@ -30,7 +31,7 @@ static void force(void *context, struct simulation *state) {
 static struct scene *scene_make(const struct comm *comm, const char *file, const char *text,
                                 const struct scree_options *options, struct error *error) {
     struct scene *scene = NULL;
-    char *read = NULL, place[SCENE_PATH_MAX];
+    char *read = NULL;
     struct scene_setting *set =
         memory_allocate((size_t)(options->sets > 0 ? options->sets : 0), sizeof *set, "settings");
     for (int k = 0; k < options->sets; k++) {
@@ -44,11 +45,6 @@ static struct scene *scene_make(const struct comm *comm, const char *file, const
         text = read;
     if (error->kind == ERROR_NONE)
         scene = scene_parse(file ? file : "scene", text, set, options->sets, error);
-    if (scene && scene->stages > 0)
-        error_set(error, ERROR_USER,
-                  "%s: stages: a program that takes the steps itself gives each stage as a scene of its own; "
-                  "'scree run' runs the %d stages of this scene one after another",
-                  scene_place(scene, "stages", place, sizeof place), scene->stages);
     if (scene)
         scene_files_open(scene, error);
     memory_free(read);
@@ -70,10 +66,13 @@ static bool fill(struct scree_simulation *simulation, const char *file, const ch
         return false;
     if (simulation->scene->note[0] && simulation->comm.rank == 0)
         log_text(&caller.log, simulation->scene->note);
+    if (!scree_stages_first(simulation, options->resume, error))
+        return false;
     simulation->scene->output.progress.mode = PROGRESS_OFF;
     simulation->state =
         simulation_create_for(&caller, &simulation->comm, simulation->scene, options->resume, error);
-    return simulation->state && scree_observe_begin(simulation, options->resume != NULL, error);
+    return simulation->state && scree_observe_begin(simulation, options->resume != NULL, error) &&
+           scree_stages_begin(simulation, error);
 }
 
 struct scree_simulation *scree_create(const char *file, const char *text, const struct scree_options *options,
@@ -87,6 +86,8 @@ struct scree_simulation *scree_create(const char *file, const char *text, const 
     simulation->log_context = options->log_context;
     simulation->force = options->force;
     simulation->force_context = options->force_context;
+    if (options->folder)
+        snprintf(simulation->folder, sizeof simulation->folder, "%s", options->folder);
     bool joined = comm_join(&simulation->comm, options->communicator, &own);
     if (joined && !fill(simulation, file, text, options, &own))
         scree_destroy(&simulation);
@@ -104,9 +105,12 @@ void scree_destroy(struct scree_simulation **simulation) {
     if (s == NULL)
         return;
     int threads = scree_parts_enter(s);
-    observables_destroy(&s->observables);
+    scree_observe_end(s);
+    scree_observe_drop(s);
+    run_stages_close(&s->stages);
     simulation_destroy(&s->state);
     scene_free(&s->scene);
+    scene_free(&s->before);
     comm_leave(&s->comm);
     error_set_log(NULL);
     memory_free(s->row);
@@ -122,30 +126,35 @@ static bool step(struct scree_simulation *simulation, bool last, struct error *e
     uint64_t next = s->clock.step + 1;
     double time = s->clock.time_base + (double)(next - s->clock.step_base) * s->clock.dt;
     s->agree.signals = (struct step_signals){.error = s->error.kind != ERROR_NONE};
-    checked_step(s, last || scree_observe_due(simulation, next, time), simulation->changed);
-    simulation->changed = false;
+    bool ends = scree_stages_last(simulation, next), rebuild = simulation->changed || ends;
+    bool sums =
+        last || ends || scree_observe_due(simulation, next, time) || scree_stages_want_sums(simulation, next);
+    simulation->changed = false; /* a force of the caller may change something again */
+    checked_step(s, sums, rebuild);
+    scree_observe_drop(simulation);
     if (s->agree.signals.error || (s->ranks.alone && s->error.kind != ERROR_NONE))
         return false;
-    return !scree_observe_due(simulation, s->clock.step, s->clock.time) ||
-           scree_observe_record(simulation, error);
+    return (!scree_observe_due(simulation, s->clock.step, s->clock.time) ||
+            scree_observe_record(simulation, error)) &&
+           scree_stages_advance(simulation, error);
 }
 
 bool scree_step(struct scree_simulation *simulation, uint64_t steps, struct scree_error *error) {
-    struct simulation *s = simulation->state;
     struct error *own = &simulation->error;
     int threads = scree_parts_enter(simulation);
     bool good = own->kind == ERROR_NONE;
-    for (uint64_t k = 0; good && k < steps; k++)
+    for (uint64_t k = 0; good && k < steps && !scree_stages_over(simulation); k++)
         good = step(simulation, k + 1 == steps, own);
     if (own->kind == ERROR_NONE)
-        *own = s->error;
+        *own = simulation->state->error;
     comm_agree(&simulation->comm, own);
     scree_parts_leave(threads);
     return scree_parts_tell(own, error);
 }
 
 uint64_t scree_steps_left(const struct scree_simulation *simulation) {
-    uint64_t last = run_last_step(simulation->state), now = simulation->state->clock.step;
+    uint64_t now = simulation->state->clock.step;
+    uint64_t last = scree_stages_over(simulation) ? now : run_last_step(simulation->state);
     return last > now ? last - now : 0;
 }
 

@@ -219,12 +219,6 @@ static void mistakes_and_guards_are_told(void **test) {
     set[0] = "walls[0].colour=red";
     s = scree_create("scene", scene, &options, &error);
     team_expect(team, s == NULL && error.status == SCREE_USER, "%s", error.text);
-    const char *stages[] = {"step.count=~", "stages=[{name: fall, duration: 0.1}]"};
-    options.set = stages;
-    options.sets = 2;
-    s = scree_create("scene", scene, &options, &error);
-    team_expect(team, s == NULL && error.status == SCREE_USER && strstr(error.text, "each stage as a scene"),
-                "%s", error.text);
     options.set = set;
     set[0] = "guards.step=off";
     options.sets = 4;
@@ -250,6 +244,53 @@ static void mistakes_and_guards_are_told(void **test) {
     team_finish(team);
 }
 
+/* The particle that the force of the caller adds in the last step of a stage joins the next stage. */
+static void add_late(void *context, struct scree_simulation *s) {
+    const struct scree_particle grain = {.position = {0, 5, 7.5}, .radius = 0.1};
+    if (++*(int *)context == 12) /* one call for the first forces, one for each step */
+        scree_add(s, &grain, 1, NULL);
+}
+
+static void stages_follow_each_other_on_all_ranks_alike(void **test) {
+    struct team *team = *test;
+    static struct state together, alone;
+    int calls[2] = {0, 0};
+    const char *set[] = {
+        "step.count=~", "step.force=true",
+        "stages=[{name: fall, every: 10, until: [{name: particles, at_least: 3}]}, {name: rise, duration: "
+        "0.02, set: {gravity: [0, 0, 1]}}, {name: rest, duration: 0.01, set: {\"walls[floor]\": ~}}]"};
+    struct scree_options both = {.communicator = &team->comm.handle,
+                                 .set = set,
+                                 .sets = 3,
+                                 .force = add_late,
+                                 .force_context = &calls[0]},
+                         one = both;
+    one.communicator = NULL;
+    one.force_context = &calls[1];
+    struct scree_simulation *s = create(team, &both), *single = create(team, &one);
+    if (s && single) {
+        team_expect(team, strcmp(scree_stage(s), "fall") == 0 && scree_steps_left(s) > 1000, "%s",
+                    scree_stage(s));
+        step(team, s, 10);
+        team_expect(team, scree_steps_left(s) == 1, "the conditions hold, but not at the next step");
+        step(team, s, 1);
+        team_expect(team, strcmp(scree_stage(s), "rise") == 0 && scree_steps_left(s) == 20, "%s",
+                    scree_stage(s));
+        step(team, s, 100);
+        team_expect(team, scree_step_number(s) == 41 && scree_steps_left(s) == 0 && scree_stage(s)[0] == '\0',
+                    "step %d of 41", (int)scree_step_number(s));
+        team_expect(team, scree_particles(s) == GRAINS + 1, "%d grains", (int)scree_particles(s));
+        step(team, single, 41);
+        look(team, s, true, &together);
+        look(team, single, false, &alone);
+        team_expect(team, together.rows == 3 && memcmp(&together, &alone, sizeof alone) == 0,
+                    "the ranks differ from one rank");
+    }
+    scree_destroy(&s);
+    scree_destroy(&single);
+    team_finish(team);
+}
+
 int main(int argc, char **argv) {
     struct team team;
     team_start(&team, &argc, &argv);
@@ -257,6 +298,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(ranks_together_get_what_one_gets_alone, &team),
         cmocka_unit_test_prestate(a_checkpoint_goes_on_to_the_bit, &team),
         cmocka_unit_test_prestate(particles_come_go_and_are_moved, &team),
+        cmocka_unit_test_prestate(stages_follow_each_other_on_all_ranks_alike, &team),
         cmocka_unit_test_prestate(mistakes_and_guards_are_told, &team),
     };
     int failed = cmocka_run_group_tests(tests, NULL, NULL);

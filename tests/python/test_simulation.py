@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """scree.Simulation: the same bits as the command line, arrays, callbacks, forces, mistakes."""
 
+import json
 import os
 import subprocess
 
@@ -134,6 +135,70 @@ def test_mistakes_and_guards_are_told():
     with pytest.raises(scree.Error, match="overlap") as raised:
         stops.run(200)
     assert raised.value.status == 3
+
+
+STAGES = {
+    **{key: value for key, value in SCENE.items() if key not in ("step", "observables")},
+    "step": {"dt": 0.001},
+    "stages": [
+        {"name": "fall", "every": 50, "until": [{"name": "centre", "component": "z", "at_most": 2.0}]},
+        {"name": "open", "duration": 0.1, "set": {"walls[floor]": None, "observables.every": 25}},
+        {"name": "tilt", "duration": 0.05, "set": {"gravity": [1, 0, -1]}},
+    ],
+    "observables": {
+        "every": 50,
+        "list": [{"name": "momentum"}, {"name": "energy_kinetic"}, {"name": "energy_elastic_normal"}, {"name": "centre"}],
+    },
+}
+
+
+def test_stages_have_the_bits_of_the_command_line(tmp_path):
+    said, seen = [], []
+    simulation = scree.Simulation(STAGES, log=said.append, folder=tmp_path)
+    (tmp_path / "scene.yaml").write_text(json.dumps(STAGES))
+    done = subprocess.run(
+        [os.environ["SCREE"], "run", "scene.yaml", "-o", "out", "--quiet"], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert done.returncode == 0, done.stderr
+    assert simulation.stage == "fall" and simulation.steps_left > 1000000
+    simulation.run(callback=lambda simulation: seen.append((simulation.step, simulation.stage)), every=7)
+    ends = [stage["last"] for stage in json.loads((tmp_path / "out/report.json").read_text())["scene_stages"]]
+    assert simulation.step == ends[2] and simulation.steps_left == 0 and simulation.stage == ""
+    assert ends[0] % 50 == 1 and [b - a for a, b in zip(ends, ends[1:])] == [100, 50]
+    assert {stage for step, stage in seen} == {"fall", "open", "tilt"}
+    assert all((stage == "fall") == (step < ends[0]) for step, stage in seen)
+    assert [line.split("'")[1] for line in said if line.startswith("stage")] == ["fall", "open", "tilt"]
+    table = simulation.observables
+    lines = (tmp_path / "out/observables.csv").read_text().splitlines()
+    assert lines[1:] == [",".join("%.15g" % value for value in row) for row in table.to_numpy()]
+    run = contents(tmp_path / "out", ends[2])
+    assert len(run) > 15 and run == contents(tmp_path, ends[2])
+    assert simulation.run(5).step == ends[2]  # no stage is left
+
+
+def contents(folder, step):
+    """Name, bytes and checksum of each dataset of a checkpoint, without the texts that name the run, and the sums, which are
+    those of the steps that somebody looks at."""
+    with open(folder / f"checkpoint-{step}.h5", "rb") as file:
+        rows = [line.split() for line in file.read(8192).decode(errors="ignore").splitlines() if line.startswith("dataset ")]
+    return {row[1]: (row[3], row[5]) for row in rows if not any(word in row[1] for word in ("scene", "lineage", "sums"))}
+
+
+def test_stages_go_on_from_a_checkpoint_and_are_observed_at_their_ends(tmp_path):
+    whole = scree.Simulation(STAGES, log=lambda line: None, folder=tmp_path)
+    while whole.stage == "fall":
+        whole.run(1)
+    first = whole.step
+    end = whole.observe()
+    assert end["energy_elastic_normal"] > 0  # of the end of the stage, not of the beginning of the next one
+    assert (tmp_path / f"checkpoint-{first}.h5").exists()
+    part = scree.Simulation(STAGES, log=lambda line: None, resume=tmp_path / f"checkpoint-{first}.h5")
+    assert part.stage == "open" and part.step == first
+    whole.run(), part.run()
+    assert whole.step == part.step == first + 150
+    assert np.array_equal(by_id(whole, "position"), by_id(part, "position"))
+    with pytest.raises(scree.Error, match="all 3 stages are over"):
+        scree.Simulation(STAGES, resume=tmp_path / f"checkpoint-{whole.step}.h5")
 
 
 def test_observables_without_rows_are_those_of_now():

@@ -17,7 +17,7 @@ def _plain(value):
 class Scene:
     """A scene with the keys of docs/scene.md.
 
-    `source` is a dict, the path of a YAML file, or a YAML text (a str with a line break). `set` overrides keys:
+    `source` is a dict, the path of a YAML file, or a YAML text (a str with a line break, or that begins with {). `set` overrides keys:
     {"index.name": "brute"}, as --set of the program. `folder` is where relative paths of a dict or a text start from
     (the present one). Mistakes are found when a Simulation is made."""
 
@@ -26,7 +26,7 @@ class Scene:
         if isinstance(source, dict):
             self.file = os.path.join(folder, "scene")
             self.text = json.dumps(source, default=_plain, allow_nan=False)
-        elif isinstance(source, str) and "\n" in source:
+        elif isinstance(source, str) and ("\n" in source or source.lstrip().startswith("{")):
             self.file = os.path.join(folder, "scene")
             self.text = source
         else:

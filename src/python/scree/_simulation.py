@@ -19,9 +19,10 @@ class Simulation:
     force: a function of the simulation, called once in each step, that adds to `simulation.force`.
     log: a function of a line, for warnings and notes; by default they go to standard error.
     resume: a checkpoint to go on from.
+    folder: of a scene with stages; gets the checkpoint at the end of each stage, which is else deleted.
     comm: a communicator of mpi4py, on whose ranks the simulation runs; None: this process alone."""
 
-    def __init__(self, scene, force=None, log=None, resume=None, comm=None):
+    def __init__(self, scene, force=None, log=None, resume=None, folder=None, comm=None):
         if not isinstance(scene, Scene):
             scene = Scene(scene)
         self._raised = None
@@ -32,6 +33,8 @@ class Simulation:
         options.set, options.sets = words, len(settings)
         path = ffi.NULL if resume is None else ffi.new("char[]", str(resume).encode())
         options.resume = path
+        place = ffi.NULL if folder is None else ffi.new("char[]", str(folder).encode())
+        options.folder = place
         self._callbacks = [
             ffi.callback("void(void *, const char *)", self._say),
             ffi.callback("void(void *, struct scree_simulation *)", self._pull),
@@ -110,31 +113,43 @@ class Simulation:
 
     @property
     def steps_left(self):
-        """The number of steps to the end of the scene."""
+        """The number of steps to the end of the scene; with stages: to the end of the present one, at most."""
         return lib.scree_steps_left(self._open())
+
+    @property
+    def stage(self):
+        """The name of the present stage; "" without stages, and after the last one."""
+        return ffi.string(lib.scree_stage(self._open())).decode()
 
     def run(self, steps=None, callback=None, every=1, progress=False):
         """Runs `steps` steps; None: to the end of the scene. `callback(simulation)` is called after every `every` steps.
-        `progress`: a line on standard error. An array from before is invalid then. Returns the simulation."""
-        target = self.step + (self.steps_left if steps is None else int(steps))
+        `progress`: a line on standard error. An array from before is invalid then. No step is taken after the last of a
+        scene with stages. Returns the simulation."""
         begun, chunk, first = time.monotonic(), 1, self.step
-        while self.step < target:
-            left = target - self.step
+        while (left := self.steps_left if steps is None else first + int(steps) - self.step) > 0:
+            last = self.step + left
             if callback is not None:
                 left = min(left, every - (self.step - first) % every)
             chunk = min(chunk, left)
-            before = time.monotonic()
+            before, step = time.monotonic(), self.step
             self._advance(chunk)
             seconds = time.monotonic() - before
+            if self.step == step:
+                break
             if callback is not None and (self.step - first) % every == 0:
                 callback(self)
             chunk = max(1, min(8 * chunk, int(chunk * _CHUNK / max(seconds, 1e-9))))
             if progress:
-                part = (self.step - first) / max(target - first, 1)
-                print(f"\rstep {self.step} of {target} ({part:.0%}), {time.monotonic() - begun:.0f} s", end="", file=sys.stderr)
+                self._tell(first, last, time.monotonic() - begun)
         if progress:
             print(file=sys.stderr)
         return self
+
+    def _tell(self, first, last, seconds):
+        """The line of progress; the end of a stage may be unknown."""
+        target = f" of {last} ({(self.step - first) / max(last - first, 1):.0%})" if last < 1 << 60 else ""
+        stage = f", stage {self.stage}" if self.stage else ""
+        print(f"\r\033[Kstep {self.step}{target}{stage}, {seconds:.0f} s", end="", file=sys.stderr)
 
     def _advance(self, steps):
         error = ffi.new("struct scree_error *")
