@@ -6,7 +6,7 @@ EXTRA_DIST += docs/physics.md docs/user-law.md docs/fluid.md \
 	docs/images/fluid-spheres.png docs/images/fluid-vortices.png docs/images/fluidised-bed.png docs/images/gate.png docs/images/heated-drum.png \
 	docs/images/blade.png docs/images/repose.png docs/images/wet-pile.png
 EXTRA_DIST += docs/packing.md docs/pictures.md docs/images/picture-drum.png docs/reports.md docs/images/report.png docs/images/report-ablation.png \
-	docs/index.md docs/tutorial.md docs/images/tutorial.png docs/site/conf.py
+	docs/index.md docs/tutorial.md docs/images/tutorial.png docs/images/site.png docs/site/conf.py
 EXTRA_DIST += docs/view.md docs/images/view.png
 EXTRA_DIST += docs/gallery.md docs/howto/cluster.md docs/howto/compaction.md docs/howto/coupling.md docs/howto/drum.md docs/howto/hopper.md \
 	docs/howto/pouring.md docs/howto/restart.md docs/howto/shear_cell.md docs/howto/sieve.md \
@@ -16,7 +16,7 @@ EXTRA_DIST += docs/gallery.md docs/howto/cluster.md docs/howto/compaction.md doc
 	docs/images/gallery-pouring.png docs/images/gallery-pouring-plot.png \
 	docs/images/gallery-shear_cell.png docs/images/gallery-shear_cell-plot.png \
 	docs/images/gallery-sieve.png docs/images/gallery-sieve-plot.png
-EXTRA_DIST += docs/library.md docs/library.awk docs/python.md
+EXTRA_DIST += docs/library.md docs/python.md docs/site/Doxyfile
 EXTRA_DIST += docs/scaling.md docs/layouts.md \
 	docs/folders.dot docs/images/folders.svg docs/images/scaling-hybrid.svg docs/images/scaling-model.svg docs/images/scaling-ranks.svg \
 	docs/images/scaling-sizes.svg docs/images/scaling-speed.svg
@@ -101,18 +101,19 @@ EXTRA_DIST += docs/results/scaling/hybrid.jsonl docs/results/scaling/lengths.jso
 # The pages that the program writes, after a change of the schema, a field, an observable, a stage or the report
 .PHONY: pages
 pages: src/scene/document src/engine/document
-	cd $(srcdir)/src && $(AWK) -f ../docs/library.awk scree_pairs.h scree.h >$(abs_builddir)/library.md.new
-	mv library.md.new $(top_srcdir)/docs/library.md
 	src/scene/document >scene.md.new && mv scene.md.new $(top_srcdir)/docs/scene.md
 	src/engine/document <$(top_srcdir)/docs/output.md >output.md.new && mv output.md.new $(top_srcdir)/docs/output.md
 EXTRA_DIST += docs/pores.md docs/images/bead-packing.png docs/images/settling.png docs/results/pores
 
 # The pages as a site, from the source tree, where links from page to page hold; warnings, broken links too, are errors
 .PHONY: docs
-docs:
-	@test -n "$(SPHINX)" || \
-	    { echo "make docs needs Sphinx, MyST and Furo (Debian: python3-sphinx python3-myst-parser furo)" >&2; exit 1; }
-	$(SPHINX) -q -W --keep-going -c $(top_srcdir)/docs/site -b html -d site/.doctrees $(top_srcdir) site
+docs: python/scree/copied
+	@test -n "$(SPHINX)" && test -n "$(DOXYGEN)" || \
+	    { echo "make docs needs Sphinx, MyST, Furo, Doxygen and Breathe" \
+	    "(Debian: python3-sphinx python3-myst-parser furo doxygen python3-breathe)" >&2; exit 1; }
+	$(MKDIR_P) site
+	SCREE_SOURCE=$(abs_top_srcdir) $(DOXYGEN) $(top_srcdir)/docs/site/Doxyfile
+	SCREE_BUILD=$(abs_builddir) $(SPHINX) -q -W --keep-going -c $(top_srcdir)/docs/site -b html -d site/.doctrees $(top_srcdir) site
 	@echo '<meta http-equiv="refresh" content="0; url=docs/index.html">' >site/index.html
 	@echo "the site: $(abs_builddir)/site/index.html"
 

@@ -124,6 +124,15 @@ find_bisection() {
     skip 'bisection: this program has no Zoltan'
 }
 
+# browse SECONDS FLAG... URL: headless Chromium, which calls nobody and keeps nothing; `browser` is empty where there is none
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
+browse() {
+    local seconds=$1
+    shift
+    HOME=$out timeout "$seconds" "$browser" --headless --no-sandbox --disable-quic --no-first-run --disable-background-networking \
+        --disable-component-update --disable-sync --user-data-dir="$(mktemp -d "$out/browser.XXXX")" "$@"
+}
+
 # checkpoint_lines CHECKPOINT: what it holds, in lines that do not depend on the layout
 checkpoint_lines() {
     local lines=$top_builddir/tests/checkpoint_lines

@@ -59,7 +59,4 @@ check "simulation.c swings as the cosine" [ $? = 0 ]
 check "the library prints nothing by itself" [ "$(cat "$out/errors")" = "" ]
 check "simulation.c shows eleven rows" [ "$(grep -c '^t =' "$out/said")" = 11 ]
 
-(cd "$top_srcdir/src" && awk -f ../docs/library.awk scree_pairs.h scree.h) >"$out/library.md"
-check "docs/library.md is that of the headers (make pages)" diff -q "$out/library.md" "$top_srcdir/docs/library.md"
-
 finish

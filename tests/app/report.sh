@@ -67,13 +67,12 @@ absent() { local status=0; PATH=/nowhere "$scree" report fall -o a.html >said.tx
 check 'message: Python is not there' absent
 
 mkdir -p "$top_builddir/tests/app"
-browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
 shown() { # the page draws all its plots: NAME PLOTS
-    HOME=$out timeout 200 "$browser" --headless --no-sandbox --disable-gpu --virtual-time-budget=2000 --dump-dom "file://$out/$1.html" 2>/dev/null >"$1.dom"
+    browse 200 --disable-gpu --virtual-time-budget=2000 --dump-dom "file://$out/$1.html" 2>/dev/null >"$1.dom"
     grep -q "<body data-drawn=\"$2\"" "$1.dom" && [ "$(grep -o '<canvas' "$1.dom" | wc -l)" = "$2" ]
 }
 seen() { # a screenshot, kept in the build folder
-    HOME=$out timeout 200 "$browser" --headless --no-sandbox --disable-gpu --virtual-time-budget=2000 --window-size=1100,1400 \
+    browse 200 --disable-gpu --virtual-time-budget=2000 --window-size=1100,1400 \
         --screenshot="$top_builddir/tests/app/report.png" "file://$out/fall.html" 2>/dev/null && [ "$(wc -c <"$top_builddir/tests/app/report.png")" -gt 20000 ]
 }
 if [ -n "$browser" ]; then

@@ -134,9 +134,8 @@ assert table.startswith(b"time") and table.count(b"\n") == 27, table
 assert ask(path + f"observables?from={len(table)}")[0] == 204
 EOS
 mkdir -p "$top_builddir/tests/app"
-browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
 seen_once() { # TIME: the page, in so many of its own milliseconds
-    HOME=$out timeout 120 "$browser" --headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader \
+    browse 120 --use-angle=swiftshader --enable-unsafe-swiftshader \
         --virtual-time-budget="$1" --window-size=1000,640 --dump-dom \
         --screenshot="$top_builddir/tests/app/view.png" "$url" >view.dom 2>view.log
     grep -q 'data-drawn="[1-9][0-9]' view.dom && grep -q 'data-rows="26"' view.dom && grep -q 'step 257' view.dom &&
