@@ -151,6 +151,7 @@ static void rows_of_particles(struct rows *rows, const struct particles *p,
         rows->upper[d] = box->origin[d] + box->edge[d];
         rows->periodic[d] = box->periodic[d];
     }
+    rows->tilt = (struct rows_tilt){box->motion.flow, box->motion.gradient, box->motion.offset};
 }
 
 /* Reads the particles of a checkpoint. */

@@ -65,6 +65,7 @@ struct layout {
 struct head {
     int64_t step, count;
     double time, lower[3], upper[3];
+    struct rows_tilt tilt;
     bool periodic[3], box_given;
     struct layout layout;
 };
@@ -85,24 +86,28 @@ static bool read_box(struct lines *lines, struct head *head, struct error *error
     char *word[8];
     char bounds[64];
     snprintf(bounds, sizeof bounds, "%s", lines->text + strlen("ITEM: BOX BOUNDS"));
-    if (strstr(bounds, "xy"))
-        return lines_refuse(lines, error, "the box is triclinic; only cuboid ones are known");
-    char saved[64];
-    snprintf(saved, sizeof saved, "%s", bounds);
-    char *rest = saved;
+    bool tilts = strstr(bounds, "xy xz yz") != NULL;
+    double tilt[3] = {0};
+    char *rest = bounds + (tilts ? strcspn(bounds, "x") + strlen("xy xz yz") : 0);
     for (int d = 0; d < 3; d++) {
         word[d] = strtok_r(rest, " ", &rest);
         head->periodic[d] = word[d] && strcmp(word[d], "pp") == 0;
     }
     for (int d = 0; d < 3; d++) {
-        double value[2];
+        double value[3];
         if (!expect(lines, "a line of box bounds", error))
             return false;
-        if (lines_numbers(lines, value, 2) != 2 || value[1] < value[0])
-            return lines_refuse(lines, error, "wants the lower and the upper bound of the box");
+        if (lines_numbers(lines, value, 2 + tilts) != 2 + tilts || value[1] < value[0])
+            return lines_refuse(lines, error, "wants the lower and the upper bound of the box%s",
+                                tilts ? ", and a tilt" : "");
         head->lower[d] = value[0];
         head->upper[d] = value[1];
+        tilt[d] = tilts ? value[2] : 0;
     }
+    if (!rows_tilt_of(tilt, &head->tilt))
+        return lines_refuse(lines, error, "the box has several tilts; at most one is known");
+    head->lower[head->tilt.flow] -= fmin(0, head->tilt.offset); /* the bounds hold the whole cell */
+    head->upper[head->tilt.flow] -= fmax(0, head->tilt.offset);
     head->box_given = true;
     return true;
 }
@@ -228,6 +233,10 @@ static bool store(const struct head *head, struct rows *rows, size_t row, int me
 
 static bool read_rows(struct lines *lines, const struct head *head, struct rows *rows, struct error *error) {
     char *word[COLUMNS_MAX];
+    const struct rows_tilt *tilt = &head->tilt;
+    bool scaled = false;
+    for (int c = 0; c < head->layout.columns; c++)
+        scaled = scaled || head->layout.meaning[c] == SCALED;
     for (size_t row = 0; row < rows->count; row++) {
         if (!expect(lines, "a particle", error))
             return false;
@@ -242,6 +251,10 @@ static bool read_rows(struct lines *lines, const struct head *head, struct rows 
             if (!lines_real(word[c], &value) || !store(head, rows, row, head->layout.meaning[c], value))
                 return lines_refuse(lines, error, "column %d: \"%s\" is no value for it", c + 1, word[c]);
         }
+        if (scaled && tilt->offset != 0)
+            rows->position[row][tilt->flow] +=
+                tilt->offset * (rows->position[row][tilt->gradient] - head->lower[tilt->gradient]) /
+                (head->upper[tilt->gradient] - head->lower[tilt->gradient]);
     }
     return true;
 }
@@ -291,6 +304,7 @@ bool dump_read(const char *path, int64_t frame, struct rows *rows, struct error 
         rows->box_given = rows->periodic_given = true;
         memcpy(rows->lower, head.lower, sizeof head.lower);
         memcpy(rows->upper, head.upper, sizeof head.upper);
+        rows->tilt = head.tilt;
         memcpy(rows->periodic, head.periodic, sizeof head.periodic);
         good = read_rows(&lines, &head, rows, error);
     }

@@ -31,6 +31,10 @@ void frame_from_rows(struct frame *frame, const struct rows *rows) {
         frame->box.edge[d] = rows->upper[d] - rows->lower[d];
         frame->box.periodic[d] = rows->periodic[d];
     }
+    frame->box.motion.shears = rows->tilt.flow != rows->tilt.gradient;
+    frame->box.motion.flow = rows->tilt.flow;
+    frame->box.motion.gradient = rows->tilt.gradient;
+    frame->box.motion.offset = rows->tilt.offset;
     struct particles *known = particles_create(0);
     frame_register_all(known);
     borrow(frame, known, "id", rows->id);

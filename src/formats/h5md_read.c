@@ -257,10 +257,16 @@ static bool read_box(const struct source *s, struct rows *rows, struct error *er
     double value[9] = {0}, edge[3] = {0}, origin[3] = {0};
     if (!h5_read_block(&s->h5, edges.dataset, FIELD_DOUBLE, start, count, value, error))
         return false;
+    int tilts = 0;
     for (int k = 0; matrix && k < n * n; k++)
-        if (k % (n + 1) != 0 && value[k] != 0)
-            return error_set(error, ERROR_USER, "%s: %s: the box is not rectangular in frame %" PRIu64,
-                             s->h5.path, edges.dataset, s->frame);
+        if (k % (n + 1) != 0 && value[k] != 0) {
+            rows->tilt = (struct rows_tilt){k % n, k / n, value[k]};
+            tilts++;
+        }
+    if (tilts > 1)
+        return error_set(error, ERROR_USER,
+                         "%s: %s: the box has %d tilts in frame %" PRIu64 "; at most one is known",
+                         s->h5.path, edges.dataset, tilts, s->frame);
     for (int d = 0; d < n; d++)
         edge[d] = value[matrix ? (n + 1) * d : d];
     h5_read_doubles(&s->h5, path, "origin", origin, s->dimension);

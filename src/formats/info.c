@@ -65,6 +65,9 @@ static void print_box(const struct rows *rows, FILE *file) {
                 !rows->periodic_given ? ""
                 : rows->periodic[d]   ? ", periodic"
                                       : ", open");
+    if (rows->tilt.offset != 0)
+        fprintf(file, "  sheared    the image above along %c lies at %.9g along %c\n",
+                'x' + rows->tilt.gradient, rows->tilt.offset, 'x' + rows->tilt.flow);
 }
 
 /* Prints the numbers of particles by radius, in bins of equal ratio. */

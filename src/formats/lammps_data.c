@@ -71,8 +71,14 @@ static bool read_head_line(struct reading *r, struct error *error) {
             r->rows->upper[d] = upper;
             return true;
         }
-    if (words == 6 && strcmp(word[3], "xy") == 0)
-        return lines_refuse(lines, error, "the box is triclinic; only cuboid ones are known");
+    if (words == 6 && strcmp(word[3], "xy") == 0) {
+        double tilt[3];
+        for (int k = 0; k < 3; k++)
+            if (!lines_real(word[k], &tilt[k]))
+                return lines_refuse(lines, error, "wants the tilts xy, xz and yz");
+        return rows_tilt_of(tilt, &r->rows->tilt) ||
+               lines_refuse(lines, error, "the box has several tilts; at most one is known");
+    }
     if (words == 2 && strcmp(word[1], "atoms") == 0)
         return (lines_integer(word[0], &r->atoms) && r->atoms >= 0) ||
                lines_refuse(lines, error, "\"%s\" is not a number of atoms", word[0]);
@@ -269,6 +275,7 @@ static void make_rows(struct reading *r) {
     rows_create(r->rows, (size_t)r->atoms, ROWS_ALL);
     memcpy(r->rows->lower, head.lower, sizeof head.lower);
     memcpy(r->rows->upper, head.upper, sizeof head.upper);
+    r->rows->tilt = head.tilt;
     r->rows->box_given = true;
 }
 
@@ -320,6 +327,12 @@ bool lammps_data_write(const char *path, const struct rows *rows, struct error *
                          "%s: the particles have no radius, which a data file of spheres needs", path);
     if (!rows->box_given)
         return error_set(error, ERROR_USER, "%s: there is no box, which a data file needs", path);
+    const struct rows_tilt *tilt = &rows->tilt;
+    if (tilt->offset != 0 && tilt->flow > tilt->gradient)
+        return error_set(error, ERROR_USER,
+                         "%s: the box is sheared along %c with the height %c; LAMMPS knows x with y, x with "
+                         "z and y with z",
+                         path, 'x' + tilt->flow, 'x' + tilt->gradient);
     struct file_new file;
     if (!file_new_open(&file, path, error))
         return false;
@@ -338,6 +351,11 @@ bool lammps_data_write(const char *path, const struct rows *rows, struct error *
     }
     for (int d = 0; d < 3; d++)
         fprintf(file.stream, "%.17g %.17g %clo %chi\n", lower[d], upper[d], 'x' + d, 'x' + d);
+    double slant[3] = {0};
+    if (tilt->offset != 0) {
+        slant[tilt->flow + tilt->gradient - 1] = tilt->offset;
+        fprintf(file.stream, "%.17g %.17g %.17g xy xz yz\n", slant[0], slant[1], slant[2]);
+    }
     fprintf(file.stream, "\nAtoms # sphere\n\n");
     for (size_t k = 0; k < rows->count; k++)
         write_atom(file.stream, rows, k);

@@ -35,6 +35,17 @@ void rows_free(struct rows *rows) {
     *rows = (struct rows){0};
 }
 
+bool rows_tilt_of(const double tilt[3], struct rows_tilt *out) {
+    int tilts = 0;
+    *out = (struct rows_tilt){0};
+    for (int k = 0; k < 3; k++)
+        if (tilt[k] != 0) {
+            *out = (struct rows_tilt){.flow = k == 2, .gradient = k == 0 ? 1 : 2, .offset = tilt[k]};
+            tilts++;
+        }
+    return tilts <= 1;
+}
+
 unsigned rows_columns(const struct rows *rows) {
     return (rows->position ? ROWS_POSITION : 0u) | (rows->velocity ? ROWS_VELOCITY : 0u) |
            (rows->angular_velocity ? ROWS_ANGULAR_VELOCITY : 0u) | (rows->radius ? ROWS_RADIUS : 0u) |

@@ -33,6 +33,11 @@ struct rows {
     int dimension; /* 2 (z and z components are 0) or 3 */
     bool box_given, periodic_given;
     double lower[3], upper[3]; /* of the box */
+    /* A sheared box: an image one edge up the direction `gradient` lies at `offset` along `flow`; 0: no tilt. */
+    struct rows_tilt {
+        int flow, gradient;
+        double offset;
+    } tilt;
     bool periodic[3];
     uint64_t step;
     double time; /* 0 if the file does not give the time */
@@ -44,6 +49,9 @@ void rows_create(struct rows *rows, size_t count, unsigned columns);
 
 /* Frees the arrays and zeroes the struct. */
 void rows_free(struct rows *rows);
+
+/* The tilt of a box by its numbers xy, xz, yz, as LAMMPS names them. False if more than one is not 0. */
+bool rows_tilt_of(const double tilt[3], struct rows_tilt *out);
 
 /* The columns that are present, as bits of enum rows_column. */
 unsigned rows_columns(const struct rows *rows);

@@ -183,11 +183,18 @@ static bool make_batch(struct walk *walk, int source, struct source_batch *batch
     }
     if (options->format == SOURCE_TABLE)
         return table_read(walk->scene, source, batch, walk->error);
-    if (options->format == SOURCE_LAMMPS_DATA)
-        return lammps_data_read(options->file, &batch->rows, walk->error);
-    return h5md_read(options->file, &read, NULL, &batch->rows, walk->error) &&
-           (batch->rows.radius ||
-            error_set(walk->error, ERROR_USER, "%.700s: /particles has no radius", options->file));
+    if (options->format == SOURCE_LAMMPS_DATA
+            ? !lammps_data_read(options->file, &batch->rows, walk->error)
+            : !h5md_read(options->file, &read, NULL, &batch->rows, walk->error))
+        return false;
+    if (batch->rows.tilt.offset != 0)
+        return error_set(
+            walk->error, ERROR_USER,
+            "%.700s: the box of this frame is sheared, and a scene begins without shear; go on from a "
+            "checkpoint of the run with --resume",
+            options->file);
+    return batch->rows.radius ||
+           error_set(walk->error, ERROR_USER, "%.700s: /particles has no radius", options->file);
 }
 
 /* The smallest radius that a source may place at random; INFINITY: no source does. */

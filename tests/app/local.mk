@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Tests of the whole program: bash scripts, started by tests/launch.
 
+EXTRA_DIST += tests/app/near.awk
 EXTRA_DIST += tests/app/common.sh tests/app/forces.sh tests/app/scenes.sh
 EXTRA_DIST += tests/app/lammps/hertz.data tests/app/lammps/hertz0.dump.gz tests/app/lammps/hertz200.dump.gz \
 	tests/app/lammps/in.hertz

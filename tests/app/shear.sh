@@ -108,6 +108,25 @@ quick_cell() { "$top_srcdir/examples/shear_cell/run.sh" --quick cell >/dev/null 
 
 check 'edges and offset move at their rates' strained
 check 'dumps have the tilt, trajectories the edges' files
+seen() { # of the trajectory and of the checkpoint; the first has no povray to start
+    on 1 "$scree" picture gas -o gas.pov && [ "$(grep -c '^sphere' gas.pov)" = 200 ] && on 1 "$scree" picture gas/checkpoint-400.h5 -o last.pov &&
+        cmp gas.pov last.pov && on 1 "$scree" info gas/trajectory.h5 >said && grep -q '  sheared    the image above along y lies at [0-9.-]* along x' said
+}
+check 'a sheared box is drawn' seen
+turned() { # the tilt is kept on the way through all kinds of files
+    local file before=gas/trajectory.h5
+    for file in one.dump two.h5 three.data four.dump five.data; do
+        on 1 "$scree" convert $before $file || return 1
+        before=$file
+    done
+    grep -q '^[0-9.]* 0 0 xy xz yz$' five.data && awk -f "$top_srcdir/tests/app/near.awk" three.data five.data
+}
+check 'a sheared box keeps its tilt through dumps, trajectories and data files' turned
+scene_of_it() {
+    sed 's/^particles: .*/particles: {file: three.data, format: lammps-data}/; s/, velocity_sigma: 1//' gas.yaml >again.yaml
+    refused 2 'the box of this frame is sheared' "$scree" check again.yaml
+}
+check 'a scene does not begin with a sheared frame' scene_of_it
 check 'the skin holds while the box moves' rebuilt
 check 'a resume under a pressure and a shear stress has the same bits' resumed box.stress.xy=-0.2
 for case in '200 8000' '2000 12000' '20000 125000'; do
