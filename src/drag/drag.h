@@ -9,7 +9,10 @@
  * with the law's K(d, |U - porosity v|, porosity). The drag K (...) is all that the fluid gives but for hydrostatic
  * buoyancy: it has the force of the pressure gradient that the drag of the other grains makes (form B of Zhou, Kuang, Chu,
  * Yu, J. Fluid Mech. 661 (2010) 482). The fluid therefore loses the pressure sum of drags / cross-section over a bed,
- * which is the weight of a fluidised bed less its buoyancy. */
+ * which is the weight of a fluidised bed less its buoyancy.
+ *
+ * Instead of a given fluid, that of the section `fluid` may flow between the grains: then U - porosity v is u - v with its velocity u at
+ * the grain, and it loses the momentum that the grain gains (fluid/dust.h). */
 #ifndef SCREE_DRAG_DRAG_H
 #define SCREE_DRAG_DRAG_H
 
@@ -29,15 +32,15 @@ struct drag_porosity {
 
 struct drag_options { /* the section `drag` of a scene */
     enum drag_law_name law;
+    int fluids; /* 0: that of the section `fluid`, which resolves none of these grains (fluid/dust.h); 1 */
     struct drag_fluid fluid;
     struct drag_porosity porosity;
     double largest; /* radius up to which grains feel drag and count in the porosity; NAN: any */
 };
 
-/* The radius up to which grains take part. */
-double drag_largest(const struct drag_options *options);
+struct scene;
 
-/* The superficial velocity of the fluid at a time. */
-void drag_velocity(const struct drag_options *options, double time, double velocity[3]);
+/* The radius up to which grains take part. */
+double drag_largest(const struct scene *scene);
 
 #endif

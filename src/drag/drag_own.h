@@ -7,7 +7,12 @@
 
 struct drag;
 
-const struct drag_options *drag_options_of(const struct drag *drag);
+/* Density and radius up to which grains take part. */
+double drag_density(const struct drag *drag);
+double drag_reach(const struct drag *drag);
+
+/* The superficial velocity of the fluid at a time; NAN of one that the section `fluid` resolves. */
+void drag_velocity(const struct drag *drag, double time, double velocity[3]);
 
 /* Work of drag and buoyancy on the grains of this rank since the start; energy. One thread. */
 double drag_work(const struct drag *drag);

@@ -43,8 +43,9 @@ static const struct schema_table porosity_table = TABLE(porosity_rows);
 static const struct schema_row section[] = {
     {.key = "law", .type = SCHEMA_NAME, .names = law_names, .fallback = "di_felice", AT(struct drag_options, law),
      .help = "the drag of a grain"},
-    {.key = "fluid", .type = SCHEMA_SECTION, .sub = &fluid_table, .offset = offsetof(struct drag_options, fluid),
-     .help = "the fluid, which flows as given"},
+    {.key = "fluid", .type = SCHEMA_SECTION, .sub = &fluid_table, .optional = true, .offset = offsetof(struct drag_options, fluid),
+     .count_offset = offsetof(struct drag_options, fluids),
+     .help = "the fluid, which flows as given; left out with fluid.grains.unresolved: the fluid of the section fluid, which loses what grains gain"},
     {.key = "porosity", .type = SCHEMA_SECTION, .sub = &porosity_table, .when = "law=di_felice|gidaspow",
      .offset = offsetof(struct drag_options, porosity), .help = "the share of the fluid in the space around a grain"},
     {.key = "largest", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", AT(struct drag_options, largest),
@@ -74,13 +75,12 @@ static void take_ratio(const struct output_view *view, const struct observable_i
     const struct particles *p = view->particles;
     const double *force = drag_force(p), *gravity = view->motion->gravity;
     double size = sqrt(gravity[0] * gravity[0] + gravity[1] * gravity[1] + gravity[2] * gravity[2]);
-    if (drag == NULL || size == 0 || p->state[i].radius > drag_largest(drag_options_of(drag)) ||
+    if (drag == NULL || size == 0 || p->state[i].radius > drag_reach(drag) ||
         !observables_item_counts(view, item, i))
         return;
     for (size_t d = 0; d < 3; d++)
         part[0] -= force[3 * i + d] * gravity[d] / size;
-    part[1] += size * (groups_mass(p, i) -
-                       drag_options_of(drag)->fluid.density * porosity_volume(p->state[i].radius));
+    part[1] += size * (groups_mass(p, i) - drag_density(drag) * porosity_volume(p->state[i].radius));
 }
 
 static void take_porosity(const struct output_view *view, const struct observable_item *item, size_t i,
@@ -88,7 +88,7 @@ static void take_porosity(const struct output_view *view, const struct observabl
     const struct drag *drag = view->own[PHYSICS_drag];
     const double *porosity = drag_porosity(view->particles);
     if (drag == NULL || porosity == NULL || !observables_item_counts(view, item, i) ||
-        view->particles->state[i].radius > drag_largest(drag_options_of(drag)))
+        view->particles->state[i].radius > drag_reach(drag))
         return;
     double volume = porosity_volume(view->particles->state[i].radius);
     part[0] += volume * porosity[i];
@@ -105,7 +105,7 @@ static void take_velocity(const struct observable_context *context, struct obser
     const struct drag *drag = context->view->own[PHYSICS_drag];
     (void)item;
     if (drag != NULL && context->view->comm->rank == 0)
-        drag_velocity(drag_options_of(drag), context->view->time, part);
+        drag_velocity(drag, context->view->time, part);
 }
 
 static void take_work(const struct observable_context *context, struct observable_item *item, double *part) {

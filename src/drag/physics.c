@@ -7,31 +7,42 @@
 #include "drag/law.h"
 #include "drag/porosity.h"
 #include "engine/physics.h"
+#include "fluid/dust.h"
 #include "integrate/groups.h"
 #include "particles/kinds.h"
 #include <math.h>
+#include <string.h>
 
 struct drag {
     const struct drag_options *options; /* borrowed */
     const struct drag_law *law;
     double largest;
+    bool resolved;             /* the section `fluid` has the fluid, else it is given */
+    double density, viscosity; /* of the fluid */
     struct porosity *porosity; /* NULL: the law has none */
     double *given;             /* work on grains, by thread */
     double work;               /* since the start; energy */
     struct error error;        /* until the guard takes it */
 };
 
-double drag_largest(const struct drag_options *options) {
-    return isnan(options->largest) ? INFINITY : options->largest;
+double drag_largest(const struct scene *scene) {
+    const struct drag_options *options = (const void *)scene->physics[PHYSICS_drag];
+    const struct fluid_options *fluid = dust_fluid(scene);
+    return fluid != NULL ? fluid->grains.unresolved : isnan(options->largest) ? INFINITY : options->largest;
 }
 
-void drag_velocity(const struct drag_options *options, double time, double velocity[3]) {
+void drag_velocity(const struct drag *drag, double time, double velocity[3]) {
+    const struct drag_fluid *fluid = &drag->options->fluid;
     for (int d = 0; d < 3; d++)
-        velocity[d] = options->fluid.velocity[d] + time * options->fluid.acceleration[d];
+        velocity[d] = drag->resolved ? NAN : fluid->velocity[d] + time * fluid->acceleration[d];
 }
 
-const struct drag_options *drag_options_of(const struct drag *drag) {
-    return drag->options;
+double drag_density(const struct drag *drag) {
+    return drag->density;
+}
+
+double drag_reach(const struct drag *drag) {
+    return drag->largest;
 }
 
 double drag_work(const struct drag *drag) {
@@ -55,6 +66,21 @@ static bool check(const struct physics_context *context, struct error *error) {
         return scene_fail(context->scene, error, "drag.law",
                           "a law with a porosity needs a box of three dimensions; allowed in two: stokes, "
                           "schiller_naumann");
+    bool resolved = dust_fluid(context->scene) != NULL;
+    if (resolved && options->fluids > 0)
+        return scene_fail(
+            context->scene, error, "drag.fluid",
+            "the section `fluid` has the fluid of grains up to fluid.grains.unresolved; allowed "
+            "beside that key: no drag.fluid");
+    if (resolved && !isnan(options->largest))
+        return scene_fail(context->scene, error, "drag.largest",
+                          "fluid.grains.unresolved says which grains feel drag; allowed beside that key: no "
+                          "drag.largest");
+    if (!resolved && options->fluids == 0)
+        return scene_fail(
+            context->scene, error, "drag.fluid",
+            "is missing; allowed to be left out: with fluid.grains.unresolved, which lets the fluid of "
+            "the section `fluid` move the grains");
     return true;
 }
 
@@ -62,7 +88,11 @@ static void *create(const struct physics_context *context) {
     struct drag *drag = memory_allocate_zero(1, sizeof *drag, "drag");
     drag->options = context->options;
     drag->law = drag_law_get(drag->options->law);
-    drag->largest = drag_largest(drag->options);
+    const struct fluid_options *fluid = dust_fluid(context->scene);
+    drag->largest = drag_largest(context->scene);
+    drag->resolved = fluid != NULL;
+    drag->density = fluid ? fluid->density : drag->options->fluid.density;
+    drag->viscosity = fluid ? fluid->viscosity : drag->options->fluid.viscosity;
     drag->given = memory_allocate_zero((size_t)context->threads, sizeof *drag->given, "drag");
     if (drag->law->porous)
         drag->porosity = porosity_create(context);
@@ -106,14 +136,16 @@ static double factor_of(const struct physics_context *context, size_t i, double 
     const struct drag *drag = context->self;
     const struct particle_state *state = &context->particles->state[i];
     const double *porosity = drag_porosity(context->particles);
-    struct drag_case at = {.density = drag->options->fluid.density,
-                           .viscosity = drag->options->fluid.viscosity,
+    struct drag_case at = {.density = drag->density,
+                           .viscosity = drag->viscosity,
                            .diameter = 2 * state->radius,
                            .porosity = porosity ? porosity[i] : 1};
-    double square = 0;
-    drag_velocity(drag->options, time, slip);
+    double square = 0, moved = drag->resolved ? 1 : at.porosity;
+    drag_velocity(drag, time, slip);
+    if (drag->resolved)
+        memcpy(slip, dust_seen(context->particles)[i], 3 * sizeof *slip);
     for (int d = 0; d < 3; d++) {
-        slip[d] = d < context->box->dimension ? slip[d] - at.porosity * state->v[d] : 0;
+        slip[d] = d < context->box->dimension ? slip[d] - moved * state->v[d] : 0;
         square += slip[d] * slip[d];
     }
     at.speed = sqrt(square);
@@ -127,7 +159,7 @@ static void act(const struct physics_context *context, int thread) {
     struct particles *p = context->particles;
     const uint8_t *kind = kinds_of(p);
     const double *gravity = context->motion->gravity, half = 0.5 * context->clock->dt;
-    double(*law)[3] = (double(*)[3])drag_force(p), given = 0;
+    double(*law)[3] = (double(*)[3])drag_force(p), (*taken)[4] = dust_force(p), given = 0;
     size_t first = p->owned * (size_t)thread / (size_t)context->threads;
     size_t last = p->owned * ((size_t)thread + 1) / (size_t)context->threads;
     for (size_t i = first; i < last; i++) {
@@ -136,7 +168,7 @@ static void act(const struct physics_context *context, int thread) {
             continue;
         const double *v = p->state[i].v;
         double factor = factor_of(context, i, context->clock->time, slip), power = 0;
-        double mass = drag->options->fluid.density * porosity_volume(p->state[i].radius);
+        double mass = drag->density * porosity_volume(p->state[i].radius);
         for (int d = 0; d < context->box->dimension; d++) {
             double before = law[i][d], buoyancy = -mass * gravity[d];
             law[i][d] = factor * slip[d];
@@ -144,6 +176,8 @@ static void act(const struct physics_context *context, int thread) {
             power += (law[i][d] + buoyancy) * v[d];
             power += context->clock->step > 0 ? (before + buoyancy) * v[d] : 0;
         }
+        for (int d = 0; drag->resolved && d < 4; d++)
+            taken[i][d] = d < 3 ? law[i][d] : factor;
         given += p->state[i].inverse_mass > 0 ? half * power : 0;
     }
     drag->given[thread] = given;

@@ -62,7 +62,7 @@ struct porosity *porosity_create(const struct physics_context *context) {
     double h = options->porosity.support;
     porosity->context = context;
     porosity->support = h;
-    porosity->largest = drag_largest(options);
+    porosity->largest = drag_largest(context->scene);
     porosity->middle = 21.0 / (2.0 * M_PI * h * h * h);
     porosity->walk = walk_create(&client, context->threads);
     porosity->work = (struct walk_work){.context = porosity,

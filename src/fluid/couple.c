@@ -3,6 +3,7 @@
 #include "fluid/couple.h"
 #include "contact/spin.h"
 #include "fluid/drag.h"
+#include "fluid/dust.h"
 #include "fluid/fields.h"
 #include "fluid/state.h"
 #include "particles/fields.h"
@@ -21,12 +22,15 @@ bool couple_suits(const struct physics_context *context, struct error *error) {
             context->scene, error, "fluid.grains",
             "free grains need particles that follow the fluid, motion: lagrangian; allowed with "
             "others: given");
-    return true;
+    if (options->grains.every > 1 && !couple_free(options) && !dust_any(options))
+        return scene_fail(context->scene, error, "fluid.grains.every",
+                          "the fluid moves no grains; allowed with others: 1");
+    return dust_suits(context, error);
 }
 
 uint64_t couple_every(const struct physics_context *context) {
     const struct fluid_options *options = context->options;
-    return couple_free(options) ? (uint64_t)options->grains.every : 1;
+    return couple_free(options) || dust_any(options) ? (uint64_t)options->grains.every : 1;
 }
 
 bool couple_due(const struct physics_context *context) {
@@ -37,8 +41,9 @@ double couple_dt(const struct physics_context *context) {
     return (double)couple_every(context) * context->clock->dt;
 }
 
-static bool is_free(const struct particles *p, const uint8_t *kind, size_t i) {
-    return kind[i] == KIND_GRAIN && p->state[i].inverse_mass > 0;
+static bool is_free(const struct physics_context *context, const uint8_t *kind, size_t i) {
+    const struct particle_state *state = &context->particles->state[i];
+    return kind[i] == KIND_GRAIN && state->inverse_mass > 0 && !dust_is(context->options, state->radius);
 }
 
 /* Adds the force and the torque of each foot to its grain, which may be a copy. */
@@ -90,7 +95,7 @@ void couple_load(const struct physics_context *context) {
         ghosts_sum(context->ghosts, p, &list);
     }
     for (size_t i = 0; i < p->owned; i++) {
-        if (!is_free(p, kind, i))
+        if (!is_free(context, kind, i))
             continue;
         past_take(past[i], p->state[i].v, first, couple_dt(context));
         if (spin != NULL)
@@ -147,7 +152,7 @@ void couple_apply(const struct physics_context *context) {
     double(*last)[3] = fluid_push(p), (*spin)[4] = spin_of(p), half = 0.5 * context->clock->dt;
     for (size_t i = 0; i < p->owned; i++) {
         double push[3], twist[3] = {0}, *force = p->force + i * (size_t)p->force_stride;
-        if (!is_free(p, kind, i))
+        if (!is_free(context, kind, i))
             continue;
         push_of(context, i, force, push);
         if (spin)

@@ -14,6 +14,8 @@ libfluid_la_SOURCES = \
 	src/fluid/drag.h \
 	src/fluid/drive.c \
 	src/fluid/drive.h \
+	src/fluid/dust.c \
+	src/fluid/dust.h \
 	src/fluid/electrolyte.c \
 	src/fluid/electrolyte.h \
 	src/fluid/electrolyte_fields.c \

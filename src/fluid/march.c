@@ -6,6 +6,7 @@
 #include "core/memory.h"
 #include "fluid/couple.h"
 #include "fluid/drag.h"
+#include "fluid/dust.h"
 #include "fluid/electrolyte.h"
 #include "fluid/feet.h"
 #include "fluid/fields.h"
@@ -90,11 +91,15 @@ static void weights_of(const struct physics_context *context, struct fluid *flui
     fluid->placed = context->clock->step;
 }
 
-/* A number that changes if the particles of this rank, or their order, do. */
+/* A number that changes if the fluid and boundary particles of this rank, or their numbers, do. */
 static uint64_t layout_of(const struct particles *p) {
-    uint64_t sum = p->owned + 1;
-    for (size_t k = 0; k < p->owned + p->ghosts; k++)
-        sum = checksum_row(sum, &p->id[k], sizeof p->id[k]);
+    const uint8_t *kind = kinds_of(p);
+    uint64_t sum = 1;
+    for (size_t k = 0; k < p->owned + p->ghosts; k++) {
+        const int64_t row[2] = {p->id[k], (int64_t)k};
+        if (kind[k] != KIND_GRAIN)
+            sum = checksum_row(sum, row, sizeof row);
+    }
     return sum ? sum : 1;
 }
 
@@ -119,9 +124,11 @@ void march_rebuilt(const struct physics_context *context) {
         electrolyte_forget(fluid->electrolyte);
         input_of(context, fluid);
         weights_of(context, fluid);
-        if (!motion_moves(fluid->options))
+        if (!motion_moves(fluid->options) && !dust_any(fluid->options))
             pair_rows_free(&fluid->pairs);
         fluid->regions = regions_of(context, fluid);
+    } else if (dust_any(fluid->options)) {
+        pair_rows_build(&fluid->pairs, context->list[0], context->particles->owned);
     }
     fluid->layout = layout;
     flow_fields_take(&fluid->flow, context, &fluid->weights, fluid->regions);
@@ -278,6 +285,8 @@ static void step_run(const struct physics_context *context, struct fluid *fluid)
     walls_follow(context, fluid);
     if (fluid->error.kind != ERROR_NONE || !watch_begin(context))
         return;
+    if (dust_any(fluid->options))
+        dust_act(context, couple_dt(context));
     if (fluid->electrolyte != NULL)
         electrolyte_step(context);
     if (fluid->error.kind == ERROR_NONE && fluid->options->time == FLUID_STEADY)
@@ -297,6 +306,8 @@ void march_step(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     if (fluid->error.kind != ERROR_NONE)
         return;
+    if (dust_any(fluid->options))
+        dust_give(context, couple_dt(context));
     if (context->clock->step != fluid->done && couple_due(context))
         step_run(context, fluid);
     fluid->done = context->clock->step;
@@ -333,6 +344,7 @@ void march_end(void *self) {
     weights_free(&fluid->weights);
     pair_rows_free(&fluid->pairs);
     forces_free(&fluid->forces);
+    memory_free(fluid->given);
     memory_free(fluid->gaps);
     memory_free(fluid);
 }

@@ -4,7 +4,9 @@
 #include "core/memory.h"
 #include "core/random.h"
 #include "fluid/couple.h"
+#include "fluid/dust.h"
 #include "fluid/fluid.h"
+#include "integrate/groups.h"
 #include "particles/kinds.h"
 #include <math.h>
 #include <stdlib.h>
@@ -163,7 +165,7 @@ static void gather(struct nodes *nodes, const struct physics_context *context) {
     size_t count = 0;
     void *all = NULL;
     for (size_t k = 0; k < p->owned; k++)
-        if (kind[k] == KIND_GRAIN) {
+        if (kind[k] == KIND_GRAIN && !dust_is(context->options, p->state[k].radius)) {
             memcpy(mine[count].x, p->state[k].x, sizeof mine[count].x);
             mine[count].radius = p->state[k].radius;
             mine[count++].id = p->id[k];
@@ -314,16 +316,26 @@ static bool grains_suit(const struct nodes *nodes, const struct physics_context 
     return true;
 }
 
+/* True if the fluid resolves no grain of a group on this rank. */
+static bool group_unresolved(const struct physics_context *context, int number) {
+    const struct particles *p = context->particles;
+    const uint8_t *group = groups_of(p);
+    bool all = dust_any(context->options);
+    for (size_t k = 0; all && k < p->owned; k++)
+        all = (group ? group[k] : 0) != number || dust_is(context->options, p->state[k].radius);
+    return all;
+}
+
 /* Grains must stand still, or move as prescribed among particles that move. */
 static bool grains_rest(const struct physics_context *context, struct error *error) {
     const struct scene *scene = context->scene;
     for (int k = 0; k < scene->sources; k++) {
-        const struct scene_group *group =
-            &scene->group[scene->source[k].group < 0 ? 0 : scene->source[k].group];
+        int group_number = scene->source[k].group < 0 ? 0 : scene->source[k].group;
+        const struct scene_group *group = &scene->group[group_number];
         char key[64];
         snprintf(key, sizeof key, "particles.sources[%d].group", k);
         bool carried = group->motion == SCENE_MOVING && fluid_carries(context->options);
-        carried = carried || couple_free(context->options);
+        carried = carried || couple_free(context->options) || group_unresolved(context, group_number);
         if (scene->source[k].group >= 0 && group->motion != SCENE_FROZEN && !carried)
             return scene_fail(
                 scene, error, key,
@@ -333,7 +345,7 @@ static bool grains_rest(const struct physics_context *context, struct error *err
     }
     const struct particles *p = context->particles;
     for (size_t k = 0; k < p->owned && !couple_free(context->options); k++)
-        if (p->state[k].inverse_mass > 0)
+        if (p->state[k].inverse_mass > 0 && !dust_is(context->options, p->state[k].radius))
             return scene_fail(scene, error, "particles",
                               "grain %lld moves freely; allowed beside `fluid`: grains of groups with "
                               "motion: frozen, or free "

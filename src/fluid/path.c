@@ -17,10 +17,11 @@ static void fill_side(struct projection *projection, const struct flow *flow, do
         const double *u = flow_velocity_of(flow, row);
         for (size_t d = 0; d < 3; d++) {
             size_t at = 3 * (weights->first + row) + d;
+            double body = flow->body != NULL ? flow->body[row][d] : 0;
             double drift = (1 + r) * flow->drift_advection[at] - r * flow->advection_before[at];
             projection->side[row][d] =
                 ((1 + r) * (1 + r) * u[d] - r * r * flow->velocity_before[at]) / whole +
-                g * dt * (drift + (force[d] - projection->gradient[row][d]) / density);
+                g * dt * (drift + (force[d] + body - projection->gradient[row][d]) / density);
         }
     }
 }

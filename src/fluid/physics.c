@@ -3,6 +3,7 @@
 #include "core/memory.h"
 #include "engine/physics.h"
 #include "fluid/couple.h"
+#include "fluid/dust.h"
 #include "fluid/electrolyte.h"
 #include "fluid/fields.h"
 #include "fluid/fill.h"
@@ -51,6 +52,8 @@ static void *create(const struct physics_context *context) {
     fluid->electrolyte = electrolyte_create(context);
     if (couple_free(fluid->options))
         fluid_fields_free(context->particles);
+    if (dust_any(fluid->options))
+        dust_fields_add(context->particles);
     return fluid;
 }
 
@@ -110,6 +113,9 @@ static void print(const struct physics_context *context, FILE *file) {
                 fluid->lattice.stretch);
     if (fluid->gaps)
         gaps_print(fluid->gaps, context, file);
+    if (dust_any(fluid->options))
+        fprintf(file, "  unresolved   grains up to the radius %.6g: the section drag moves them\n",
+                fluid->options->grains.unresolved);
     scalars_print(context, file);
     electrolyte_print(context, file);
     if (!steady && fluid->options->equations == FLUID_NAVIER_STOKES)
@@ -138,25 +144,34 @@ static double work(const struct physics_context *context) {
     return ((const struct fluid *)context->self)->work;
 }
 
-static const struct physics_pass passes[] = {{.name = "follow",
-                                              .why = "particles of a fluid that move",
-                                              .stage = PASS_MOVE,
-                                              .timer = "advance",
-                                              .reads = "velocity fluid_velocity_before fluid_drift",
-                                              .writes = "position",
-                                              .needed = motion_needed,
-                                              .rows = motion_move},
-                                             {.name = "flow",
-                                              .stage = PASS_CLOSE,
-                                              .does = "the flow of a fluid: operators, matrices and solves",
-                                              .reads = "velocity pressure fluid_advection",
-                                              .writes = "velocity pressure fluid_advection",
-                                              .whole = march_step},
-                                             {.name = "look",
-                                              .stage = PASS_LOOK,
-                                              .reads = "velocity pressure",
-                                              .writes = "divergence drag",
-                                              .whole = march_look}};
+static const struct physics_pass passes[] = {
+    {.name = "follow",
+     .why = "particles of a fluid that move",
+     .stage = PASS_MOVE,
+     .timer = "advance",
+     .reads = "velocity fluid_velocity_before fluid_drift",
+     .writes = "position",
+     .needed = motion_needed,
+     .rows = motion_move},
+    {.name = "dust",
+     .why = "grains that a fluid does not resolve",
+     .stage = PASS_SHARES,
+     .does = "the velocity of a fluid at grains that it does not resolve",
+     .reads = "position velocity",
+     .writes = "fluid_seen",
+     .needed = dust_needed,
+     .whole = dust_look},
+    {.name = "flow",
+     .stage = PASS_CLOSE,
+     .does = "the flow of a fluid: operators, matrices and solves",
+     .reads = "velocity pressure fluid_advection",
+     .writes = "velocity pressure fluid_advection",
+     .whole = march_step},
+    {.name = "look",
+     .stage = PASS_LOOK,
+     .reads = "velocity pressure",
+     .writes = "divergence drag",
+     .whole = march_look}};
 
 static const struct timer_stage stages[] = {
     {.name = "operators",

@@ -46,8 +46,9 @@ struct fluid {
     struct electrolyte *electrolyte; /* electrolyte.h; NULL: none */
     uint64_t done;                   /* the last step that was made */
     struct gaps *gaps;               /* gaps.h; NULL: not looked for */
-    double work;                     /* on grains that the fluid moves, since the start; energy */
-    struct error error;              /* until the guard takes it */
+    double (*given)[3]; /* by row: force/volume of grains that are not resolved (dust.h); NULL: none yet */
+    double work;        /* on grains that the fluid moves, since the start; energy */
+    struct error error; /* until the guard takes it */
 };
 
 #endif

@@ -12,6 +12,7 @@ dist_check_SCRIPTS += \
 	tests/app/cohesion.sh \
 	tests/app/density.sh \
 	tests/app/drag.sh \
+	tests/app/dust.sh \
 	tests/app/endless.sh \
 	tests/app/fluid.sh \
 	tests/app/fluid_bodies.sh \
