@@ -158,6 +158,7 @@ static bool step_once(struct run *run, struct error *error) {
     if (good && checkpoint)
         good = checkpoint_regular(run, error);
     run->checkpoint_due = s->agree.signals.stop || (s->agree.signals.checkpoint && !checkpoint);
+    run->progress.last = run->last; /* conditions, or a shorter step, may have moved the end */
     progress_update(&run->progress, s->clock.step, s->total, s->clock.time);
     timer_stop(&s->timers, stage);
     return good;

@@ -57,6 +57,11 @@ void progress_start(struct progress *progress, const struct progress_options *op
     progress->shown = mode == PROGRESS_LINES ? progress->began : 0;
 }
 
+/* True if the end is not known, as that of a stage that ends by conditions. */
+static bool is_endless(const struct progress *progress) {
+    return progress->last - progress->first > (uint64_t)1 << 60;
+}
+
 static double fraction_done(const struct progress *progress) {
     if (progress->last <= progress->first)
         return 1;
@@ -72,13 +77,18 @@ static void describe(const struct progress *progress, double now, double time, c
     if (done > 0)
         left = seconds / done * (1 - done + (series ? series->after : 0));
     progress_duration(left, remaining, sizeof remaining);
-    snprintf(part[0], PART_MAX, "%3d %% %s left", (int)(100 * done), remaining);
+    if (is_endless(progress)) /* the step comes first, and nobody knows the part that is done */
+        snprintf(part[0], PART_MAX, "step %" PRIu64, progress->step);
+    else
+        snprintf(part[0], PART_MAX, "%3d %% %s left", (int)(100 * done), remaining);
     part[1][0] = '\0';
     if (series && series->runs > 1)
         snprintf(part[1], PART_MAX, ", run %d of %d: %.30s", series->number, series->runs, series->name);
     else if (series)
         snprintf(part[1], PART_MAX, ", %.30s", series->name);
-    snprintf(part[2], PART_MAX, ", step %" PRIu64 " of %" PRIu64, progress->step, progress->last);
+    part[2][0] = '\0';
+    if (!is_endless(progress))
+        snprintf(part[2], PART_MAX, ", step %" PRIu64 " of %" PRIu64, progress->step, progress->last);
     snprintf(part[3], PART_MAX, ", t = %.4g", time);
     snprintf(part[4], PART_MAX, ", %.3g particle-steps/s", seconds > 0 ? progress->work / seconds : 0);
     snprintf(part[5], PART_MAX, ", %.0f MiB", (double)memory_in_use() / 1048576);
@@ -100,9 +110,9 @@ static void draw_bar(struct progress *progress, double now, double time) {
     char part[PARTS][PART_MAX], text[PARTS * PART_MAX], bar[BAR_WIDTH + 1];
     int columns = progress_columns(progress->file);
     describe(progress, now, time, part);
-    int room = columns - BAR_LEAST - 3; /* a very narrow terminal has no bar */
+    int room = is_endless(progress) ? 0 : columns - BAR_LEAST - 3; /* a very narrow terminal has no bar */
     int length = join(part, room < LEFT_WIDTH ? columns : room, text, sizeof text),
-        width = columns - length - 3;
+        width = is_endless(progress) ? 0 : columns - length - 3;
     width = width > BAR_WIDTH ? BAR_WIDTH : width;
     fputs("\r\033[K", progress->file);
     if (width >= BAR_LEAST) {

@@ -39,8 +39,9 @@ struct progress {
 void progress_start(struct progress *progress, const struct progress_options *options,
                     const struct progress_series *series, FILE *file, uint64_t first, uint64_t last);
 
-/* Reports that `step` is done, with `particles` particles (all ranks); draws at most a few times a second.
- * `time` is the simulated time. */
+/* Reports that `step` is done, with `particles` particles (all ranks); draws at most a few times a second. `time` is the
+ * simulated time. The caller may have changed `last`; where the end is more than 2^60 steps away, nobody knows the end,
+ * and a line begins with the step instead of a part and a time left. */
 void progress_update(struct progress *progress, uint64_t step, uint64_t particles, double time);
 
 /* Removes the bar. */

@@ -54,6 +54,14 @@ if script -qc true /dev/null </dev/null >/dev/null 2>&1; then
     check '108 columns: the time, too' fits 108 ' left, step [0-9]+ of 1000000000, t = '
     check '200 columns: memory and observables, too' fits 200 ' left, step [0-9]+ of 1000000000, t = .*, [0-9.e+]+ particle-steps/s, [0-9]+ MiB'
     check '20 columns: no bar' fits 20 '^ *[0-9]+ % [-0-9:]+ left$'
+    endless() { # nobody knows the end of a stage that ends by conditions: the step, and neither a bar nor a part
+        sed '/^step:/s/, count: [0-9]*//' scene.yaml >open.yaml
+        echo 'stages: [{name: long, until: [{name: particles, at_least: 100000}]}]' >>open.yaml
+        TERM=xterm script -qc "stty cols 40; exec timeout -s INT 2 $scree run open.yaml -o open" /dev/null </dev/null | tr '\r' '\n' >said
+        grep -a 'step [1-9][0-9]*, t = ' said | sed 's/^.\[K//' >drawn
+        [ "$(wc -l <drawn)" -ge 3 ] && lacks said '% ' && awk 'length($0) >= 40 { exit 1 }' drawn || { cat said; return 1; }
+    }
+    check '40 columns, and an end that nobody knows: the step' endless
 else
     skip 'terminals: no script (bsdutils) here'
 fi
