@@ -2,7 +2,7 @@
 # Examples: all of a folder ships and is installed; results of runs (out*) do not and are not.
 nobase_dist_pkgdata_DATA = \
 	examples/README.md examples/column/README.md examples/column/scene.yaml examples/common.sh
-nobase_dist_pkgdata_SCRIPTS = examples/flow.sh examples/speed-error.sh
+nobase_dist_pkgdata_SCRIPTS = examples/flow.sh examples/speed-error.sh examples/step-fraction.sh
 
 bench = examples/bench
 nobase_dist_pkgdata_DATA += \

@@ -314,7 +314,9 @@ static bool study_run(struct study *study, struct error *error) {
     struct scene *scene = command_scene(study->comm, study->line, NULL, 0, error);
     bool good = scene && variant_probe(study->comm, scene, &study->facts, error);
     int variants = good ? variant_list(variant, scene, &study->facts) : 0;
-    good = good && study_plan(study, variant, variants, error) && study_reference(study, error) &&
+    if (good)
+        variants = variant_keep(variant, variants, study->line->list[ABLATE_ONLY], error);
+    good = variants > 0 && study_plan(study, variant, variants, error) && study_reference(study, error) &&
            study_spread(study, error);
     for (int k = 0; k < variants && good; k++) {
         struct speed_row *row = &study->row[study->rows];

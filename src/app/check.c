@@ -4,6 +4,7 @@
 #include "app/check_parts.h"
 #include "app/cost.h"
 #include "app/layout.h"
+#include "app/step_study.h"
 #include "files/lines.h"
 #include "engine/skin_auto.h"
 #include "engine/tune.h"
@@ -57,8 +58,35 @@ static void print_levels(const struct simulation *s) {
                description.choice, 1e3 * description.predicted, 1e3 * tune_measured(s), description.why);
 }
 
-/* The longest step that is worth a try, as a part of the stable one (docs/speed-error.md). */
-static const double long_fraction = 0.9;
+/* The longest step told of, as a part of the stable one, and the error of an impact up to which a step is told of
+ * as well. */
+static const double long_fraction = 0.9, small_error = 0.01;
+
+/* Prints the share of the steps that a step of this part of the stable one takes, and its error by the study. */
+static void print_price(const struct simulation *s, double fraction) {
+    double error = step_study_error(&s->scene->law, fraction);
+    printf("  %13.3g %18.2g  ", fraction, s->clock.dt / s->timing.limits.stable / fraction);
+    if (isnan(error))
+        printf("not studied\n");
+    else
+        printf("%.2g %%\n", 100 * error);
+}
+
+/* Prints the present step, which is a part of the stable one, and longer ones: the longest whose error is small, and the
+ * longest. */
+static void print_longer_steps(const struct simulation *s) {
+    double present = s->clock.dt / s->timing.limits.stable,
+           small = step_study_longest(&s->scene->law, small_error);
+    printf("  step.fraction  of steps and time  an impact is off by up to (docs/speed-error.md)\n");
+    print_price(s, present);
+    bool longer =
+        small > 1.001 * present && small < long_fraction; /* a run may have shortened its step by a trifle */
+    if (longer)
+        print_price(s, small);
+    if (long_fraction > 1.001 * present)
+        print_price(s, long_fraction);
+    printf("  `scree ablate --error --only step` measures the errors of this scene\n");
+}
 
 static void print_step(const struct simulation *s) {
     bool limited = isfinite(s->timing.limits.stable);
@@ -82,12 +110,8 @@ static void print_step(const struct simulation *s) {
                s->clock.dt / s->timing.limits.stable, timestep_default_fraction());
     else
         printf("  chosen       %.6g; any is stable\n", s->clock.dt);
-    double part = s->clock.dt / s->timing.limits.stable / long_fraction;
-    if (limited && s->clock.dt_fraction > 0 && part < 1)
-        printf("               step.fraction: %.3g would take %.2g of the steps; `scree ablate --error` "
-               "measures "
-               "what that changes here\n",
-               long_fraction, part);
+    if (limited && s->scene->materials > 0 && s->clock.dt_fraction > 0)
+        print_longer_steps(s);
 }
 
 /* Prints all notes together, for people who read only the notes; the last line says whether a guard would end

@@ -33,7 +33,7 @@ static const struct command commands[] = {
      "has a price in time and in error",
      1, 1,
      "output set overwrite index threads newton steps error duration samples repeat members tolerance judge "
-     "mean-from",
+     "mean-from only",
      command_ablate},
     {"info", "FILE",
      "tells what is in a trajectory, checkpoint, LAMMPS data file or dump; or one value of a report or table",

@@ -107,6 +107,10 @@ static const struct flag flags[] = {
      NULL},
     {"mean-from", "T",
      "with --error: columns are judged by their mean from this time on, s; default: sample by sample", NULL},
+    {"only", "A,B,...",
+     "with --error: kinds of settings to try: step, integrator, law, stiffness, skin, index, classes, order; "
+     "default: all",
+     NULL},
 };
 
 enum { FLAGS = sizeof flags / sizeof flags[0], OPTION_FIRST = 256 };
@@ -194,6 +198,7 @@ static const struct target {
     LAST("tolerance", list[ABLATE_TOLERANCE]),
     LAST("judge", list[ABLATE_JUDGE]),
     LAST("mean-from", list[ABLATE_MEAN_FROM]),
+    LAST("only", list[ABLATE_ONLY]),
     LAST("colour", draw[DRAW_COLOUR]),
     LAST("range", draw[DRAW_RANGE]),
     LAST("bands", draw[DRAW_BANDS]),

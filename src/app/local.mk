@@ -37,6 +37,8 @@ libapp_la_SOURCES = \
 	src/app/speed_plot.c \
 	src/app/speed_plot.h \
 	src/app/speed_write.c \
+	src/app/step_study.c \
+	src/app/step_study.h \
 	src/app/trial.c \
 	src/app/trial.h \
 	src/app/variant.c \

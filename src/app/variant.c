@@ -137,6 +137,38 @@ int variant_list(struct variant *variant, const struct scene *scene, const struc
     return list.count;
 }
 
+/* True if `group` is one of the words between commas in `groups`. */
+static bool group_named(const char *groups, const char *group) {
+    size_t length = strlen(group);
+    for (const char *at = groups; at; at = strchr(at, ',') ? strchr(at, ',') + 1 : NULL)
+        if (strcspn(at, ",") == length && strncmp(at, group, length) == 0)
+            return true;
+    return false;
+}
+
+int variant_keep(struct variant *list, int count, const char *groups, struct error *error) {
+    char known[ERROR_TEXT_MAX / 2] = "";
+    int kept = 1, asked = 1, found = 0;
+    if (groups == NULL)
+        return count;
+    for (const char *at = groups; *at; at++)
+        asked += *at == ',';
+    for (int k = 1; k < count; k++) {
+        bool named = group_named(groups, list[k].group);
+        if (strcmp(list[k].group, list[k - 1].group) != 0) {
+            size_t used = strlen(known);
+            snprintf(known + used, sizeof known - used, "%s%s", used ? ", " : "", list[k].group);
+            found += named;
+        }
+        if (named)
+            list[kept++] = list[k];
+    }
+    if (found == asked)
+        return kept;
+    error_set(error, ERROR_USER, "command line: --only %s: allowed in this scene: %s", groups, known);
+    return 0;
+}
+
 void variant_add(struct variant *to, const struct variant *from) {
     size_t used = strlen(to->settings);
     for (int k = 0; k < from->changes && to->changes < VARIANT_CHANGES_MAX; k++)

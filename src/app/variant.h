@@ -56,6 +56,11 @@ bool variant_probe(const struct comm *comm, const struct scene *scene, struct va
  * entries. */
 int variant_list(struct variant *list, const struct scene *scene, const struct variant_facts *facts);
 
+/* Takes out of a list of `count` variants all but the first, the scene as it is, and those of the groups named in `groups`,
+ * words with commas between (NULL: all stay). Returns the new count; 0, and an error (user), if the list has no group of such
+ * a name. */
+int variant_keep(struct variant *list, int count, const char *groups, struct error *error);
+
 /* Adds the changes of `from` to `to`, and its settings to the text. */
 void variant_add(struct variant *to, const struct variant *from);
 

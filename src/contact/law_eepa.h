@@ -76,6 +76,7 @@ static const struct law_form law_eepa = {.radius = true,
                                          .unload = law_eepa_unload,
                                          .remembers = 2,
                                          .impact = law_spheres_impact,
-                                         .duration = law_spheres_duration};
+                                         .duration = law_spheres_duration,
+                                         .step_error = {0.0031, 0.011, 0.0055, 0.034, 0.05, 0.12, 0.087}};
 
 #endif

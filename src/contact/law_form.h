@@ -9,6 +9,7 @@
  *      named law_NAME.
  *   2. Include the new header in law_table.h, and add a row to LAW_TABLE there.
  *   3. List the file in src/contact/local.mk, and describe the law in docs/physics.md.
+ *   4. Add the law to examples/step-fraction.sh, and what the script finds as `step_error` to the law.
  *
  * The scene's keys, the loops of all instruction sets, the stable step, `scree check`, `scree ablate`, the
  * report and the help then know the law. tests/test_law.c compares each law of the table with the law's own
@@ -109,6 +110,9 @@ struct law_springs {
 /* Numbers that a law with hysteresis may remember of a contact. */
 enum { LAW_PAST_MAX = 2 };
 
+/* The parts of the stable step at which examples/step-fraction.sh studies a law: 0.05, 0.1, 0.15, 0.3, 0.5, 0.7, 0.9. */
+enum { LAW_STEPS_STUDIED = 7 };
+
 /* What plastic flow has left of two spheres: their effective radius, and the overlap at which they just touch. */
 struct law_flat {
     double radius, left;
@@ -140,6 +144,9 @@ struct law_form {
     double (*impact)(const struct law_coefficients *c, double mass, double radius, double speed);
     /* Duration of the elastic impact that reaches `overlap`; time. */
     double (*duration)(const struct law_coefficients *c, double mass, double radius, double overlap);
+    /* Largest error of a velocity after an impact, over the speed of approach, at the parts studied of the stable step
+     * (docs/speed-error.md); 0: the law is not studied. */
+    double step_error[LAW_STEPS_STUDIED];
 };
 
 #endif

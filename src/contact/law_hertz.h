@@ -19,11 +19,13 @@ LAW_INLINE struct law_springs law_hertz_springs(const struct law_coefficients *c
     return law_spheres_springs(c, radius, overlap);
 }
 
-static const struct law_form law_hertz = {.radius = true,
-                                          .damper = 2.23606797749978969641, /* sqrt(5) */
-                                          .tangent = 1.5,
-                                          .moduli = law_spheres_moduli,
-                                          .impact = law_spheres_impact,
-                                          .duration = law_spheres_duration};
+static const struct law_form law_hertz = {
+    .radius = true,
+    .damper = 2.23606797749978969641, /* sqrt(5) */
+    .tangent = 1.5,
+    .moduli = law_spheres_moduli,
+    .impact = law_spheres_impact,
+    .duration = law_spheres_duration,
+    .step_error = {0.00061, 0.0014, 0.0021, 0.005, 0.0075, 0.011, 0.015}};
 
 #endif

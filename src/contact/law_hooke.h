@@ -15,6 +15,7 @@ static const struct law_form law_hooke = {.linear = true,
                                           .damper = 2.0,
                                           .tangent = 1.0,
                                           .impact = law_spring_impact,
-                                          .duration = law_spring_duration};
+                                          .duration = law_spring_duration,
+                                          .step_error = {0.0023, 0.0048, 0.0073, 0.014, 0.022, 0.035, 0.063}};
 
 #endif

@@ -53,6 +53,7 @@ static const struct law_form law_luding = {.damper = 2.0,
                                            .unload = law_luding_unload,
                                            .remembers = 1,
                                            .impact = law_spring_impact,
-                                           .duration = law_spring_duration};
+                                           .duration = law_spring_duration,
+                                           .step_error = {0.0011, 0.0022, 0.0038, 0.01, 0.015, 0.023, 0.059}};
 
 #endif

@@ -100,6 +100,11 @@ same_on_ranks() {
         within "$(field two/speed_error.csv 'dt x 1.5' trajectory_error)" "$(field three/speed_error.csv 'dt x 1.5' trajectory_error)" 1e-8
 }
 check 'two ranks find the same error' same_on_ranks
+only() { # the kinds asked for, with the errors of the study of all
+    study 1 only --duration 0.025 --judge heap_z --only step,skin && [ "$(awk -F, 'NR > 1 && $1 != "combined" { print $1 }' only/speed_error.csv | sort -u | tr '\n' ' ')" = 'scene skin step ' ] &&
+        within "$(field only/speed_error.csv 'dt x 1.5' trajectory_error)" "$(field three/speed_error.csv 'dt x 1.5' trajectory_error)" 1e-12 || { cat said only/speed_error.csv; return 1; }
+}
+check 'kinds of settings can be chosen' only
 
 means() {
     study 1 four --duration 0.1 --judge energy_kinetic --mean-from 0.05 && grep -q 'judged by their means from t = 0.05 on' said &&
@@ -144,6 +149,7 @@ refuses() { # WORDS FLAG...
 check 'unknown columns are refused' refuses 'allowed: trajectory, energy_kinetic' --error -o five --duration 0.05 --judge weather
 check 'flags of the other table are refused' refuses 'does not take' --error -o six --threads 1
 check 'a span of nothing is refused' refuses 'allowed: numbers' --error -o seven --duration 0
+check 'unknown kinds of settings are refused' refuses 'allowed in this scene: step, integrator, law, stiffness, skin, index, classes, order' --error -o refused --only step,weather
 check 'a mean beyond the end is refused' refuses 'allowed: numbers' --error -o eight --duration 0.01 --mean-from 1
 many=$(for k in $(seq 43); do printf '{name: stress, label: s%d}, ' "$k"; done)
 check 'more columns than can be compared are refused' refuses 'makes 258 columns; scree ablate --error compares up to 256' --error -o nine --duration 0.05 --set "observables.list=[${many%, }]"

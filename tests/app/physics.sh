@@ -237,11 +237,33 @@ no_longer() { # small dense spheres beside them give no leave for a longer step
         exit !good }'
 }
 check 'the lightest spheres of a material decide' no_longer
-price_of_step() { # the default, 0.15, against 0.9
-    "$scree" check light.yaml >told && grep -q 'step.fraction: 0.9 would take 0.17 of the steps' told &&
-        "$scree" check light.yaml --set step.fraction=0.9 >told && ! grep -q 'of the steps;' told
+# price FRACTION: the share of the steps, and the error of an impact in %, that the last check tells of at this part of the stable step
+price() { awk -v part="$1" '$1 == part && $NF == "%" { print $2, $3 } $1 == part && $NF == "studied" { print $2, "unknown" }' told; }
+price_of_step() { # the default, 0.15, against 0.9; 0.3 against 0.9; nothing beyond 0.9
+    "$scree" check light.yaml >told && [ "$(price 0.15)" = '1 0.21' ] && [ "$(price 0.5)" = '0.3 0.75' ] && [ "$(price 0.9)" = '0.17 1.5' ] || { cat told; return 1; }
+    "$scree" check light.yaml --set step.fraction=0.3 >told && [ "$(price 0.3)" = '1 0.5' ] && [ "$(price 0.5)" = '0.6 0.75' ] || { cat told; return 1; }
+    "$scree" check light.yaml --set step.fraction=0.9 >told && [ "$(price 0.9)" = '1 1.5' ] && [ "$(grep -c '%$' told)" = 1 ] || { cat told; return 1; }
 }
-check 'check says what the default step costs' price_of_step
+check 'check says what the step costs' price_of_step
+price_of_cohesion() { # the larger of the law's error and the cohesion's; between the parts studied along a power of the step
+    "$scree" check light.yaml --set contact.cohesion=jkr --set 'material_pairs[0].surface_energy=1e-9' >told && [ "$(price 0.15)" = '1 1.2' ] || { cat told; return 1; }
+    "$scree" check light.yaml --set step.fraction=0.2 >told && [ "$(price 0.2)" = '1 0.3' ] || { cat told; return 1; }
+}
+check 'with cohesion, and between the steps of the study' price_of_cohesion
+studied() { # the study again, for the impacts that decide the figures of Hertz's law and of Hooke's
+    local name law
+    for name in 'hertz, restitution 0.5' 'hooke, restitution 0.5'; do
+        law=${name%%,*}
+        STEP_IMPACT=$name STEP_FRACTION_OUT=$out/study SCREE=$scree bash "$top_srcdir/examples/step-fraction.sh" impacts >study.tsv || return 1
+        error=$(awk -F'\t' '{ print 100 * $4 }' study.tsv)
+        case $law in
+        hooke) "$scree" check light.yaml --set contact.law=hooke --set 'materials=[{name: any, density: 1}]' --set 'material_pairs=[{restitution: 0.5, k_n: 1000}]' >told ;;
+        hertz) "$scree" check light.yaml >told ;;
+        esac
+        within "$(price 0.15 | cut -d ' ' -f 2)" "$error" 0.02 || { cat told study.tsv; return 1; }
+    done
+}
+check 'as the study finds it' studied
 
 echo '== moving walls'
 cat >oscillate.yaml <<'EOF'
