@@ -85,7 +85,10 @@ static void print_longer_steps(const struct simulation *s) {
         print_price(s, small);
     if (long_fraction > 1.001 * present)
         print_price(s, long_fraction);
-    printf("  `scree ablate --error --only step` measures the errors of this scene\n");
+    printf("  `scree ablate --error --only step` measures the errors of this scene%s\n",
+           s->scene->law.cohesion == LAW_COHESION_NONE
+               ? ""
+               : "; cohesion stronger than the study's has larger ones");
 }
 
 static void print_step(const struct simulation *s) {

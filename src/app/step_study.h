@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The error of an impact at a step that is a part of the stable one, law by law, as examples/step-fraction.sh finds it
  * (docs/speed-error.md): the largest difference, over the phases of a step at which 40 pairs of spheres meet and over the
- * impacts studied, of the velocity after the impact from that at 0.005 of the stable step, over the speed of approach. The
+ * impacts studied that part the pair, of the velocity after the impact from that at 0.005 of the stable step, over the speed of approach. The
  * errors of a law are its `step_error` (contact/law_form.h). Those of a cohesion are for one strength, with Hertz's springs. */
 #ifndef SCREE_APP_STEP_STUDY_H
 #define SCREE_APP_STEP_STUDY_H

@@ -69,14 +69,15 @@ static inline struct law_springs law_eepa_unload(const struct law_coefficients *
                                 .press = pull + extra->pull_off};
 }
 
-static const struct law_form law_eepa = {.radius = true,
-                                         .damper = 2.23606797749978969641, /* sqrt(5) */
-                                         .tangent = 1.5,
-                                         .moduli = law_spheres_moduli,
-                                         .unload = law_eepa_unload,
-                                         .remembers = 2,
-                                         .impact = law_spheres_impact,
-                                         .duration = law_spheres_duration,
-                                         .step_error = {0.0031, 0.011, 0.0055, 0.034, 0.05, 0.12, 0.087}};
+static const struct law_form law_eepa = {
+    .radius = true,
+    .damper = 2.23606797749978969641, /* sqrt(5) */
+    .tangent = 1.5,
+    .moduli = law_spheres_moduli,
+    .unload = law_eepa_unload,
+    .remembers = 2,
+    .impact = law_spheres_impact,
+    .duration = law_spheres_duration,
+    .step_error = {0.00017, 0.00039, 0.0008, 0.0026, 0.0062, 0.013, 0.027}};
 
 #endif
