@@ -219,7 +219,7 @@ static void check_history(int before, int after, bool both_ends) {
     cloud_search(&c, before, true);
     struct history *old = history_create(3, before), *new = history_create(3, after);
     history_fill(&c, old);
-    history_detach(old, c.list, c.particles, both_ends, NULL, &rows);
+    history_detach(old, c.list, c.particles, both_ends, &rows);
     cloud_free(&c);
     uint32_t *order = memory_allocate(PLACES, sizeof *order, "test");
     for (uint32_t k = 0; k < PLACES; k++)
@@ -244,32 +244,41 @@ static void test_history_survives_reorder_and_another_thread_count(void **state)
     check_history(2, 4, true);
 }
 
-/* Makes every `nth` particle leave and come back as the last ones, as if from another rank; none if 0. Gives
- * all their places. */
-static void leave_and_return(struct cloud *c, const struct history *history, uint32_t nth, uint32_t *place,
-                             struct history_rows *rows) {
-    uint32_t order[PLACES], n = 0;
+/* What a rebuild of several ranks does with loose rows, on one. */
+struct flight {
+    uint32_t place[PLACES], near[PLACES];
+    struct history_loose loose, leave;
+};
+
+/* Makes every `nth` particle leave and come back as the last ones, as if from another rank. */
+static void leave_and_return(struct cloud *c, const struct history *history, uint32_t nth, struct flight *flight) {
+    uint32_t order[PLACES], back[PLACES], n = 0;
     for (uint32_t k = 0; k < PLACES; k++)
-        place[k] = nth && k % nth == 0 ? PARTICLE_LEFT : 0;
-    history_detach(history, c->list, c->particles, true, place, rows);
-    for (uint32_t k = 0; k < PLACES; k++)
-        if (place[k] == 0) {
+        if (k % nth != 0) {
             order[n] = k;
-            place[k] = n++;
+            flight->place[k] = n++;
         }
     for (uint32_t k = 0; k < PLACES; k++)
-        if (place[k] == PARTICLE_LEFT)
-            order[n++] = k;
+        if (k % nth == 0) {
+            order[n] = k;
+            back[k] = n++;
+            flight->place[k] = PARTICLE_LEFT;
+        }
+    history_loosen(history, c->list, c->particles, flight->place, &flight->loose, &flight->leave);
+    for (size_t r = 0; r < flight->leave.count; r++)
+        flight->leave.carrier[r] = back[flight->leave.carrier[r]];
+    history_loose_join(&flight->loose, &flight->leave);
+    for (uint32_t k = 0; k < PLACES; k++)
+        flight->near[k] = k;
     particles_reorder(c->particles, order);
-    history_rows_reorder(rows, order, PLACES);
 }
 
 /* The short way gives what the long way gives, where particles meet through one image only. */
 static void check_kept(int threads, uint32_t nth) {
     struct cloud c = {0};
     struct history_kept kept;
-    struct history_rows rows = {0};
-    uint32_t order[PLACES], place[PLACES];
+    struct flight flight = {0};
+    uint32_t order[PLACES];
     cloud_fill(&c, PLACES, 0);
     for (size_t k = 0; k < PLACES; k++) /* boulders shrink, or they would meet others twice */
         c.particles->state[k].radius = fmin(c.particles->state[k].radius, 1.5);
@@ -277,20 +286,19 @@ static void check_kept(int threads, uint32_t nth) {
     struct history *history = history_create(3, threads);
     history_fill(&c, history);
     if (nth)
-        leave_and_return(&c, history, nth, place, &rows);
+        leave_and_return(&c, history, nth, &flight);
     for (uint32_t k = 0; k < PLACES; k++)
         order[k] = k * 7 % PLACES;
     particles_reorder(c.particles, order);
-    if (nth)
-        history_rows_reorder(&rows, order, PLACES);
-    struct history_numbers numbers = {order, PLACES, nth ? place : NULL, PLACES};
-    history_keep(history, c.list, &numbers, &kept);
+    struct history_numbers numbers = {order, PLACES, nth ? flight.place : NULL, PLACES};
+    struct history_followers followers = {&flight.loose, c.particles, flight.near, PLACES};
+    history_keep(history, c.list, &numbers, nth ? &followers : NULL, &kept);
     cloud_free(&c);
     cloud_search(&c, threads, true);
-    history_restore(history, &kept, &rows, &(struct history_twins){0}, c.list, c.particles);
+    history_restore(history, &kept, &(struct history_twins){0}, c.list);
     history_compare(&c, history);
     history_kept_free(&kept);
-    history_rows_free(&rows);
+    history_loose_free(&flight.loose);
     history_destroy(&history);
     cloud_free(&c);
     particles_destroy(&c.particles);

@@ -40,6 +40,7 @@ struct ghosts *ghosts_create(const struct comm *comm, const struct domain *domai
 }
 
 static void plan_free(struct ghosts *ghosts) {
+    used_free(&ghosts->used);
     memory_free(ghosts->to);
     memory_free(ghosts->from);
     memory_free(ghosts->original);
@@ -70,40 +71,41 @@ void ghosts_destroy(struct ghosts **ghosts) {
     *ghosts = NULL;
 }
 
-void ghosts_migrate_rows(struct ghosts *ghosts, struct particles *particles, struct migrate_rows *rows,
-                         int n) {
+void ghosts_migrate_rows(struct ghosts *ghosts, struct particles *particles,
+                         const struct migrate_places *places, struct migrate_rows *rows, int n) {
     assert(ghosts->held == 0);
-    ghosts->migrated += migrate_particles(&ghosts->exchange, ghosts->domain, particles, rows, n);
+    ghosts->migrated += migrate_particles(&ghosts->exchange, ghosts->domain, particles, places, rows, n);
 }
 
 _Static_assert(sizeof(struct history_row) == 2 * 8 + 8 * HISTORY_COMPONENTS_MAX + 3 * 8, "rows have padding");
 
 void ghosts_migrate(struct ghosts *ghosts, struct particles *particles, struct history_rows *rows) {
+    const struct migrate_places unknown = {0};
     if (rows == NULL) {
-        ghosts_migrate_rows(ghosts, particles, NULL, 0);
+        ghosts_migrate_rows(ghosts, particles, &unknown, NULL, 0);
         return;
     }
-    struct migrate_rows set = {rows->start, rows->row, rows->count, sizeof *rows->row, 0};
-    ghosts_migrate_rows(ghosts, particles, &set, 1);
+    struct migrate_rows set = {
+        .start = rows->start, .row = rows->row, .count = rows->count, .row_bytes = sizeof *rows->row};
+    ghosts_migrate_rows(ghosts, particles, &unknown, &set, 1);
     *rows = (struct history_rows){set.start, set.row, set.count};
 }
 
 /* Calls a function for parts of a transfer, by several threads if the transfer is long enough. */
 enum { PART = 4096 };
 
-/* Fills the ghosts [first, first + n), counted from the first ghost, and shifts their positions by their
- * images. */
+/* Fills the copies number[0 ... n - 1], and shifts their positions by their images. */
 static void unpack(const struct ghosts *ghosts, struct particles *particles, const struct field_list *fields,
-                   size_t first, size_t n, const char *buffer) {
+                   const uint32_t *number, size_t n, const char *buffer) {
     size_t each = fields_packed_bytes(particles, fields);
     const bool shifted = !ghosts->options.in_place && fields_listed(fields, FIELD_POSITION);
 #pragma omp parallel for schedule(static) if (n > PART)
-    for (size_t k = first; k < first + n; k += PART) {
-        size_t part = first + n - k < PART ? first + n - k : PART;
-        fields_unpack(particles, fields, particles->owned + k, part, buffer + (k - first) * each);
+    for (size_t k = 0; k < n; k += PART) {
+        size_t part = n - k < PART ? n - k : PART;
+        fields_unpack_list(particles, fields, number + k, part, buffer + k * each);
         for (size_t g = k; g < k + part && shifted; g++) {
-            const double *shift = ghosts->shift[ghosts->image[g]];
-            double *x = particles->state[particles->owned + g].x;
+            const double *shift = ghosts->shift[ghosts->image[number[g] - particles->owned]];
+            double *x = particles->state[number[g]].x;
             for (int d = 0; d < 3; d++)
                 x[d] += shift[d];
         }
@@ -240,18 +242,35 @@ void ghosts_make(struct ghosts *ghosts, struct particles *particles, const struc
     copies_free(&copies);
 }
 
-/* Counts the bytes of copies that were received or are sent back, `each` bytes a copy. */
-static void count_bytes(struct ghosts *ghosts, size_t each) {
-    for (int c = 0; c < CLASS_MAX; c++)
-        ghosts->class_bytes[c] += ghosts->class_count[c] * each;
-}
-
 void ghosts_drop(struct ghosts *ghosts, struct particles *particles) {
     assert(ghosts->flight.count == 0);
     plan_free(ghosts);
     if (particles->ghosts > 0)
         particles->revision++;
     particles->ghosts = 0;
+}
+
+/* The copies that an exchange carries: all, or those that pairs use. */
+static struct ghosts_used copies_all(const struct ghosts *ghosts) {
+    struct ghosts_used all = {.known = true,
+                              .to = ghosts->to,
+                              .from = ghosts->from,
+                              .original = ghosts->original,
+                              .number = ghosts->number,
+                              .sent = ghosts->sent,
+                              .held = ghosts->held};
+    memcpy(all.class_count, ghosts->class_count, sizeof all.class_count);
+    return all;
+}
+
+static struct ghosts_used copies_of(const struct ghosts *ghosts, bool used) {
+    return used && ghosts->used.known ? ghosts->used : copies_all(ghosts);
+}
+
+/* Counts the bytes of copies that were received or are sent back, `each` bytes a copy. */
+static void count_bytes(struct ghosts *ghosts, const struct ghosts_used *copies, size_t each) {
+    for (int c = 0; c < CLASS_MAX; c++)
+        ghosts->class_bytes[c] += copies->class_count[c] * each;
 }
 
 /* The messages of an exchange in which a copy has `each` bytes. */
@@ -270,50 +289,93 @@ static void plan_ready(const struct ghosts *ghosts, const struct particles *part
 }
 
 /* Room in both buffers, and the messages of an exchange in which a copy has `each` bytes. */
-static void plan_exchange(struct ghosts *ghosts, size_t each) {
-    ghosts->to_buffer = buffer_room(ghosts->to_buffer, &ghosts->to_room, ghosts->sent * each);
-    ghosts->from_buffer = buffer_room(ghosts->from_buffer, &ghosts->from_room, ghosts->held * each);
-    plan_messages(ghosts->to, ghosts->to_count, each, ghosts->to_buffer, ghosts->to_message);
-    plan_messages(ghosts->from, ghosts->from_count, each, ghosts->from_buffer, ghosts->from_message);
+static void plan_exchange(struct ghosts *ghosts, const struct ghosts_used *copies, size_t each) {
+    ghosts->to_buffer = buffer_room(ghosts->to_buffer, &ghosts->to_room, copies->sent * each);
+    ghosts->from_buffer = buffer_room(ghosts->from_buffer, &ghosts->from_room, copies->held * each);
+    plan_messages(copies->to, ghosts->to_count, each, ghosts->to_buffer, ghosts->to_message);
+    plan_messages(copies->from, ghosts->from_count, each, ghosts->from_buffer, ghosts->from_message);
 }
 
-void ghosts_forward_begin(struct ghosts *ghosts, struct particles *particles,
-                          const struct field_list *fields) {
+/* Packed values of copies go from their holders to the owners: to_buffer gets those of from_buffer. */
+static void send_back(struct ghosts *ghosts) {
+    exchange_start(&ghosts->exchange, COMM_TAG_REVERSE, ghosts->from_message, ghosts->from_count,
+                   ghosts->to_message, ghosts->to_count, &ghosts->flight);
+    exchange_finish(&ghosts->flight);
+}
+
+static void forward_begin(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields,
+                          bool used) {
+    const struct ghosts_used copies = copies_of(ghosts, used);
     plan_ready(ghosts, particles);
     assert(fields->count > 0);
     ghosts->flying = *fields;
-    plan_exchange(ghosts, fields_packed_bytes(particles, fields));
-    copies_pack(particles, fields, ghosts->original, ghosts->sent, ghosts->to_buffer);
+    ghosts->flying_used = used;
+    plan_exchange(ghosts, &copies, fields_packed_bytes(particles, fields));
+    copies_pack(particles, fields, copies.original, copies.sent, ghosts->to_buffer);
     exchange_start(&ghosts->exchange, COMM_TAG_FORWARD, ghosts->to_message, ghosts->to_count,
                    ghosts->from_message, ghosts->from_count, &ghosts->flight);
 }
 
+void ghosts_forward_begin(struct ghosts *ghosts, struct particles *particles,
+                          const struct field_list *fields) {
+    forward_begin(ghosts, particles, fields, false);
+}
+
+void ghosts_step_begin(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields) {
+    forward_begin(ghosts, particles, fields, true);
+}
+
 void ghosts_forward_end(struct ghosts *ghosts, struct particles *particles) {
+    const struct ghosts_used copies = copies_of(ghosts, ghosts->flying_used);
     exchange_finish(&ghosts->flight);
-    unpack(ghosts, particles, &ghosts->flying, 0, ghosts->held, ghosts->from_buffer);
-    count_bytes(ghosts, fields_packed_bytes(particles, &ghosts->flying));
+    unpack(ghosts, particles, &ghosts->flying, copies.number, copies.held, ghosts->from_buffer);
+    count_bytes(ghosts, &copies, fields_packed_bytes(particles, &ghosts->flying));
+}
+
+static void sum(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields, bool used) {
+    const struct ghosts_used copies = copies_of(ghosts, used);
+    plan_ready(ghosts, particles);
+    size_t each = fields_packed_bytes(particles, fields);
+    plan_exchange(ghosts, &copies, each);
+    copies_pack(particles, fields, copies.number, copies.held, ghosts->from_buffer);
+    send_back(ghosts);
+    count_bytes(ghosts, &copies, each);
+    fields_unpack_add(particles, fields, copies.original, copies.sent, ghosts->to_buffer);
 }
 
 void ghosts_reverse(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields) {
     if (ghosts->options.newton)
-        ghosts_sum(ghosts, particles, fields);
+        sum(ghosts, particles, fields, false);
+}
+
+void ghosts_step_reverse(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields) {
+    if (ghosts->options.newton)
+        sum(ghosts, particles, fields, true);
 }
 
 void ghosts_sum(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields) {
+    sum(ghosts, particles, fields, false);
+}
+
+void ghosts_use(struct ghosts *ghosts, struct particles *particles, const uint8_t *used) {
+    const struct ghosts_used all = copies_all(ghosts);
     plan_ready(ghosts, particles);
-    size_t each = fields_packed_bytes(particles, fields);
-    plan_exchange(ghosts, each);
-    copies_pack(particles, fields, ghosts->number, ghosts->held, ghosts->from_buffer);
-    exchange_start(&ghosts->exchange, COMM_TAG_REVERSE, ghosts->from_message, ghosts->from_count,
-                   ghosts->to_message, ghosts->to_count, &ghosts->flight);
-    exchange_finish(&ghosts->flight);
-    count_bytes(ghosts, each);
-    fields_unpack_add(particles, fields, ghosts->original, ghosts->sent, ghosts->to_buffer);
+    plan_exchange(ghosts, &all, 1);
+    if (ghosts->held > 0)
+        memcpy(ghosts->from_buffer, used, ghosts->held);
+    send_back(ghosts);
+    used_make(ghosts, particles, (const uint8_t *)ghosts->to_buffer, used);
 }
 
 const uint32_t *ghosts_originals(const struct ghosts *ghosts, size_t *count) {
     *count = ghosts->border_count;
     return ghosts->border;
+}
+
+const uint32_t *ghosts_step_originals(const struct ghosts *ghosts, size_t *count) {
+    const struct ghosts_used copies = copies_of(ghosts, true);
+    *count = copies.sent;
+    return copies.original;
 }
 
 /* The peer that is this rank itself, or NULL. */

@@ -42,9 +42,10 @@ void ghosts_destroy(struct ghosts **ghosts);
  * arriving particles: particles_classify sets the size classes afterwards. Collective. */
 void ghosts_migrate(struct ghosts *ghosts, struct particles *particles, struct history_rows *rows);
 
-/* As ghosts_migrate, with any `n` sets of rows (at most MIGRATE_SETS_MAX), whose arrays are replaced. */
-void ghosts_migrate_rows(struct ghosts *ghosts, struct particles *particles, struct migrate_rows *rows,
-                         int n);
+/* As ghosts_migrate, with any `n` sets of rows (at most MIGRATE_SETS_MAX), whose arrays are replaced, and with
+ * the places of the particles if the caller knows them (places all zero: not). */
+void ghosts_migrate_rows(struct ghosts *ghosts, struct particles *particles,
+                         const struct migrate_places *places, struct migrate_rows *rows, int n);
 
 /* Makes the copies: rank q gets p iff dist(x_p + image, subdomain of q) <= r_p + max over the classes c whose
  * pair with p q computes of (radius_max(c) + margin); see copies.h. Sets the GHOST fields, and the REVERSE
@@ -65,6 +66,20 @@ void ghosts_drop(struct ghosts *ghosts, struct particles *particles);
 void ghosts_forward_begin(struct ghosts *ghosts, struct particles *particles,
                           const struct field_list *fields);
 void ghosts_forward_end(struct ghosts *ghosts, struct particles *particles);
+
+/* Tells the owners which copies pairs use: used[k] is not 0 for copy number k (of particles.owned + k) of this rank.
+ * Until the next ghosts_make the exchanges of a step carry the values of these copies alone. Not called: those of
+ * all. Collective (neighbours). */
+void ghosts_use(struct ghosts *ghosts, struct particles *particles, const uint8_t *used);
+
+/* As ghosts_forward_begin and ghosts_reverse, for the copies that pairs use; the other copies keep their old values
+ * and send nothing. ghosts_forward_end ends the exchange. */
+void ghosts_step_begin(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields);
+void ghosts_step_reverse(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields);
+
+/* The owned particles whose values travel in a step, in the order of the messages, some several times. Borrowed until
+ * the next ghosts_make, ghosts_use or ghosts_drop. */
+const uint32_t *ghosts_step_originals(const struct ghosts *ghosts, size_t *count);
 
 /* Newton on: sends fields of doubles of the copies back and adds them to the originals, each step those of
  * fields_with(particles, FIELD_REVERSE), in a fixed order: by the rank that held the copy, then in the order

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Private parts of the plan of the copies; ghosts.c states the invariants. Only ghosts.c and ghosts_count.c
- * include this header. */
+/* Private parts of the plan of the copies; ghosts.c states the invariants. Only ghosts.c, ghosts_count.c,
+ * ghosts_part.c and ghosts_used.c include this header. */
 #ifndef SCREE_COMM_GHOSTS_PARTS_H
 #define SCREE_COMM_GHOSTS_PARTS_H
 
@@ -13,6 +13,16 @@ struct peer {
     size_t first, count;
 };
 
+/* The copies that pairs use: those that travel in a step. `to` and `from` have the peers of the plan, with the
+ * numbers of such copies. */
+struct ghosts_used {
+    bool known; /* else all copies travel */
+    struct peer *to, *from;
+    uint32_t *original, *number;
+    size_t sent, held;
+    uint64_t class_count[CLASS_MAX];
+};
+
 struct ghosts {
     const struct comm *comm;
     const struct domain *domain;
@@ -21,6 +31,8 @@ struct ghosts {
     struct exchange exchange;
     struct exchange_flight flight;
     struct field_list flying; /* the fields of a forward exchange between begin and end */
+    bool flying_used;         /* they are those of the copies that pairs use */
+    struct ghosts_used used;
     struct peer *to, *from;
     size_t to_count, from_count;
     uint32_t *original; /* owned particle of each copy sent */
@@ -45,5 +57,9 @@ struct ghosts {
         double radius, reach, clearance;
     } misfit;
 };
+
+/* Makes the list of the copies that pairs use, from one byte for each copy sent and for each held. */
+void used_make(struct ghosts *ghosts, const struct particles *particles, const uint8_t *sent, const uint8_t *held);
+void used_free(struct ghosts_used *used);
 
 #endif

@@ -9,6 +9,7 @@
 #include "particles/fields.h"
 
 #include <assert.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* The particles that leave, grouped by destination: groups.item holds indices into `particle`. */
@@ -18,38 +19,89 @@ struct leavers {
     size_t count;
 };
 
-static void find_leavers(struct leavers *leavers, const struct comm *comm, const struct domain *domain,
-                         const struct particles *particles) {
+size_t migrate_places(const struct comm *comm, const struct domain *domain, const struct particles *particles,
+                      uint32_t *place) {
     size_t owned = particles->owned;
-    int *owner = memory_allocate(owned, sizeof *owner, "owners");
     double lower[3], upper[3];
+    uint8_t *leaves = memory_allocate(owned, 1, "particles that leave");
     domain_bounds(domain, comm->rank, lower, upper);
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < owned; k++)
-        owner[k] = domain_owner_from(domain, comm->rank, lower, upper, particles->state[k].x);
-    leavers->count = 0;
-    for (size_t k = 0; k < owned; k++)
-        leavers->count += owner[k] != comm->rank;
-    leavers->particle = memory_allocate(leavers->count, sizeof *leavers->particle, "particles that leave");
+        leaves[k] =
+            domain_owner_from(domain, comm->rank, lower, upper, particles->state[k].x) != comm->rank;
+    size_t stay = particles_places(leaves, owned, place);
+    memory_free(leaves);
+    return stay;
+}
+
+static void find_leavers(struct leavers *leavers, const struct comm *comm, const struct domain *domain,
+                         const struct particles *particles, const struct migrate_places *places) {
+    double lower[3], upper[3];
     size_t n = 0;
-    for (size_t k = 0; k < owned; k++) {
-        if (owner[k] == comm->rank)
-            continue;
-        leavers->particle[n] = (uint32_t)k;
-        owner[n++] = owner[k];
-    }
+    domain_bounds(domain, comm->rank, lower, upper);
+    leavers->count = particles->owned - places->stay;
+    uint32_t *found = memory_allocate(leavers->count, sizeof *found, "particles that leave");
+    int *owner = memory_allocate(leavers->count, sizeof *owner, "owners");
+    for (size_t k = 0; k < particles->owned && n < leavers->count; k++)
+        if (places->place[k] == PARTICLE_LEFT) {
+            owner[n] = domain_owner_from(domain, comm->rank, lower, upper, particles->state[k].x);
+            found[n++] = (uint32_t)k;
+        }
+    assert(n == leavers->count);
     groups_make(&leavers->groups, owner, n, comm->size);
+    leavers->particle = memory_allocate(n, sizeof *leavers->particle, "particles that leave");
+    for (size_t k = 0; k < n; k++) /* sorted by destination */
+        leavers->particle[k] = found[leavers->groups.item[k]];
     memory_free(owner);
-    /* From here on `particle` is sorted by destination */
-    uint32_t *sorted = memory_allocate(n, sizeof *sorted, "particles that leave");
-    for (size_t k = 0; k < n; k++)
-        sorted[k] = leavers->particle[leavers->groups.item[k]];
-    memory_free(leavers->particle);
-    leavers->particle = sorted;
+    memory_free(found);
+}
+
+/* A row and the particle that carries it. */
+struct carried {
+    uint32_t carrier, row;
+};
+
+static int compare_carried(const void *a, const void *b) {
+    const struct carried *x = a, *y = b;
+    return x->carrier != y->carrier ? (x->carrier > y->carrier) - (x->carrier < y->carrier)
+                                    : (x->row > y->row) - (x->row < y->row);
+}
+
+/* Sorts the rows of a set by their carriers. */
+static void sort_carried(struct migrate_rows *rows) {
+    struct carried *order = memory_allocate(rows->count, sizeof *order, "rows by particle");
+    char *sorted = memory_allocate(rows->count, rows->row_bytes, "rows by particle");
+    for (size_t r = 0; r < rows->count; r++)
+        order[r] = (struct carried){rows->carrier[r], (uint32_t)r};
+    if (rows->count > 1)
+        qsort(order, rows->count, sizeof *order, compare_carried);
+    for (size_t r = 0; r < rows->count; r++) {
+        rows->carrier[r] = order[r].carrier;
+        memcpy(sorted + r * rows->row_bytes, (const char *)rows->row + order[r].row * rows->row_bytes,
+               rows->row_bytes);
+    }
+    memory_free(order);
+    memory_free(rows->row);
+    rows->row = sorted;
+}
+
+/* The first row of particle k, and how many it carries. */
+static size_t first_row(const struct migrate_rows *rows, uint32_t k) {
+    if (rows->start)
+        return rows->start[k];
+    size_t first = 0, last = rows->count;
+    while (first < last) {
+        size_t middle = first + (last - first) / 2;
+        if (rows->carrier[middle] < k)
+            first = middle + 1;
+        else
+            last = middle;
+    }
+    return first;
 }
 
 static size_t rows_of(const struct migrate_rows *rows, uint32_t k) {
-    return rows->start[k + 1] - rows->start[k];
+    return first_row(rows, k + 1) - first_row(rows, k);
 }
 
 static char *put(char *to, const void *from, size_t bytes) {
@@ -78,7 +130,7 @@ static char *pack_rows(const struct migrate_rows *rows, const uint32_t *list, si
         to = put(to, &count, sizeof count);
     }
     for (size_t k = 0; k < n; k++) {
-        const char *from = (const char *)rows->row + rows->start[list[k]] * rows->row_bytes;
+        const char *from = (const char *)rows->row + first_row(rows, list[k]) * rows->row_bytes;
         copy_rows(to, sent_bytes(rows), from, rows->row_bytes, rows_of(rows, list[k]));
         to += rows_of(rows, list[k]) * sent_bytes(rows);
     }
@@ -183,6 +235,27 @@ static void join_rows(struct migrate_rows *rows, int s, const uint32_t *from, si
     *rows = joined;
 }
 
+/* Replaces row set `s` of the particles that left by the rows of the arrivals; the first of these is particle
+ * number `stay`. */
+static void replace_rows(struct migrate_rows *rows, int s, size_t stay, const struct arrivals *arrivals,
+                         size_t messages) {
+    size_t count = 0, row = 0, p = stay;
+    for (size_t m = 0; m < messages; m++)
+        count += arrivals[m].set[s].total;
+    memory_free(rows->carrier);
+    memory_free(rows->row);
+    rows->count = count;
+    rows->carrier = memory_allocate(count, sizeof *rows->carrier, "rows by particle");
+    rows->row = memory_allocate_zero(count, rows->row_bytes, "rows by particle");
+    for (size_t m = 0; m < messages; m++) {
+        copy_rows((char *)rows->row + row * rows->row_bytes, rows->row_bytes, arrivals[m].set[s].rows,
+                  sent_bytes(rows), arrivals[m].set[s].total);
+        for (size_t k = 0; k < arrivals[m].count; k++, p++)
+            for (uint64_t n = read_count(arrivals[m].set[s].counts, k); n > 0; n--)
+                rows->carrier[row++] = (uint32_t)p;
+    }
+}
+
 static void append_arrivals(struct particles *particles, const struct arrivals *arrivals, size_t messages) {
     size_t total = particles->owned;
     for (size_t m = 0; m < messages; m++)
@@ -200,47 +273,45 @@ static void append_arrivals(struct particles *particles, const struct arrivals *
     }
 }
 
-/* The new places of the owned particles, as in particles_places; returns the number of particles that
- * stay. */
-static size_t places_without(const struct leavers *leavers, size_t owned, uint32_t *place) {
-    uint8_t *leaves = memory_allocate_zero(owned, 1, "particles that leave");
-    for (size_t k = 0; k < leavers->count; k++)
-        leaves[leavers->particle[k]] = 1;
-    size_t stay = particles_places(leaves, owned, place);
-    memory_free(leaves);
-    return stay;
+/* The particle that comes to each place, of those that stay. */
+static uint32_t *places_from(const struct migrate_places *places, size_t owned) {
+    uint32_t *from = memory_allocate(places->stay, sizeof *from, "places of particles");
+    for (size_t k = 0; k < owned; k++)
+        if (places->place[k] != PARTICLE_LEFT)
+            from[places->place[k]] = (uint32_t)k;
+    return from;
 }
 
 static void settle(struct particles *particles, struct migrate_rows *rows, int sets,
-                   const struct leavers *leavers, const struct exchange_inbox *inbox) {
-    size_t owned = particles->owned;
-    uint32_t *place = memory_allocate(owned, sizeof *place, "places of particles");
-    uint32_t *from = memory_allocate(owned, sizeof *from, "places of particles");
-    size_t stay = places_without(leavers, owned, place);
-    for (size_t k = 0; k < owned; k++)
-        if (place[k] != PARTICLE_LEFT)
-            from[place[k]] = (uint32_t)k;
+                   const struct migrate_places *places, const struct exchange_inbox *inbox) {
+    uint32_t *from = NULL;
     struct arrivals *arrivals = memory_allocate(inbox->count, sizeof *arrivals, "arrivals");
     for (size_t m = 0; m < inbox->count; m++)
         arrivals[m] = take_apart(&inbox->message[m], particles, rows, sets);
-    for (int s = 0; s < sets; s++)
-        join_rows(&rows[s], s, from, stay, arrivals, inbox->count);
-    particles_vacate(particles, place, stay);
+    for (int s = 0; s < sets; s++) {
+        if (rows[s].carrier) {
+            replace_rows(&rows[s], s, places->stay, arrivals, inbox->count);
+            continue;
+        }
+        from = from ? from : places_from(places, particles->owned);
+        join_rows(&rows[s], s, from, places->stay, arrivals, inbox->count);
+    }
+    particles_vacate(particles, places->place, places->stay);
     append_arrivals(particles, arrivals, inbox->count);
     memory_free(arrivals);
     memory_free(from);
-    memory_free(place);
 }
 
-size_t migrate_particles(struct exchange *exchange, const struct domain *domain, struct particles *particles,
-                         struct migrate_rows *rows, int n) {
-    assert(particles->ghosts == 0 && n <= MIGRATE_SETS_MAX);
-    if (exchange->comm->size == 1)
-        return 0;
+/* As migrate_particles, which particles leave being known. */
+static size_t migrate_known(struct exchange *exchange, const struct domain *domain, struct particles *particles,
+                            const struct migrate_places *places, struct migrate_rows *rows, int n) {
     struct leavers leavers;
-    find_leavers(&leavers, exchange->comm, domain, particles);
+    find_leavers(&leavers, exchange->comm, domain, particles, places);
     size_t peers = leavers.groups.count;
     struct exchange_message *out = memory_allocate(peers, sizeof *out, "messages");
+    for (int s = 0; s < n; s++)
+        if (rows[s].carrier)
+            sort_carried(&rows[s]);
     for (size_t g = 0; g < peers; g++) {
         size_t first = leavers.groups.start[g], last = leavers.groups.start[g + 1];
         out[g].rank = leavers.groups.rank[g];
@@ -249,7 +320,7 @@ size_t migrate_particles(struct exchange *exchange, const struct domain *domain,
     struct exchange_inbox inbox;
     exchange_sparse(exchange, out, peers, &inbox);
     if (leavers.count > 0 || inbox.count > 0)
-        settle(particles, rows, n, &leavers, &inbox);
+        settle(particles, rows, n, places, &inbox);
     for (size_t g = 0; g < peers; g++)
         memory_free(out[g].data);
     memory_free(out);
@@ -257,5 +328,19 @@ size_t migrate_particles(struct exchange *exchange, const struct domain *domain,
     size_t sent = leavers.count;
     groups_free(&leavers.groups);
     memory_free(leavers.particle);
+    return sent;
+}
+
+size_t migrate_particles(struct exchange *exchange, const struct domain *domain, struct particles *particles,
+                         const struct migrate_places *places, struct migrate_rows *rows, int n) {
+    assert(particles->ghosts == 0 && n <= MIGRATE_SETS_MAX);
+    if (exchange->comm->size == 1)
+        return 0;
+    if (places->place)
+        return migrate_known(exchange, domain, particles, places, rows, n);
+    uint32_t *place = memory_allocate(particles->owned, sizeof *place, "places of particles");
+    struct migrate_places found = {place, migrate_places(exchange->comm, domain, particles, place)};
+    size_t sent = migrate_known(exchange, domain, particles, &found, rows, n);
+    memory_free(place);
     return sent;
 }

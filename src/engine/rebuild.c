@@ -44,48 +44,64 @@ static double images_apart(const struct simulation *s) {
     return apart;
 }
 
-/* Particles that stay keep their histories here, and get a place among the particles that stay. The histories
- * of other particles become rows. */
-static void part_with_leavers(struct simulation *s, struct rebuild_rows *rows) {
-    size_t owned = s->particles->owned;
-    double lower[3], upper[3];
-    domain_bounds(s->ranks.domain, s->comm->rank, lower, upper);
-    rows->before = owned;
-    rows->place = memory_allocate(owned, sizeof *rows->place, "places of particles");
-    uint8_t *leaves = memory_allocate(owned, 1, "particles that leave");
-#pragma omp parallel for schedule(static)
-    for (size_t k = 0; k < owned; k++)
-        leaves[k] = domain_owner_from(s->ranks.domain, s->comm->rank, lower, upper,
-                                      s->particles->state[k].x) != s->comm->rank;
-    particles_places(leaves, owned, rows->place);
-    memory_free(leaves);
-    history_detach(s->grains.history, s->grains.list, s->particles, true, rows->place, &rows->pairs);
+/* Every particle gets a place among the particles that stay. */
+static void part(struct simulation *s, struct rebuild_rows *rows) {
+    rows->before = s->particles->owned;
+    rows->place = memory_allocate(rows->before, sizeof *rows->place, "places of particles");
+    rows->stay = migrate_places(s->comm, s->ranks.domain, s->particles, rows->place);
+}
+
+/* Two particles that stay keep their history here. The other histories become loose rows. */
+static void loosen(struct simulation *s, struct rebuild_rows *rows) {
+    history_loosen(s->grains.history, s->grains.list, s->particles, rows->place, &rows->loose, &rows->leave);
+}
+
+/* After the migration: the rows of the arrivals join the loose rows, and the arrivals join the particles that
+ * may be partners, which get the numbers of their places. */
+static void loose_settle(struct simulation *s, struct rebuild_rows *rows) {
+    size_t arrivals = s->particles->owned - rows->stay, n = 0;
+    history_loose_join(&rows->loose, &rows->leave);
+    for (size_t k = 0; k < rows->near_count; k++)
+        if (rows->place[rows->near[k]] != PARTICLE_LEFT)
+            rows->near[n++] = rows->place[rows->near[k]];
+    rows->near = memory_resize(rows->near, n + arrivals, sizeof *rows->near, "partners of rows");
+    for (size_t k = rows->stay; k < s->particles->owned; k++)
+        rows->near[n++] = (uint32_t)k;
+    rows->near_count = n;
 }
 
 /* Particles go to their owners, with their rows. */
 static void migrate(struct simulation *s, struct rebuild_rows *rows) {
     struct migrate_rows set[2 + PHYSICS_COUNT];
-    int n = 0, pairs = -1, walls = -1, carried[PHYSICS_COUNT];
+    int n = 0, pairs = -1, leave = -1, walls = -1, carried[PHYSICS_COUNT];
+    const size_t sent = history_row_bytes(s->grains.law.history_components);
     if (rows->pairs.start) {
         pairs = n;
-        set[n++] = (struct migrate_rows){rows->pairs.start, rows->pairs.row, rows->pairs.count,
-                                         sizeof *rows->pairs.row,
-                                         history_row_bytes(s->grains.law.history_components)};
+        set[n++] = (struct migrate_rows){rows->pairs.start,      rows->pairs.row, rows->pairs.count,
+                                         sizeof *rows->pairs.row, sent,            NULL};
+    }
+    if (rows->leave.carrier) {
+        leave = n;
+        set[n++] = (struct migrate_rows){NULL, rows->leave.row, rows->leave.count, sizeof *rows->leave.row,
+                                         sent, rows->leave.carrier};
     }
     if (rows->walls.start) {
         walls = n;
-        set[n++] =
-            (struct migrate_rows){rows->walls.start, rows->walls.row, rows->walls.count,
-                                  sizeof *rows->walls.row, wall_row_bytes(s->grains.law.history_components)};
+        set[n++] = (struct migrate_rows){
+            rows->walls.start,       rows->walls.row, rows->walls.count,
+            sizeof *rows->walls.row, wall_row_bytes(s->grains.law.history_components),
+            NULL};
     }
     for (int k = 0; k < PHYSICS_COUNT; k++) {
         const struct history_rows *own = rows->carried[k];
         carried[k] = n;
         if (own)
-            set[n++] = (struct migrate_rows){own->start, own->row, own->count, sizeof *own->row,
-                                             history_row_bytes(rows->components[k])};
+            set[n++] = (struct migrate_rows){own->start,       own->row,
+                                             own->count,       sizeof *own->row,
+                                             history_row_bytes(rows->components[k]), NULL};
     }
-    ghosts_migrate_rows(s->ranks.ghosts, s->particles, set, n);
+    const struct migrate_places places = {rows->place, rows->stay};
+    ghosts_migrate_rows(s->ranks.ghosts, s->particles, &places, set, n);
     for (int k = 0; k < PHYSICS_COUNT; k++)
         if (rows->carried[k])
             *rows->carried[k] =
@@ -94,6 +110,10 @@ static void migrate(struct simulation *s, struct rebuild_rows *rows) {
         rows->pairs = (struct history_rows){set[pairs].start, set[pairs].row, set[pairs].count};
     if (walls >= 0)
         rows->walls = (struct wall_rows){set[walls].start, set[walls].row, set[walls].count};
+    if (leave >= 0) {
+        rows->leave = (struct history_loose){set[leave].carrier, set[leave].row, set[leave].count};
+        loose_settle(s, rows);
+    }
 }
 
 static void reorder(struct simulation *s, struct rebuild_rows *rows) {
@@ -117,15 +137,17 @@ static void reorder(struct simulation *s, struct rebuild_rows *rows) {
 static void keep(struct simulation *s, struct rebuild_rows *rows) {
     struct history_numbers numbers = {rows->order, s->particles->owned, rows->place,
                                       rows->place ? rows->before : s->particles->owned};
+    const struct history_followers followers = {&rows->loose, s->particles, rows->near, rows->near_count};
     if (rows->keep)
-        history_keep(s->grains.history, s->grains.list, &numbers, &rows->kept);
+        history_keep(s->grains.history, s->grains.list, &numbers, rows->loose.carrier ? &followers : NULL,
+                     &rows->kept);
 }
 
 static void springs_restore(struct simulation *s, struct rebuild_rows *rows) {
     struct history_twins twins = {0};
     if (!s->ranks.alone)
         twins.original = ghosts_own(s->ranks.ghosts, &twins.first, &twins.count);
-    history_restore(s->grains.history, &rows->kept, &rows->pairs, &twins, s->grains.list, s->particles);
+    history_restore(s->grains.history, &rows->kept, &twins, s->grains.list);
 }
 
 static void attach(struct simulation *s, struct rebuild_rows *rows) {
@@ -165,26 +187,36 @@ static void pairs_pass(struct simulation *s, struct rebuild_rows *rows) {
     tune_end(s);
 }
 
+/* Copies without a pair do not travel in the step. Grains read copies through pairs alone; other physics and the
+ * calling program may read any copy. */
+static void used_pass(struct simulation *s, struct rebuild_rows *rows) {
+    (void)rows;
+    if (s->physics.count > 1 || s->caller.force)
+        return;
+    uint8_t *used = memory_allocate_zero(s->particles->ghosts, 1, "copies in use");
+    pairlist_mark_copies(s->search.interactions.all, s->particles->owned, used);
+    ghosts_use(s->ranks.ghosts, s->particles, used);
+    memory_free(used);
+}
+
 void rebuild_plan(struct simulation *s) {
     size_t count = 0;
     if (!s->search.sweep->stale)
         return;
     int stage = stages_find(&s->timers, "pairs");
     timer_start(&s->timers, stage);
-    const uint32_t *originals = s->ranks.alone ? NULL : ghosts_originals(s->ranks.ghosts, &count);
+    const uint32_t *originals = s->ranks.alone ? NULL : ghosts_step_originals(s->ranks.ghosts, &count);
     sweep_build(s->search.sweep, s->grains.list, s->particles->owned, originals, count);
     timer_stop(&s->timers, stage);
 }
 
-/* Sets size classes: particles that migrated have none, and after a new choice of classes the classes of all
- * particles change. */
+/* Sets size classes: particles that have arrived have none, and after a new choice of classes the classes of
+ * all particles change. */
 static void classify(struct simulation *s, struct rebuild_rows *rows) {
-    (void)rows;
-    bool again = s->classes_stale || !s->ranks.alone;
+    size_t first = s->classes_stale ? 0 : s->ranks.alone ? s->particles->owned : rows->stay;
     if (s->classes_stale)
         classify_choose(s, &s->error);
-    if (again)
-        particles_classify(s->particles, &s->classes);
+    particles_classify_from(s->particles, &s->classes, first);
 }
 
 /* The motion of walls is bounded in the region of the particles, including particles outside an open box. */
@@ -237,6 +269,12 @@ static void detach(struct simulation *s, struct rebuild_rows *rows) {
     else if (s->grains.walls)
         walls_detach(s->grains.walls, s->particles, &rows->walls);
     rows->keep = keeps;
+    if (keeps && !s->ranks.alone) {
+        const uint32_t *originals = ghosts_originals(s->ranks.ghosts, &rows->near_count);
+        rows->near = memory_allocate(rows->near_count, sizeof *rows->near, "partners of rows");
+        if (rows->near_count > 0)
+            memcpy(rows->near, originals, rows->near_count * sizeof *rows->near);
+    }
 }
 
 static void carry(struct simulation *s, struct rebuild_rows *rows) {
@@ -313,14 +351,16 @@ static const struct rebuild_pass passes[] = {
     {"carry", "pairs that a physics remembers", "history", with_carried, carry},
     {"wrap", NULL, "migrate", NULL, wrap},
     {"sources", NULL, "migrate", NULL, come_and_go},
-    {"part", "history, several ranks", "history", many_that_keep, part_with_leavers},
+    {"part", "several ranks", "migrate", many_ranks, part},
+    {"loosen", "history, several ranks", "history", many_that_keep, loosen},
     {"migrate", "several ranks", "migrate", many_ranks, migrate},
     {"classify", NULL, "migrate", NULL, classify},
     {"reorder", NULL, "reorder", NULL, reorder},
-    {"keep", "history", "history", with_history, keep},
     {"ghosts", NULL, "ghosts", NULL, ghosts_pass},
+    {"keep", "history", "history", with_history, keep},
     {"index", NULL, "index", NULL, index_pass},
     {"pairs", NULL, "pairs", NULL, pairs_pass},
+    {"used", "several ranks", "ghosts", many_ranks, used_pass},
     {"walls", "walls", "wall", with_walls, walls_pass},
     {"attach", NULL, "history", NULL, attach},
     {"physics", NULL, "pairs", NULL, tell_physics},

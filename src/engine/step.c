@@ -52,7 +52,7 @@ static void exchange_run(struct simulation *s) {
     if (s->ranks.alone)
         return;
     struct field_list fields = fields_with(s->particles, FIELD_FORWARD);
-    ghosts_forward_begin(s->ranks.ghosts, s->particles, &fields);
+    ghosts_step_begin(s->ranks.ghosts, s->particles, &fields);
     ghosts_forward_end(s->ranks.ghosts, s->particles);
     copies_clear(s);
 }
@@ -69,7 +69,7 @@ static void early_run(struct simulation *s) {
     for (int t = 0; t < s->threads; t++)
         early_move(s, t);
     struct field_list fields = fields_with(s->particles, FIELD_FORWARD);
-    ghosts_forward_begin(s->ranks.ghosts, s->particles, &fields);
+    ghosts_step_begin(s->ranks.ghosts, s->particles, &fields);
 }
 
 /* Computes the blocks of a thread: late particles move, then forces. */
@@ -128,7 +128,7 @@ static void verify_run(struct simulation *s) {
 
 static void reverse_run(struct simulation *s) {
     struct field_list fields = fields_with(s->particles, FIELD_REVERSE);
-    ghosts_reverse(s->ranks.ghosts, s->particles, &fields);
+    ghosts_step_reverse(s->ranks.ghosts, s->particles, &fields);
 }
 
 static bool needs_reverse(const struct simulation *s) {

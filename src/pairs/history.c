@@ -104,9 +104,12 @@ static struct record_walk record_walk_begin(const struct history *history, const
                                 .odd = history->odd};
 }
 
+static bool stays(const struct record_walk *walk, uint32_t k) {
+    return walk->place[k] != PARTICLE_LEFT;
+}
+
 static bool both_stay(const struct record_walk *walk, uint32_t i, uint32_t j) {
-    return walk->place && j < walk->owned && walk->place[i] != PARTICLE_LEFT &&
-           walk->place[j] != PARTICLE_LEFT;
+    return walk->place && j < walk->owned && stays(walk, i) && stays(walk, j);
 }
 
 static bool record_walk_next(struct record_walk *walk, struct record *record) {
@@ -181,8 +184,7 @@ static size_t starts_from_counts(size_t *start, size_t n) {
 }
 
 void history_detach(const struct history *history, const struct pairlist *list,
-                    const struct particles *particles, bool both_ends, const uint32_t *place,
-                    struct history_rows *rows) {
+                    const struct particles *particles, bool both_ends, struct history_rows *rows) {
     size_t owned = particles->owned;
     rows->start = memory_allocate_zero(owned + 1, sizeof *rows->start, "history rows");
     if (list->block_count == 0) {
@@ -192,17 +194,86 @@ void history_detach(const struct history *history, const struct pairlist *list,
     }
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
-        records_scatter(record_walk_begin(history, list, owned, place, t), particles, both_ends, rows->start,
+        records_scatter(record_walk_begin(history, list, owned, NULL, t), particles, both_ends, rows->start,
                         NULL);
     rows->count = starts_from_counts(rows->start, owned);
     rows->row = memory_allocate(rows->count, sizeof *rows->row, "history rows");
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
-        records_scatter(record_walk_begin(history, list, owned, place, t), particles, both_ends, rows->start,
+        records_scatter(record_walk_begin(history, list, owned, NULL, t), particles, both_ends, rows->start,
                         rows->row);
     /* Each start is now the start of the next particle */
     memmove(rows->start + 1, rows->start, owned * sizeof *rows->start);
     rows->start[0] = 0;
+}
+
+/* Adds a thread's loose rows to loose[0] (of particles that stay) and loose[1] (of those that leave), from
+ * at[0] and at[1] on; without room only counts. */
+static void records_loosen(struct record_walk walk, const struct particles *particles,
+                           struct history_loose *const loose[2], size_t at[2]) {
+    static const double nowhere[3];
+    struct record record;
+    while (record_walk_next(&walk, &record)) {
+        uint32_t end[2] = {record.i, pair_partner(record.j)};
+        for (int e = 0; e < (end[1] < walk.owned ? 2 : 1); e++) {
+            bool leaves = !stays(&walk, end[e]);
+            size_t r = at[leaves]++;
+            if (loose == NULL)
+                continue;
+            int64_t id = particles->id[end[e]], partner = particles->id[end[1 - e]];
+            loose[leaves]->carrier[r] = leaves ? end[e] : walk.place[end[e]];
+            loose[leaves]->row[r] = (struct history_row){.id = id, .partner = partner};
+            row_fill(&loose[leaves]->row[r], &record, particles->id[end[0]] < particles->id[end[1]], &walk,
+                     nowhere);
+        }
+    }
+}
+
+static void loose_reserve(struct history_loose *loose, size_t count) {
+    loose->count = count;
+    loose->carrier = memory_allocate(count, sizeof *loose->carrier, "history rows");
+    loose->row = memory_allocate(count, sizeof *loose->row, "history rows");
+}
+
+void history_loosen(const struct history *history, const struct pairlist *list, const struct particles *particles,
+                    const uint32_t *place, struct history_loose *stay, struct history_loose *leave) {
+    struct history_loose *const loose[2] = {stay, leave};
+    size_t owned = particles->owned, count[2] = {0, 0};
+    int threads = list->block_count == 0 ? 0 : history->threads;
+    size_t(*at)[2] = memory_allocate_zero((size_t)threads + 1, sizeof *at, "history rows");
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < threads; t++)
+        records_loosen(record_walk_begin(history, list, owned, place, t), particles, NULL, at[t]);
+    for (int t = 0; t < threads; t++)
+        for (int k = 0; k < 2; k++) {
+            size_t own = at[t][k];
+            at[t][k] = count[k];
+            count[k] += own;
+        }
+    for (int k = 0; k < 2; k++)
+        loose_reserve(loose[k], count[k]);
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < threads; t++)
+        records_loosen(record_walk_begin(history, list, owned, place, t), particles, loose, at[t]);
+    memory_free(at);
+}
+
+void history_loose_join(struct history_loose *loose, struct history_loose *more) {
+    size_t count = loose->count + more->count;
+    loose->carrier = memory_resize(loose->carrier, count, sizeof *loose->carrier, "history rows");
+    loose->row = memory_resize(loose->row, count, sizeof *loose->row, "history rows");
+    if (more->count > 0) {
+        memcpy(loose->carrier + loose->count, more->carrier, more->count * sizeof *more->carrier);
+        memcpy(loose->row + loose->count, more->row, more->count * sizeof *more->row);
+    }
+    loose->count = count;
+    history_loose_free(more);
+}
+
+void history_loose_free(struct history_loose *loose) {
+    memory_free(loose->carrier);
+    memory_free(loose->row);
+    *loose = (struct history_loose){0};
 }
 
 void history_rows_reorder(struct history_rows *rows, const uint32_t *order, size_t owned) {

@@ -74,12 +74,28 @@ void history_flip(struct history *history);
 
 /* Turns the records of the list into rows of the owned particles (before migration and reorder; the list and
  * the particles still belong together). A record lies with its row particle; if `both_ends`, also with its
- * partner where that is owned, as it must be when one end may leave this rank. With `place` (owned entries)
- * only the records of pairs with a copy or with a particle whose place is PARTICLE_LEFT: history_keep is for
- * the other records. Allocates into `rows`; history_rows_free releases. */
+ * partner where that is owned, as it must be when one end may leave this rank. Allocates into `rows`;
+ * history_rows_free releases. */
 void history_detach(const struct history *history, const struct pairlist *list,
-                    const struct particles *particles, bool both_ends, const uint32_t *place,
-                    struct history_rows *rows);
+                    const struct particles *particles, bool both_ends, struct history_rows *rows);
+
+/* Rows in any order, each with the owned particle that carries it. Without their separations. */
+struct history_loose {
+    uint32_t *carrier;
+    struct history_row *row;
+    size_t count;
+};
+
+/* Turns the records of pairs with a copy, or with a particle whose place is PARTICLE_LEFT (`place` has owned
+ * entries), into rows of their owned ends: history_keep is for the other records. Rows of the particles that
+ * leave go to `leave`, carried by their present numbers; rows of the others go to `stay`, carried by their
+ * places. Allocates into both; history_loose_free releases. Opens its own thread team. */
+void history_loosen(const struct history *history, const struct pairlist *list, const struct particles *particles,
+                    const uint32_t *place, struct history_loose *stay, struct history_loose *leave);
+
+/* Moves the rows of `more` behind those of `loose`, and frees `more`. */
+void history_loose_join(struct history_loose *loose, struct history_loose *more);
+void history_loose_free(struct history_loose *loose);
 
 /* Follows particles_reorder with the same order; and particles_remove with the same flags (ghosts == 0,
  * before the particles change). */

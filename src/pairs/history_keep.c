@@ -24,7 +24,8 @@ struct keeping {
     const uint32_t *now; /* new number of each old one, or PARTICLE_LEFT */
     size_t before;       /* entries of now */
     struct history_kept *kept;
-    struct link *link; /* of each record; HISTORY_KEPT_TURNED is added to `high` as in an entry */
+    struct link *link; /* of each record and loose row; HISTORY_KEPT_TURNED is added to `high` as in an entry */
+    size_t count;
     struct {
         uint32_t lowest, highest;
     } * bounds; /* of the lower numbers of each CHUNK links */
@@ -72,7 +73,7 @@ static void bounds_find(const struct keeping *keeping, size_t chunk, size_t last
  * starts on. */
 static void links_sort(const struct keeping *keeping, uint32_t begin, uint32_t end) {
     struct history_kept *kept = keeping->kept;
-    size_t count = kept->first[keeping->history->threads];
+    size_t count = keeping->count;
     for (size_t chunk = 0; chunk * CHUNK < count; chunk++) {
         if (keeping->bounds[chunk].highest < begin || keeping->bounds[chunk].lowest >= end)
             continue;
@@ -96,50 +97,89 @@ static void links_sort_all(const struct keeping *keeping) {
         links_sort(keeping, (uint32_t)(owned * t / threads), (uint32_t)(owned * (t + 1) / threads));
 }
 
-/* The new number of each old one. */
-static uint32_t *numbers_now(const struct history_numbers *numbers) {
+/* The new number of each number after the migration. */
+static uint32_t *numbers_after(const struct history_numbers *numbers) {
     uint32_t *now = memory_allocate(numbers->owned, sizeof *now, "kept history");
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < numbers->owned; k++)
         now[numbers->order[k]] = (uint32_t)k;
+    return now;
+}
+
+/* The new number of each old one; frees `after`. */
+static uint32_t *numbers_before(const struct history_numbers *numbers, uint32_t *after) {
     if (numbers->place == NULL)
-        return now;
+        return after;
     uint32_t *all = memory_allocate(numbers->before, sizeof *all, "kept history");
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < numbers->before; k++)
-        all[k] = numbers->place[k] != PARTICLE_LEFT ? now[numbers->place[k]] : PARTICLE_LEFT;
-    memory_free(now);
+        all[k] = numbers->place[k] != PARTICLE_LEFT ? after[numbers->place[k]] : PARTICLE_LEFT;
+    memory_free(after);
     return all;
 }
 
-void history_keep(const struct history *history, const struct pairlist *list,
-                  const struct history_numbers *numbers, struct history_kept *kept) {
-    size_t owned = numbers->owned;
-    *kept = (struct history_kept){.owned = owned};
-    kept->start = memory_allocate_zero(owned + 1, sizeof *kept->start, "kept history");
-    if (list->block_count == 0)
-        return;
-    for (int t = 0; t < history->threads; t++)
-        kept->first[t + 1] = kept->first[t] + history->part[history->now][t].count;
-    size_t count = kept->first[history->threads], chunks = (count + CHUNK - 1) / CHUNK;
-    assert(count < HISTORY_KEPT_TURNED);
-    uint32_t *now = numbers_now(numbers);
-    struct keeping keeping = {history, list, now, numbers->before, kept, NULL, NULL};
-    keeping.link = memory_allocate(count, sizeof *keeping.link, "kept history");
-    keeping.bounds = memory_allocate(chunks, sizeof *keeping.bounds, "kept history");
+/* The links of the loose rows: their carriers and partners; a row is oriented from the lower id. */
+static struct link *links_follow(const struct history_followers *followers, const uint32_t *after,
+                                 struct history_kept *kept, size_t *count) {
+    *count = 0;
+    if (followers == NULL)
+        return NULL;
+    const struct history_loose *loose = followers->loose;
+    kept->row = loose->row;
+    kept->match = history_follow(followers, after, count);
+    struct link *link = memory_allocate(*count, sizeof *link, "kept history");
+#pragma omp parallel for schedule(static)
+    for (size_t m = 0; m < *count; m++) {
+        uint32_t row = kept->match[m].row, i = after[loose->carrier[row]], j = kept->match[m].number;
+        bool forward = (loose->row[row].id < loose->row[row].partner) == (i < j);
+        link[m].low = i < j ? i : j;
+        link[m].high = (i < j ? j : i) | (forward ? 0 : HISTORY_KEPT_TURNED);
+    }
+    return link;
+}
+
+/* All links: of the records and, behind, of the loose rows. */
+static void links_make_all(struct keeping *keeping, const struct link *loose, size_t loose_count) {
+    const struct history_kept *kept = keeping->kept;
+    const size_t records = kept->first[keeping->history->threads], count = records + loose_count;
+    const size_t chunks = (count + CHUNK - 1) / CHUNK;
+    keeping->link = memory_allocate(count, sizeof *keeping->link, "kept history");
+    keeping->bounds = memory_allocate(chunks, sizeof *keeping->bounds, "kept history");
+    keeping->count = count;
 #pragma omp parallel for schedule(static, 1)
-    for (int t = 0; t < history->threads; t++)
-        links_make(&keeping, t);
+    for (int t = 0; t < keeping->history->threads; t++)
+        links_make(keeping, t);
+    if (loose_count > 0)
+        memcpy(keeping->link + records, loose, loose_count * sizeof *loose);
 #pragma omp parallel for schedule(static)
     for (size_t chunk = 0; chunk < chunks; chunk++)
-        bounds_find(&keeping, chunk, (chunk + 1) * CHUNK < count ? (chunk + 1) * CHUNK : count);
+        bounds_find(keeping, chunk, (chunk + 1) * CHUNK < count ? (chunk + 1) * CHUNK : count);
+}
+
+void history_keep(const struct history *history, const struct pairlist *list,
+                  const struct history_numbers *numbers, const struct history_followers *followers,
+                  struct history_kept *kept) {
+    size_t owned = numbers->owned, loose_count;
+    *kept = (struct history_kept){.owned = owned};
+    kept->start = memory_allocate_zero(owned + 1, sizeof *kept->start, "kept history");
+    int threads = list->block_count == 0 ? 0 : history->threads;
+    for (int t = 0; t < history->threads; t++)
+        kept->first[t + 1] = kept->first[t] + (t < threads ? history->part[history->now][t].count : 0);
+    uint32_t *now = numbers_after(numbers);
+    struct link *loose = links_follow(followers, now, kept, &loose_count);
+    now = numbers_before(numbers, now);
+    struct keeping keeping = {
+        .history = history, .list = list, .now = now, .before = numbers->before, .kept = kept};
+    links_make_all(&keeping, loose, loose_count);
+    assert(keeping.count < HISTORY_KEPT_TURNED);
     links_sort_all(&keeping);
-    count = scan_counts_narrow(kept->start, owned, kept->start);
+    size_t count = scan_counts_narrow(kept->start, owned, kept->start);
     kept->entry = memory_allocate(count, sizeof *kept->entry, "kept history");
     links_sort_all(&keeping);
     /* Each start has moved on to the next one's */
     memmove(kept->start + 1, kept->start, owned * sizeof *kept->start);
     kept->start[0] = 0;
+    memory_free(loose);
     memory_free(keeping.link);
     memory_free(keeping.bounds);
     memory_free(now);
@@ -148,15 +188,17 @@ void history_keep(const struct history *history, const struct pairlist *list,
 void history_kept_free(struct history_kept *kept) {
     memory_free(kept->start);
     memory_free(kept->entry);
+    memory_free(kept->match);
     *kept = (struct history_kept){0};
 }
 
-/* The record of a pair as seen from i, or PARTICLE_LEFT. The lower number is never that of a copy. No branch
- * depends on whether there is a record, as the CPU could not predict it. */
+/* The record of a pair as seen from i, or PARTICLE_LEFT: the first one, if both ends came with a row. The lower
+ * number is never that of a copy. No branch depends on whether there is a record, as the CPU could not predict
+ * it. */
 static inline uint32_t record_of(const struct history_kept *kept, uint32_t i, uint32_t j) {
     uint32_t low = i < j ? i : j, high = i < j ? j : i, record = 0, hits = 0, end = kept->start[low + 1];
     for (uint32_t e = kept->start[low]; e < end; e++) {
-        uint32_t hit = kept->entry[e].partner == high;
+        uint32_t hit = (kept->entry[e].partner == high) & ~hits;
         record |= kept->entry[e].record & (0 - hit);
         hits |= hit;
     }
@@ -167,25 +209,17 @@ static inline uint32_t record_of(const struct history_kept *kept, uint32_t i, ui
 /* Data of history_restore. */
 struct restoring {
     const struct history_kept *kept;
-    const struct history_rows *rows;
     const struct history_twins *twins;
     const struct pairlist *list;
-    const struct particles *particles;
 };
+
+static bool is_twin(const struct history_twins *twins, uint32_t k) {
+    return k >= twins->first && k - twins->first < twins->count;
+}
 
 /* The owned particle of which k is a copy; any other k is returned itself. */
 static uint32_t original_of(const struct history_twins *twins, uint32_t k) {
-    return k >= twins->first && k - twins->first < twins->count ? twins->original[k - twins->first] : k;
-}
-
-/* The row of particle `carrier` whose partner has id `partner`, or NULL. */
-static const struct history_row *row_of(const struct restoring *r, uint32_t carrier, int64_t partner) {
-    if (carrier >= r->kept->owned)
-        return NULL;
-    for (size_t k = r->rows->start[carrier]; k < r->rows->start[carrier + 1]; k++)
-        if (r->rows->row[k].partner == partner)
-            return &r->rows->row[k];
-    return NULL;
+    return is_twin(twins, k) ? twins->original[k - twins->first] : k;
 }
 
 /* True if a pair may have a record: few have, and most of the others are known by the lower number alone. */
@@ -194,22 +228,15 @@ static inline bool may_have_record(const struct history_kept *kept, uint32_t i, 
     return kept->start[low] != kept->start[low + 1];
 }
 
-/* True if a pair may have a row, or the record of a pair of originals. */
-static inline bool may_have_row(const struct restoring *r, uint32_t i, uint32_t j) {
-    const size_t *start = r->rows->start;
-    uint32_t high = i < j ? j : i;
-    return high >= r->kept->owned || start[i] != start[i + 1] || start[j] != start[j + 1];
-}
-
 /* Chooses the pairs of [first, last) that may have a history, counted from the first; returns their
  * number. */
-static inline size_t pairs_choose(const struct restoring *r, size_t first, size_t last, bool rows,
+static inline size_t pairs_choose(const struct restoring *r, size_t first, size_t last, bool twins,
                                   uint32_t *restrict chosen) {
     size_t count = 0;
     for (size_t k = first; k < last; k++) {
         uint32_t i = r->list->i[k], j = pair_partner(r->list->j[k]);
         chosen[count] = (uint32_t)(k - first);
-        count += may_have_record(r->kept, i, j) || (rows && may_have_row(r, i, j));
+        count += may_have_record(r->kept, i, j) || (twins && is_twin(r->twins, i < j ? j : i));
     }
     return count;
 }
@@ -219,25 +246,22 @@ static const double *pair_value(const struct history *history, const struct rest
                                 double *sign) {
     uint32_t i = r->list->i[k], j = pair_partner(r->list->j[k]);
     uint32_t record = record_of(r->kept, i, j);
-    if (record == PARTICLE_LEFT && r->rows->start == NULL)
+    if (record == PARTICLE_LEFT && r->twins->count == 0)
         return NULL;
     if (record == PARTICLE_LEFT) { /* one of the two may be a copy of a particle of this rank */
         uint32_t own_i = original_of(r->twins, i), own_j = original_of(r->twins, j);
         if (own_i != i || own_j != j)
             record = record_of(r->kept, own_i, own_j);
     }
-    if (record == PARTICLE_LEFT) {
-        int64_t id_i = r->particles->id[i], id_j = r->particles->id[j];
-        const struct history_row *row = row_of(r, i, id_j);
-        row = row ? row : row_of(r, j, id_i);
-        *sign = id_i < id_j ? 1 : -1;
-        return row ? row->value : NULL;
-    }
+    if (record == PARTICLE_LEFT)
+        return NULL;
     *sign = record & HISTORY_KEPT_TURNED ? -1 : 1;
     record &= ~HISTORY_KEPT_TURNED;
     int t = 0;
-    while (record >= r->kept->first[t + 1])
+    while (t < history->threads && record >= r->kept->first[t + 1])
         t++;
+    if (t == history->threads)
+        return r->kept->row[r->kept->match[record - r->kept->first[t]].row].value;
     return history->part[history->now][t].value + (record - r->kept->first[t]) * (size_t)history->components;
 }
 
@@ -251,8 +275,8 @@ static void restore_thread(struct history *history, const struct restoring *r, i
         size_t end = list->blocks[b].end_pair;
         for (size_t k = list->blocks[b].first_pair; k < end; k += BATCH) {
             size_t last = k + BATCH < end ? k + BATCH : end;
-            size_t found = r->rows->start ? pairs_choose(r, k, last, true, chosen)
-                                          : pairs_choose(r, k, last, false, chosen);
+            size_t found = r->twins->count > 0 ? pairs_choose(r, k, last, true, chosen)
+                                               : pairs_choose(r, k, last, false, chosen);
             history_reserve(history, t, count + found);
             for (size_t f = 0; f < found; f++) {
                 double sign;
@@ -270,9 +294,8 @@ static void restore_thread(struct history *history, const struct restoring *r, i
 }
 
 void history_restore(struct history *history, const struct history_kept *kept,
-                     const struct history_rows *rows, const struct history_twins *twins,
-                     const struct pairlist *list, const struct particles *particles) {
-    struct restoring restoring = {kept, rows, twins, list, particles};
+                     const struct history_twins *twins, const struct pairlist *list) {
+    struct restoring restoring = {kept, twins, list};
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
         restore_thread(history, &restoring, t);

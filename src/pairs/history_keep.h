@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The short way of history.h over a rebuild: records of two particles that both stay on this rank stay where
- * they are and are found again by local numbers; only the others (pairs with copies, particles that change
- * ranks) go as rows, keyed by ids. Needs that no two particles can meet through several images. */
+ * they are and are found again by local numbers. The others (pairs with copies, particles that change ranks)
+ * go as loose rows, keyed by ids; each row gets local numbers, too, when the new copies are known. Needs that no two particles can meet through several images. */
 #ifndef SCREE_PAIRS_HISTORY_KEEP_H
 #define SCREE_PAIRS_HISTORY_KEEP_H
 
-#include "pairs/history.h"
+#include "pairs/history_follow.h"
 
 /* A record's partner and place. */
 struct history_kept_entry {
@@ -16,12 +16,15 @@ struct history_kept_entry {
 
 #define HISTORY_KEPT_TURNED (UINT32_C(1) << 31)
 
-/* Entries by the lower of the two new numbers: start[k] ... start[k + 1] - 1. Values stay in the history. */
+/* Entries by the lower of the two new numbers: start[k] ... start[k + 1] - 1. Values stay in the history, and
+ * in the loose rows. */
 struct history_kept {
     uint32_t *start; /* owned + 1 entries; NULL: nothing kept */
     struct history_kept_entry *entry;
     size_t owned;
-    size_t first[PAIR_THREADS_MAX + 1]; /* number of each thread's first record */
+    size_t first[PAIR_THREADS_MAX + 1]; /* number of each thread's first record; then of the first match */
+    const struct history_row *row;      /* the loose rows; borrowed */
+    struct history_match *match;        /* record first[threads] + m is row[match[m].row] */
 };
 
 /* The numbers of particles before and after a rebuild. */
@@ -34,9 +37,11 @@ struct history_numbers {
 };
 
 /* Notes the records of the list (which still has the numbers from before) by the new numbers, between the
- * reorder and the search. Allocates; history_kept_free releases. Opens its own thread team. */
+ * reorder and the search, and the loose rows of `followers` (NULL: there are none); these are borrowed until
+ * history_restore. Allocates; history_kept_free releases. Opens its own thread team. */
 void history_keep(const struct history *history, const struct pairlist *list,
-                  const struct history_numbers *numbers, struct history_kept *kept);
+                  const struct history_numbers *numbers, const struct history_followers *followers,
+                  struct history_kept *kept);
 
 /* Copies of particles of this rank itself. A pair of the new list may have such a copy in place of the
  * original that it had before. The copies are the particles first ... first + count - 1, behind owned
@@ -46,11 +51,9 @@ struct history_twins {
     const uint32_t *original;
 };
 
-/* Hands the records to the pairs of the new list, and the rows (start NULL: there are none, and no copies).
- * Opens its own thread team. */
+/* Hands the records and the loose rows to the pairs of the new list. Opens its own thread team. */
 void history_restore(struct history *history, const struct history_kept *kept,
-                     const struct history_rows *rows, const struct history_twins *twins,
-                     const struct pairlist *list, const struct particles *particles);
+                     const struct history_twins *twins, const struct pairlist *list);
 
 void history_kept_free(struct history_kept *kept);
 

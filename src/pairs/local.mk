@@ -2,6 +2,7 @@
 noinst_LTLIBRARIES += libpairs.la
 libpairs_la_SOURCES = \
 	src/pairs/history.c src/pairs/history.h \
+	src/pairs/history_follow.c src/pairs/history_follow.h \
 	src/pairs/history_keep.c src/pairs/history_keep.h \
 	src/pairs/interaction.c src/pairs/interaction.h \
 	src/pairs/pairlist.c src/pairs/pairlist.h \

@@ -180,3 +180,22 @@ void pairlist_add_images(struct pairlist *list, size_t owned, const uint8_t *ima
             list->j[k] = image_joined(list->i[k], list->j[k], owned, image);
     }
 }
+
+static void mark_copy(uint8_t *used, uint32_t k, size_t owned) {
+    if (k < owned)
+        return;
+#pragma omp atomic write
+    used[k - owned] = 1;
+}
+
+void pairlist_mark_copies(const struct pairlist *list, size_t owned, uint8_t *used) {
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < list->threads; t++) {
+        const struct pair_block *block = &list->blocks[list->thread_block[t + 1] - 1];
+        assert(block->kind == PAIR_BLOCK_GHOST);
+        for (size_t k = block->first_pair; k < block->end_pair; k++) {
+            mark_copy(used, list->i[k], owned);
+            mark_copy(used, pair_partner(list->j[k]), owned);
+        }
+    }
+}

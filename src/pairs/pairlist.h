@@ -117,4 +117,8 @@ size_t pairlist_memory(const struct pairlist *list);
  * gets one line. Tests call it. */
 bool pairlist_valid(const struct pairlist *list, const struct index_view *view, char *why, size_t why_size);
 
+/* Sets used[k - owned] to 1 for each copy k that a pair of the list has; the other entries stay as they are. Opens its
+ * own thread team. */
+void pairlist_mark_copies(const struct pairlist *list, size_t owned, uint8_t *used);
+
 #endif

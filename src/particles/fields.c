@@ -180,6 +180,19 @@ const char *fields_unpack(struct particles *particles, const struct field_list *
     return buffer;
 }
 
+const char *fields_unpack_list(struct particles *particles, const struct field_list *fields,
+                               const uint32_t *list, size_t n, const char *buffer) {
+    struct transfer t;
+    transfer_make(&t, particles, fields);
+    for (size_t k = 0; k < n; k++) {
+        for (int f = 0; f < t.count; f++) {
+            memcpy(t.field[f].base + list[k] * t.field[f].stride, buffer, t.field[f].bytes);
+            buffer += t.field[f].bytes;
+        }
+    }
+    return buffer;
+}
+
 const char *fields_unpack_add(struct particles *particles, const struct field_list *fields,
                               const uint32_t *list, size_t n, const char *buffer) {
     struct transfer t;

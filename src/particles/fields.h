@@ -123,6 +123,10 @@ char *fields_pack(const struct particles *particles, const struct field_list *fi
 const char *fields_unpack(struct particles *particles, const struct field_list *fields, size_t first,
                           size_t n, const char *buffer);
 
+/* The same for the `n` particles list[0..n). */
+const char *fields_unpack_list(struct particles *particles, const struct field_list *fields,
+                               const uint32_t *list, size_t n, const char *buffer);
+
 /* Adds packed fields of doubles in `buffer` to the `n` particles list[0..n). Returns the end of the data
  * read. */
 const char *fields_unpack_add(struct particles *particles, const struct field_list *fields,

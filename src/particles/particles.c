@@ -247,9 +247,13 @@ void particles_reorder(struct particles *particles, const uint32_t *order) {
 }
 
 void particles_classify(struct particles *particles, const struct size_classes *classes) {
+    particles_classify_from(particles, classes, 0);
+}
+
+void particles_classify_from(struct particles *particles, const struct size_classes *classes, size_t first) {
     const uint8_t *kind = kinds_of(particles);
 #pragma omp parallel for schedule(static)
-    for (size_t k = 0; k < particles->owned; k++)
+    for (size_t k = first; k < particles->owned; k++)
         particles->size_class[k] =
             (uint8_t)(kind ? kinds_class(classes, (enum kind)kind[k], particles->state[k].radius)
                            : classes_of(classes, particles->state[k].radius));

@@ -79,6 +79,9 @@ void particles_reorder(struct particles *particles, const uint32_t *order);
 /* Sets size_class of the owned particles from their radii and kinds. Opens its own thread team. */
 void particles_classify(struct particles *particles, const struct size_classes *classes);
 
+/* The same for particle number `first` and all behind. */
+void particles_classify_from(struct particles *particles, const struct size_classes *classes, size_t first);
+
 /* Registers the field `image`, int32 x 3: how often a particle crossed the box; unwrapped position = x +
  * image * edge (box_unwrap). For boxes with a periodic direction. particles_images gives the values, NULL
  * without. */

@@ -235,12 +235,12 @@ static void rows_travel(void **state) {
     struct team *team = *state;
     struct fixture fixture;
     fixture_make(&fixture, team, &boxes[1], WITH_SPIN);
-    struct migrate_rows rows[2];
+    struct migrate_rows rows[2] = {{0}};
     make_rows(fixture.particles, rows);
     for (uint64_t seed = 1; seed < 5; seed++) {
         cloud_scatter(&fixture.cloud, seed);
         follow_cloud(&fixture);
-        ghosts_migrate_rows(fixture.ghosts, fixture.particles, rows, 2);
+        ghosts_migrate_rows(fixture.ghosts, fixture.particles, &(struct migrate_places){0}, rows, 2);
         expect_all(&fixture);
         expect_rows(team, fixture.particles, rows);
     }
@@ -248,7 +248,7 @@ static void rows_travel(void **state) {
     struct history_rows history = {rows[0].start, rows[0].row, rows[0].count};
     cloud_scatter(&fixture.cloud, 9);
     follow_cloud(&fixture);
-    struct migrate_rows again[2];
+    struct migrate_rows again[2] = {{0}};
     ghosts_migrate(fixture.ghosts, fixture.particles, &history);
     make_rows(fixture.particles, again);
     bool same = history.count == again[0].count &&
