@@ -166,10 +166,10 @@ static void auto_destroy(struct index *self) {
     memory_free(self);
 }
 
-static void auto_order(struct index *self, const struct index_view *view, uint32_t *order) {
+static bool auto_order(struct index *self, const struct index_view *view, uint32_t *order) {
     struct levels_plan plan = make_plan(own(self), view);
-    levels_order(&own(self)->levels, &plan, view, order);
     own(self)->ordered = true;
+    return levels_order(&own(self)->levels, &plan, view, order);
 }
 
 static void auto_build(struct index *self, const struct index_view *view) {

@@ -87,8 +87,11 @@ struct index_view {
     double radius_max[INDEX_CLASS_MAX];              /* largest radius a particle of the class may have */
     double margin[INDEX_CLASS_MAX][INDEX_CLASS_MAX]; /* added to r_i + r_j, or INDEX_NOT_WANTED; symmetric */
     int threads;                                     /* size of the team that build and order may open */
-    bool ordered; /* at build: the owned particles are those of the last `order`, now in that order; none
-                     has moved. The index may then use its results of `order`; the pairs are the same */
+    bool ordered; /* at build: the owned particles are those of the last `order`, now in that order (or in the
+                     old one, where `order` said so); none has moved. The index may then use its results of
+                     `order`; the pairs are the same */
+    bool stays; /* at order: the owned particles are those of the last build, in the same order, with the same
+                     classes; they may have moved. `order` may then leave them where they are */
 };
 
 /* True if particles of the classes a and b may meet. */
@@ -177,8 +180,9 @@ struct index_ops {
     void (*destroy)(struct index *self);
     /* The particle order in which a search runs through memory: new particle k = old order[k]; classes one
      * after another, from small to large. order[view->owned] is the caller's. Stable: particles of one cell
-     * keep their order. NULL: the order stays. */
-    void (*order)(struct index *self, const struct index_view *view, uint32_t *order);
+     * keep their order. False (only if the view `stays`): the present order serves, order[] is not written.
+     * NULL: the order stays. */
+    bool (*order)(struct index *self, const struct index_view *view, uint32_t *order);
     void (*build)(struct index *self, const struct index_view *view);
     /* Emits every kept pair whose row (first) particle lies in [first, last); rows are owned particles. Any
      * partition of [0, owned) into ranges gives each pair once. The view is the one of the last build,
@@ -218,7 +222,7 @@ void index_destroy(struct index **index);
 /* The wrappers of the operations above. */
 bool index_applicable(const char *name, const struct index_params *params, const struct index_view *view,
                       char why[INDEX_WHY_MAX]);
-void index_order(struct index *index, const struct index_view *view, uint32_t *order);
+bool index_order(struct index *index, const struct index_view *view, uint32_t *order);
 void index_build(struct index *index, const struct index_view *view);
 void index_visit(const struct index *index, const struct index_view *view, size_t first, size_t last,
                  struct index_sink *sink);

@@ -19,8 +19,12 @@ libindex_la_SOURCES = \
 	index/choose/prices.h \
 	index/grids/cells.c \
 	index/grids/cells.h \
+	index/grids/cells_follow.c \
+	index/grids/cells_slots.c \
+	index/grids/cells_slots.h \
 	index/grids/cells_sort.c \
 	index/grids/cells_sort.h \
+	index/grids/cells_table.h \
 	index/grids/cross.c \
 	index/grids/cross.h \
 	index/grids/frame.c \
@@ -34,6 +38,8 @@ libindex_la_SOURCES = \
 	index/grids/levels_parts.h \
 	index/grids/levels_plan.c \
 	index/grids/levels_plan.h \
+	index/grids/levels_stay.c \
+	index/grids/levels_stay.h \
 	index/grids/locate.c \
 	index/grids/locate.h \
 	index/grids/members.c \

@@ -12,78 +12,10 @@
 #include "index/grids/cells.h"
 
 #include "core/memory.h"
+#include "index/grids/cells_slots.h"
 #include "index/grids/cells_sort.h"
-#include "index/grids/locate.h"
 
-#include <assert.h>
-#include <omp.h>
 #include <string.h>
-
-struct range {
-    size_t begin, end;
-};
-
-static struct range my_range(size_t count) {
-    size_t threads = (size_t)omp_get_num_threads();
-    size_t thread = (size_t)omp_get_thread_num();
-    return (struct range){count * thread / threads, count * (thread + 1) / threads};
-}
-
-static void *ensure(void *array, size_t old, size_t count, size_t size, const char *what) {
-    if (old >= count && array != NULL) {
-        return array;
-    }
-    memory_free(array);
-    return memory_allocate(count, size, what);
-}
-
-static void reserve_slots(struct cells *cells, size_t count, bool coordinates) {
-    size_t old = cells->capacity;
-    cells->particle = ensure(cells->particle, old, count, sizeof(uint32_t), "index particles");
-    cells->capacity = count > old ? count : old;
-    if (!coordinates) {
-        return;
-    }
-    old = cells->place_capacity;
-    cells->x = ensure(cells->x, old, count, sizeof(float), "index coordinates");
-    cells->y = ensure(cells->y, old, count, sizeof(float), "index coordinates");
-    cells->z = ensure(cells->z, old, count, sizeof(float), "index coordinates");
-    cells->r = ensure(cells->r, old, count, sizeof(float), "index radii");
-    cells->place_capacity = count > old ? count : old;
-}
-
-/* Fills the slots behind the last one with a place far from every particle, as searches read whole
- * vectors. */
-static void pad_slots(const struct cells *cells) {
-    static_assert(MEMORY_ALIGNMENT / sizeof(float) >= CELLS_PAD, "arrays are padded by a cache line");
-    for (size_t k = cells->count; k < cells->count + CELLS_PAD; k++) {
-        cells->x[k] = cells->y[k] = cells->z[k] = 1e30f;
-        cells->r[k] = 0;
-        cells->particle[k] = 0;
-    }
-}
-
-/* Puts the particles of a batch into the slots from `slot` on, and updates the bounds of `cells`, which is
- * the thread's own copy. */
-static void put_slots(struct cells *cells, const struct frame *frame, size_t slot,
-                      const struct located *located) {
-    const double scale = frame->scale;
-    const size_t n = located->count;
-    float *restrict r = cells->r + slot;
-    float least = cells->r_min, most = cells->r_max;
-    memcpy(cells->x + slot, located->x[0], n * sizeof(float));
-    memcpy(cells->y + slot, located->x[1], n * sizeof(float));
-    memcpy(cells->z + slot, located->x[2], n * sizeof(float));
-    for (size_t k = 0; k < n; k++) {
-        r[k] = (float)(located->r[k] * scale * (1 + CELLS_RADIUS_EXCESS));
-    }
-    for (size_t k = 0; k < n; k++) {
-        least = r[k] < least ? r[k] : least;
-        most = r[k] > most ? r[k] : most;
-    }
-    cells->r_min = least;
-    cells->r_max = most;
-}
 
 /* Computes the keys of a batch. */
 static void put_keys(const struct cells_source *source, const struct located *located,
@@ -101,59 +33,27 @@ static void put_keys(const struct cells_source *source, const struct located *lo
     }
 }
 
-static void start_bounds(struct cells *cells) {
-    cells->clamped = false;
-    cells->r_min = cells->count > 0 ? 1e30f : 0;
-    cells->r_max = 0;
-}
-
-static void merge_bounds(struct cells *cells, const struct cells *mine, bool ordered) {
-#pragma omp critical(scree_cells_bounds)
-    {
-        cells->r_min = mine->r_min < cells->r_min ? mine->r_min : cells->r_min;
-        cells->r_max = mine->r_max > cells->r_max ? mine->r_max : cells->r_max;
-        cells->clamped = cells->clamped || mine->clamped;
-        cells->in_order = cells->in_order && ordered;
-    }
-}
-
-/* Reads the members of the group, from the k-th on, into a batch. */
-static void locate_members(struct located *located, const struct cells_source *source, size_t k) {
-    const struct members *members = source->members;
-    size_t at = members->begin[source->group] + k;
-    locate_particles(located, source->view, source->frame, members->contiguous ? NULL : members->list + at,
-                     members->first + at);
-}
-
-static void number_members(uint32_t *particle, const struct cells_source *source, size_t k, size_t n) {
-    const struct members *members = source->members;
-    size_t at = members->begin[source->group] + k;
-    for (size_t m = 0; m < n; m++) {
-        particle[m] = (uint32_t)members_get(members, at + m);
-    }
-}
-
 /* Sweep 1; without `coordinates` only the keys. */
 static void find_keys(struct cells *cells, struct cells_scratch *scratch, const struct cells_source *source,
                       bool coordinates) {
     cells->in_order = true;
-    start_bounds(cells);
+    cells_bounds_start(cells);
 #pragma omp parallel num_threads(source->view->threads) if (cells->count > CELLS_THREADED)
     {
-        struct range range = my_range(cells->count);
+        struct cells_range range = cells_share(cells->count);
         struct cells mine = *cells;
         struct located located;
         uint64_t *key = scratch->key;
         bool ordered = true;
         for (size_t k = range.begin; k < range.end; k += located.count) {
             located.count = range.end - k < LOCATE_BATCH ? range.end - k : LOCATE_BATCH;
-            locate_members(&located, source, k);
+            cells_locate(&located, source, k);
             locate_cells(&located, source->grid);
             put_keys(source, &located, key + k);
-            number_members(cells->particle + k, source, k, located.count);
+            cells_slots_number(cells->particle + k, source, k, located.count);
             mine.clamped = mine.clamped || located.clamped;
             if (coordinates) {
-                put_slots(&mine, source->frame, k, &located);
+                cells_slots_put(&mine, source->frame, k, &located);
             }
             for (size_t m = k > range.begin ? k : k + 1; m < k + located.count; m++) {
                 ordered = ordered && key[m] >= key[m - 1];
@@ -163,22 +63,7 @@ static void find_keys(struct cells *cells, struct cells_scratch *scratch, const 
         if (range.begin > 0 && range.begin < range.end) {
             ordered = ordered && key[range.begin - 1] <= key[range.begin];
         }
-        merge_bounds(cells, &mine, ordered);
-    }
-}
-
-/* Sweep 3. */
-static void gather_slots(struct cells *cells, const struct cells_source *source) {
-#pragma omp parallel num_threads(source->view->threads) if (cells->count > CELLS_THREADED)
-    {
-        struct range range = my_range(cells->count);
-        struct cells mine = *cells;
-        struct located located;
-        for (size_t slot = range.begin; slot < range.end; slot += located.count) {
-            located.count = range.end - slot < LOCATE_BATCH ? range.end - slot : LOCATE_BATCH;
-            locate_particles(&located, source->view, source->frame, cells->particle + slot, 0);
-            put_slots(&mine, source->frame, slot, &located);
-        }
+        cells_bounds_merge(cells, &mine, ordered);
     }
 }
 
@@ -186,7 +71,7 @@ static void gather_slots(struct cells *cells, const struct cells_source *source)
 static void dense_begins(struct cells *cells, const uint64_t *key, size_t all_cells, int threads) {
 #pragma omp parallel num_threads(threads) if (cells->count > CELLS_THREADED)
     {
-        struct range range = my_range(cells->count);
+        struct cells_range range = cells_share(cells->count);
         for (size_t k = range.begin; k < range.end; k++) {
             uint64_t from = k > 0 ? key[k - 1] + 1 : 0;
             for (uint64_t c = from; c <= key[k]; c++) {
@@ -205,9 +90,10 @@ static void fill_hash(struct cells *cells) {
         cells->hash_bits++;
     }
     size_t room = (size_t)1 << cells->hash_bits;
-    cells->hash_key = ensure(cells->hash_key, cells->hash_capacity, room, sizeof(uint64_t), "index hash");
+    cells->hash_key =
+        cells_ensure(cells->hash_key, cells->hash_capacity, room, sizeof(uint64_t), "index hash");
     cells->hash_pencil =
-        ensure(cells->hash_pencil, cells->hash_capacity, room, sizeof(uint32_t), "index hash");
+        cells_ensure(cells->hash_pencil, cells->hash_capacity, room, sizeof(uint32_t), "index hash");
     cells->hash_capacity = room > cells->hash_capacity ? room : cells->hash_capacity;
     memset(cells->hash_key, 0xff, room * sizeof(uint64_t));
     for (size_t p = 0; p < cells->pencils; p++) {
@@ -231,7 +117,7 @@ static void sparse_pencils(struct cells *cells, const uint64_t *key) {
     cells->pencils = pencils;
     cells->occupied = occupied;
     size_t old = cells->pencil_capacity;
-    cells->pencil = ensure(cells->pencil, old, pencils, sizeof(uint64_t), "index pencils");
+    cells->pencil = cells_ensure(cells->pencil, old, pencils, sizeof(uint64_t), "index pencils");
     cells->pencil_capacity = pencils > old ? pencils : old;
     size_t p = 0;
     for (size_t k = 0; k < cells->count; k++) {
@@ -252,13 +138,14 @@ static void start(struct cells *cells, struct cells_scratch *scratch, const stru
     const struct members *members = source->members;
     cells->count = members->begin[source->group + 1] - members->begin[source->group];
     cells->sparse = source->sparse;
-    reserve_slots(cells, cells->count, coordinates);
+    cells->moved = false;
+    cells_slots_reserve(cells, cells->count, coordinates);
     cells_scratch_reserve(scratch, cells->count);
     size_t begins = source->sparse ? cells->count + 1 : (size_t)source->grid->cells + 1;
     if (cells->begin_capacity > 4 * begins + 4096) {
         cells->begin_capacity = 0;
     }
-    cells->begin = ensure(cells->begin, cells->begin_capacity, begins, sizeof(uint32_t), "index cells");
+    cells->begin = cells_ensure(cells->begin, cells->begin_capacity, begins, sizeof(uint32_t), "index cells");
     cells->begin_capacity = begins > cells->begin_capacity ? begins : cells->begin_capacity;
     find_keys(cells, scratch, source, coordinates);
 }
@@ -278,18 +165,11 @@ static void finish(struct cells *cells, const struct cells_scratch *scratch,
                    const struct cells_source *source) {
     if (cells->sparse) {
         size_t old = cells->x_cell_capacity;
-        cells->x_cell = ensure(cells->x_cell, old, cells->count, sizeof(uint32_t), "index x cells");
+        cells->x_cell = cells_ensure(cells->x_cell, old, cells->count, sizeof(uint32_t), "index x cells");
         cells->x_cell_capacity = cells->count > old ? cells->count : old;
         sparse_pencils(cells, scratch->key);
     } else if (cells->in_order) { /* else the sort wrote the beginnings */
         dense_begins(cells, scratch->key, (size_t)source->grid->cells, source->view->threads);
-    }
-}
-
-static void set_slots(const struct cells *cells, int threads, uint32_t *slot_of) {
-#pragma omp parallel for num_threads(threads) if (cells->count > CELLS_THREADED)
-    for (size_t slot = 0; slot < cells->count; slot++) {
-        slot_of[cells->particle[slot]] = (uint32_t)slot;
     }
 }
 
@@ -298,12 +178,12 @@ void cells_build(struct cells *cells, struct cells_scratch *scratch, const struc
     start(cells, scratch, source, true);
     if (!cells->in_order) {
         sort(cells, scratch, source);
-        gather_slots(cells, source);
+        cells_slots_gather(cells, source);
     }
-    pad_slots(cells);
+    cells_slots_pad(cells);
     finish(cells, scratch, source);
     if (slot_of != NULL) {
-        set_slots(cells, source->view->threads, slot_of);
+        cells_slots_tell(cells, source->view->threads, slot_of);
     }
 }
 
@@ -320,27 +200,27 @@ void cells_order(struct cells *cells, struct cells_scratch *scratch, const struc
 }
 
 void cells_fill(struct cells *cells, const struct cells_source *source, uint32_t *slot_of) {
-    reserve_slots(cells, cells->count, true);
-    start_bounds(cells);
+    cells_slots_reserve(cells, cells->count, true);
+    cells_bounds_start(cells);
     cells->in_order = true;
 #pragma omp parallel num_threads(source->view->threads) if (cells->count > CELLS_THREADED)
     {
-        struct range range = my_range(cells->count);
+        struct cells_range range = cells_share(cells->count);
         struct cells mine = *cells;
         struct located located;
         for (size_t k = range.begin; k < range.end; k += located.count) {
             located.count = range.end - k < LOCATE_BATCH ? range.end - k : LOCATE_BATCH;
-            locate_members(&located, source, k);
+            cells_locate(&located, source, k);
             mine.clamped = mine.clamped || located.clamped;
-            put_slots(&mine, source->frame, k, &located);
-            number_members(cells->particle + k, source, k, located.count);
+            cells_slots_put(&mine, source->frame, k, &located);
+            cells_slots_number(cells->particle + k, source, k, located.count);
         }
         /* the merge begins when every thread has its copy of the bounds */
 #pragma omp barrier
-        merge_bounds(cells, &mine, true);
+        cells_bounds_merge(cells, &mine, true);
     }
-    pad_slots(cells);
-    set_slots(cells, source->view->threads, slot_of);
+    cells_slots_pad(cells);
+    cells_slots_tell(cells, source->view->threads, slot_of);
 }
 
 void cells_free(struct cells *cells) {
@@ -348,6 +228,9 @@ void cells_free(struct cells *cells) {
     memory_free(cells->y);
     memory_free(cells->z);
     memory_free(cells->r);
+    for (int d = 0; d < 3; d++) {
+        memory_free(cells->origin[d]);
+    }
     memory_free(cells->particle);
     memory_free(cells->begin);
     memory_free(cells->pencil);
@@ -358,7 +241,8 @@ void cells_free(struct cells *cells) {
 }
 
 size_t cells_memory(const struct cells *cells) {
-    return cells->capacity * sizeof(uint32_t) + cells->place_capacity * 4 * sizeof(float) +
+    return cells->capacity * sizeof(uint32_t) +
+           (cells->place_capacity * 4 + cells->origin_capacity * 3) * sizeof(float) +
            (cells->x_cell_capacity + cells->begin_capacity) * sizeof(uint32_t) +
            cells->pencil_capacity * sizeof(uint64_t) +
            cells->hash_capacity * (sizeof(uint64_t) + sizeof(uint32_t));

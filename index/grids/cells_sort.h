@@ -5,7 +5,7 @@
 #ifndef SCREE_INDEX_GRIDS_CELLS_SORT_H
 #define SCREE_INDEX_GRIDS_CELLS_SORT_H
 
-#include "index/grids/cells.h"
+#include "index/grids/cells_table.h"
 
 enum { CELLS_SPARSE_BITS = 21, CELLS_THREADED = 8192 }; /* one thread sorts fewer particles than this */
 

@@ -191,3 +191,12 @@ void frame_make(struct frame *frame, const struct index_view *view) {
     }
     frame->tolerance = (float)(size * frame->scale * 0x1p-20);
 }
+
+void frame_loosen(struct frame *frame) {
+    const double size = (double)frame->tolerance * frame->unit * 0x1p20;
+    for (int d = 0; d < 3; d++) {
+        frame->low[d] = fmin(frame->low[d], frame->centre[d] - 1.5 * size);
+        frame->high[d] = fmax(frame->high[d], frame->centre[d] + 1.5 * size);
+    }
+    frame->tolerance *= 2;
+}

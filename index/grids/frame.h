@@ -47,6 +47,10 @@ struct frame_cutoffs frame_cutoffs(const struct index_view *view, int first, int
 /* Fits a frame to the view. Opens a team of threads if a direction is open. */
 void frame_make(struct frame *frame, const struct index_view *view);
 
+/* Lets positions lie farther out, by half of the frame's size, without clamping them; the tolerance doubles. For
+ * particles that have moved since the frame was made. */
+void frame_loosen(struct frame *frame);
+
 /* Frame coordinate of a position in direction d. Not a number gives the lower end. */
 static inline float frame_coordinate(const struct frame *frame, int d, double x) {
     x = x > frame->low[d] ? x : frame->low[d];

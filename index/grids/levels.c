@@ -2,8 +2,10 @@
 /* A set of grids: laid, built, searched, checked, described. Read levels.h first. */
 #include "index/grids/levels.h"
 
+#include "core/image.h"
 #include "core/memory.h"
 #include "index/grids/levels_plan.h"
+#include "index/grids/levels_stay.h"
 #include "index/search/search.h"
 
 #include <assert.h>
@@ -42,6 +44,7 @@ void levels_free(struct levels *levels) {
     cells_free(&levels->order_cells);
     memory_free(levels->slot_of);
     cross_free(&levels->cross);
+    levels_stay_free(&levels->stay);
     memory_free(levels->searches.list);
     memory_free(levels->cross_searches.list);
 }
@@ -126,17 +129,6 @@ static void build_level(struct levels *levels, const struct index_view *view, in
     levels->frame.clamped = levels->frame.clamped || level->owned.clamped || level->ghosts.clamped;
 }
 
-static bool same_grids(const struct levels_plan *a, const struct levels_plan *b, int classes) {
-    bool same = a->grids == b->grids;
-    for (int c = 0; c < classes && same; c++) {
-        same = a->grid_of[c] == b->grid_of[c];
-    }
-    for (int g = 0; g < a->grids && same; g++) {
-        same = a->edge[g] == b->edge[g] && a->fixed[g] == b->fixed[g] && a->idle[g] == b->idle[g];
-    }
-    return same;
-}
-
 static void search_smaller(const void *context, const struct index_view *view, size_t first, size_t last,
                            struct index_sink *sink) {
     const struct levels *levels = context;
@@ -161,27 +153,40 @@ static void find_cross(struct levels *levels, const struct index_view *view) {
     cross_find(&levels->cross, &finder, view);
 }
 
+/* Builds the tables of all grids; those of owned particles that stayed in their slots are there. */
+static void build_tables(struct levels *levels, const struct index_view *view, bool stayed) {
+    levels->stay.turned = levels->stay.turned && stayed;
+    if (!stayed) {
+        levels->stay.builds = 0;
+        levels->stay.growth = levels->stay.owing = 0;
+    }
+    for (int g = 0; g < levels->plan.grids; g++) {
+        if (levels->plan.idle[g]) {
+            empty_level(&levels->level[g]);
+        } else if (!stayed) {
+            build_level(levels, view, g);
+        }
+    }
+}
+
 void levels_build(struct levels *levels, const struct levels_plan *plan, const struct index_view *view) {
-    levels->kept = levels->kept && view->ordered && view->total == view->owned &&
-                   levels->owned.begin[INDEX_CLASS_MAX] == view->owned &&
-                   same_grids(plan, &levels->plan, view->classes);
+    const bool in_order = view->ordered && view->total == view->owned &&
+                          levels->owned.begin[INDEX_CLASS_MAX] == view->owned &&
+                          levels_same_grids(plan, &levels->plan, view->classes);
+    const bool stayed = levels->stay.due && in_order && levels_stay_follow(levels, view);
+    levels->kept = levels->kept && in_order;
     levels->ghosts_met = view->total > view->owned;
     levels->plan = *plan;
     if (levels->kept) {
         levels->owned.contiguous = true;
-    } else {
+    } else if (!stayed) {
         frame_make(&levels->frame, view);
         members_split(&levels->owned, view, 0, view->owned, plan->grid_of);
     }
     members_split(&levels->ghosts, view, view->owned, view->total, plan->grid_of);
     reserve_slot_of(levels, view->owned);
-    for (int g = 0; g < plan->grids; g++) {
-        if (plan->idle[g]) {
-            empty_level(&levels->level[g]);
-        } else {
-            build_level(levels, view, g);
-        }
-    }
+    build_tables(levels, view, stayed);
+    levels_stay_note(levels, view, levels->kept || stayed);
     levels->kept = false;
     for (int c = 0; c < INDEX_CLASS_MAX; c++) {
         levels->radius_max[c] = c < view->classes ? view->radius_max[c] : 0;
@@ -191,8 +196,12 @@ void levels_build(struct levels *levels, const struct levels_plan *plan, const s
     find_cross(levels, view);
 }
 
-void levels_order(struct levels *levels, const struct levels_plan *plan, const struct index_view *view,
+bool levels_order(struct levels *levels, const struct levels_plan *plan, const struct index_view *view,
                   uint32_t *order) {
+    levels->stay.due = view->stays && levels_stay_pays(levels, plan, view);
+    if (levels->stay.due) {
+        return false;
+    }
     levels->plan = *plan;
     frame_make(&levels->frame, view);
     int class_of[INDEX_CLASS_MAX];
@@ -228,6 +237,7 @@ void levels_order(struct levels *levels, const struct levels_plan *plan, const s
         cells_order(levels->kept ? &level->owned : &levels->order_cells, &levels->scratch, &source,
                     levels->kept, order + levels->owned.begin[c]);
     }
+    return true;
 }
 
 /* Emits pairs with larger particles soon after the other pairs of their rows, so that the pairs of a row lie
@@ -242,6 +252,24 @@ void levels_visit(const struct levels *levels, const struct index_view *view, si
     }
 }
 
+/* The coordinates of a slot after moves: those of its particle, in the image of its turn, no farther from the origin
+ * than the drift. */
+static bool near_origin(const struct levels *levels, const struct index_view *view, const struct cells *cells,
+                        size_t slot) {
+    const size_t i = cells->particle[slot];
+    const float at[3] = {cells->x[slot], cells->y[slot], cells->z[slot]};
+    int image[3];
+    double square = 0;
+    bool there = true;
+    image_vector(levels->stay.turn[i], image);
+    for (int d = 0; d < 3; d++) {
+        double x = view->position[i * view->stride + (size_t)d] + image[d] * view->edge[d];
+        there = there && at[d] == frame_coordinate(&levels->frame, d, x);
+        square += ((double)at[d] - cells->origin[d][slot]) * ((double)at[d] - cells->origin[d][slot]);
+    }
+    return there && sqrt(square) <= cells->drift;
+}
+
 /* Every slot holds the particle it should, in the cell it should. */
 static bool check_cells(const struct levels *levels, const struct index_view *view, const struct level *level,
                         const struct cells *cells, char why[INDEX_WHY_MAX]) {
@@ -250,7 +278,13 @@ static bool check_cells(const struct levels *levels, const struct index_view *vi
         const double *x = view->position + i * view->stride;
         int cell[3];
         for (int d = 0; d < 3; d++) {
-            cell[d] = grid_cell(&level->grid, d, frame_coordinate(&levels->frame, d, x[d]));
+            cell[d] =
+                grid_cell(&level->grid, d,
+                          cells->moved ? cells->origin[d][slot] : frame_coordinate(&levels->frame, d, x[d]));
+        }
+        if (cells->moved && !near_origin(levels, view, cells, slot)) {
+            snprintf(why, INDEX_WHY_MAX, "particle %zu has moved farther than the drift of its table", i);
+            return false;
         }
         struct cells_slice slice = cells_run(cells, &level->grid, cell[0], cell[0], cell[1], cell[2]);
         bool known = i >= view->owned || levels->slot_of[i] == slot;
@@ -317,8 +351,8 @@ void levels_describe(const struct levels *levels, struct index_description *desc
 }
 
 size_t levels_memory(const struct levels *levels) {
-    size_t bytes = levels->slot_capacity * sizeof(uint32_t) + cells_scratch_memory(&levels->scratch) +
-                   cells_memory(&levels->order_cells) +
+    size_t bytes = levels->slot_capacity * sizeof(uint32_t) + levels->stay.capacity +
+                   cells_scratch_memory(&levels->scratch) + cells_memory(&levels->order_cells) +
                    (levels->owned.capacity + levels->ghosts.capacity) * sizeof(uint32_t) +
                    2 * INDEX_CLASS_MAX * sizeof levels->searches.list[0] + cross_memory(&levels->cross);
     for (int g = 0; g < INDEX_CLASS_MAX; g++) {

@@ -32,7 +32,7 @@ void levels_start(struct levels *levels, const struct index_params *params);
 void levels_free(struct levels *levels);
 
 /* The operations of the contract, for a plan made from the same view (levels_plan_apart ends it). */
-void levels_order(struct levels *levels, const struct levels_plan *plan, const struct index_view *view,
+bool levels_order(struct levels *levels, const struct levels_plan *plan, const struct index_view *view,
                   uint32_t *order);
 void levels_build(struct levels *levels, const struct levels_plan *plan, const struct index_view *view);
 void levels_visit(const struct levels *levels, const struct index_view *view, size_t first, size_t last,

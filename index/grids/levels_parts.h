@@ -50,6 +50,20 @@ struct searches {
     struct search (*list)[LEVELS_SEARCHES_MAX];
 };
 
+/* Whether the particles lie in the order of their slots, and how long they have. */
+struct levels_stay {
+    bool
+        sorted; /* after a build: in the order of the slots, no ghosts, cells that searches may read after moves */
+    bool due;       /* `order` left the particles where they are; the build keeps the cells */
+    int builds;     /* since the order */
+    double edge[3]; /* of the box, at the order */
+    double growth,
+        owing;     /* of the searched volume, as a share of it: in the last build, and all builds together */
+    uint8_t *turn; /* of each owned particle: code of the image near its cell */
+    bool turned;   /* some code is not 0 */
+    size_t capacity;
+};
+
 struct levels {
     struct levels_plan plan;
     struct frame frame;
@@ -65,6 +79,7 @@ struct levels {
     struct cells order_cells; /* scratch of levels_order, where it does not keep its tables */
     bool kept;                /* the tables of owned particles are complete except for the coordinates */
     bool ghosts_met;          /* the last build had ghosts: then no tables are kept */
+    struct levels_stay stay;  /* particles that stay in their slots (levels_stay.c) */
     int instructions;         /* enum index_instructions, none of them INDEX_BEST */
     int cross_search;         /* enum index_cross */
     double radius_min[INDEX_CLASS_MAX], radius_max[INDEX_CLASS_MAX]; /* by grid, of the view's classes */

@@ -96,7 +96,7 @@ static struct search search_of(const struct levels *levels, const struct index_v
     search.single = !ghosts && g < own;
     search.home = ghosts && g == own && view->newton;
     search.beyond = ghosts && frame->hollow;
-    search.reach = (float)((r_max + highest) * excess_factor + 4 * tolerance);
+    search.reach = (float)((r_max + highest) * excess_factor + 4 * tolerance) + cells->drift;
     search.direct = !levels->plan.stencils && !cells->sparse &&
                     (search.half || (search.single && pencils_of(&search, rows) <= LEVELS_PENCILS_DIRECT));
     search.certain = search.home || !partners->all ? -INFINITY : certain_share(levels, smallest, excess);

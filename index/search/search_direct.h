@@ -26,8 +26,8 @@ LANES_INLINE void windows_make(const struct quest *quest, struct windows *restri
     const float reach = quest->search->reach;
     const int rows = block->rows;
     windows->half = quest->search->half;
-    windows->own_y = windows->half ? grid_cell(&grid, 1, block->x[1][0]) : 0;
-    windows->own_z = windows->half ? grid_cell(&grid, 2, block->x[2][0]) : 0;
+    windows->own_y = windows->half ? (int)(block->pencil % (size_t)grid.n[1]) : 0;
+    windows->own_z = windows->half ? (int)(block->pencil / (size_t)grid.n[1]) : 0;
     for (int k = 0; k < rows; k++) {
         windows->images[k] = 0;
     }
@@ -185,6 +185,9 @@ LANES_INLINE void direct_row(struct quest *quest, const struct windows *windows,
     }
     for (size_t at = quest->sink.count; at < direct.sink.count && at < direct.sink.capacity; at += LANES) {
         lanes_fill(direct.sink.i + at, direct.i);
+    }
+    if (images && quest->levels->stay.turned) { /* particles that have crossed a face lie near it */
+        untwist(quest, &direct.sink, quest->sink.count, direct.i);
     }
     quest->sink.count = direct.sink.count;
 }

@@ -15,6 +15,7 @@ enum { ROWS = SEARCH_ROWS, OWN_ROWS = SEARCH_OWN_ROWS, SLOTS_APART = 128, CANDID
 struct block {
     int rows;
     int size_class;
+    size_t pencil; /* that holds the slots, in a dense table without stencils */
     uint32_t particle[ROWS], slot[ROWS];
     float x[3][ROWS], r[ROWS];
 };
@@ -45,6 +46,23 @@ struct quest {
     struct index_sink sink;
 };
 
+/* The candidate of row i as found among the slots, with the code of its image (of the particles, not of the places of
+ * their slots, which may be images of particles that have crossed a face since they were sorted). Codes are added like
+ * the vectors, modulo 27. */
+LANES_INLINE uint32_t untwisted(const struct levels_stay *stay, uint32_t i, uint32_t tagged) {
+    const uint32_t j = tagged & (((uint32_t)1 << INDEX_IMAGE_SHIFT) - 1);
+    const unsigned code = (tagged >> INDEX_IMAGE_SHIFT) + stay->turn[j] + IMAGE_CODES - stay->turn[i];
+    return j | code % IMAGE_CODES << INDEX_IMAGE_SHIFT;
+}
+
+/* Corrects the images of the pairs of row i from `first` on. */
+static LANES_TARGET __attribute__((noinline)) void untwist(const struct quest *quest, struct index_sink *sink,
+                                                           size_t first, uint32_t i) {
+    for (size_t k = first; k < sink->count && k < sink->capacity; k++) {
+        sink->j[k] = untwisted(&quest->levels->stay, i, sink->j[k]);
+    }
+}
+
 /* The pairs among the `doubtful` ones (possible, not certain) of LANES candidates. `bits` is the code of
  * their image, or 0 if the candidate numbers hold the code. */
 LANES_INLINE unsigned decide(const struct quest *quest, uint32_t i, const uint32_t *candidate, uint32_t bits,
@@ -53,6 +71,9 @@ LANES_INLINE unsigned decide(const struct quest *quest, uint32_t i, const uint32
     for (unsigned rest = doubtful; rest != 0; rest &= rest - 1) {
         unsigned k = (unsigned)__builtin_ctz(rest);
         uint32_t tagged = candidate[k] | bits;
+        if (quest->levels->stay.turned) {
+            tagged = untwisted(&quest->levels->stay, i, tagged);
+        }
         uint32_t j = tagged & (((uint32_t)1 << INDEX_IMAGE_SHIFT) - 1);
         int image[3];
         image_vector(tagged >> INDEX_IMAGE_SHIFT, image);
@@ -89,6 +110,9 @@ LANES_INLINE bool emit_row(struct quest *quest, const struct lanes_row *row, uin
     }
     for (size_t k = first; k < sink.count && k < sink.capacity; k += LANES) {
         lanes_fill(sink.i + k, i);
+    }
+    if (quest->levels->stay.turned) {
+        untwist(quest, &sink, first, i);
     }
     quest->sink.count = sink.count;
     return lanes_bits(doubtful) != 0;

@@ -74,15 +74,42 @@ LANES_INLINE void block_load(struct block *block, const struct cells *cells) {
     }
 }
 
-/* The end of the slots that may share a block with this one. */
-LANES_INLINE uint32_t block_end(const struct quest *quest, const struct level *level, uint32_t slot) {
+/* The pencil of a slot of a dense table, sought from `near` on, where it mostly is. */
+LANES_INLINE size_t pencil_of(const struct cells *cells, const struct grid *grid, uint32_t slot,
+                              size_t near) {
+    const size_t nx = (size_t)grid->n[0];
+    size_t low = 0, high = (size_t)grid->n[1] * (size_t)grid->n[2];
+    for (size_t p = near; p < near + 4 && p < high && cells->begin[p * nx] <= slot; p++) {
+        if (slot < cells->begin[(p + 1) * nx]) {
+            return p;
+        }
+    }
+    while (high - low > 1) {
+        size_t middle = low + (high - low) / 2;
+        if (cells->begin[middle * nx] <= slot) {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    return low;
+}
+
+/* The end of the slots that may share a block with this one; finds the block's pencil in a table that has any. */
+LANES_INLINE uint32_t block_end(struct quest *quest, const struct level *level, uint32_t slot) {
     const struct cells *cells = &level->owned;
     const struct grid *grid = &level->grid;
-    const int cell[3] = {grid_cell(grid, 0, cells->x[slot]), grid_cell(grid, 1, cells->y[slot]),
-                         grid_cell(grid, 2, cells->z[slot])};
-    int last = quest->levels->plan.stencils ? cell[0] : grid->n[0] - 1;
-    uint32_t end = cells_run(cells, grid, cell[0], last, cell[1], cell[2]).end;
-    uint32_t limit = slot + SLOTS_APART;
+    const uint32_t limit = slot + SLOTS_APART;
+    uint32_t end;
+    if (quest->levels->plan.stencils || cells->sparse) {
+        const int cell[3] = {grid_cell(grid, 0, cells->x[slot]), grid_cell(grid, 1, cells->y[slot]),
+                             grid_cell(grid, 2, cells->z[slot])};
+        int last = quest->levels->plan.stencils ? cell[0] : grid->n[0] - 1;
+        end = cells_run(cells, grid, cell[0], last, cell[1], cell[2]).end;
+    } else {
+        quest->block.pencil = pencil_of(cells, grid, slot, quest->block.pencil);
+        end = cells->begin[(quest->block.pencil + 1) * (size_t)grid->n[0]];
+    }
     return end < limit ? end : limit;
 }
 
@@ -135,6 +162,7 @@ LANES_INLINE void search_rows(const struct levels *levels, const struct searches
     quest.levels = levels;
     quest.view = view;
     quest.sink = *sink;
+    quest.block.pencil = 0;
     for (size_t i = first; i < last;) {
         if (searches->count[view->size_class[i]] == 0) {
             i = members_run(view->size_class, i, last);

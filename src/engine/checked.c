@@ -13,6 +13,7 @@ void checked_step(struct simulation *s, bool sums, bool rebuild) {
     s->grains.contact.want_virial = sums || s->servo.on;
     s->grains.contact.want_sums = s->grains.contact.want_virial || s->grains.sums_each_step ||
                                   s->grains.contact.want_work || guards_energy_due(s, next);
+    s->search.sorts = s->search.sorts || rebuild; /* the caller writes the state, or has changed it */
     step_run(s, rebuild || (every > 0 && next % (uint64_t)every == 0));
     if (next % POSITIONS_EVERY == 0)
         guards_check_positions(s);

@@ -116,13 +116,25 @@ static void migrate(struct simulation *s, struct rebuild_rows *rows) {
     }
 }
 
+/* True if the particles lie as at the last build of the index, so that the index may leave them there. */
+static bool may_stay(const struct simulation *s) {
+    return s->ranks.alone && !s->search.sorts && !s->box.motion.moves &&
+           s->search.revision == s->particles->revision;
+}
+
 static void reorder(struct simulation *s, struct rebuild_rows *rows) {
     size_t owned = s->particles->owned;
     uint32_t *order = rows->order = memory_allocate(owned, sizeof *order, "particle order");
     struct index_view view;
     tune_begin(s);
     simulation_index_view(s, &view);
-    index_order(s->search.index, &view, order);
+    view.stays = may_stay(s);
+    s->search.sorts = false;
+    if (!index_order(s->search.index, &view, order)) {
+        memory_free(order);
+        rows->order = NULL;
+        return;
+    }
     kinds_sort(s->particles, &s->classes, order);
     particles_reorder(s->particles, order);
     if (rows->pairs.start)
@@ -173,6 +185,7 @@ static void index_pass(struct simulation *s, struct rebuild_rows *rows) {
     simulation_index_view(s, &s->search.view);
     s->search.view.ordered = true;
     index_build(s->search.index, &s->search.view);
+    s->search.revision = s->particles->revision;
 }
 
 static void pairs_pass(struct simulation *s, struct rebuild_rows *rows) {
@@ -214,8 +227,10 @@ void rebuild_plan(struct simulation *s) {
  * all particles change. */
 static void classify(struct simulation *s, struct rebuild_rows *rows) {
     size_t first = s->classes_stale ? 0 : s->ranks.alone ? s->particles->owned : rows->stay;
-    if (s->classes_stale)
+    if (s->classes_stale) {
+        s->search.sorts = true;
         classify_choose(s, &s->error);
+    }
     particles_classify_from(s->particles, &s->classes, first);
 }
 

@@ -18,7 +18,7 @@ struct rebuild_rows {
     struct history_loose leave; /* of these, the rows of particles that leave; then of the arrivals */
     uint32_t *near;             /* several ranks, the short way: particles that had copies elsewhere; arrivals */
     size_t near_count;
-    uint32_t *order;          /* new particle k is old order[k] */
+    uint32_t *order;          /* new particle k is old order[k]; NULL: all stay */
     struct history_kept kept; /* made between ghosts and search */
     struct wall_rows walls;
     /* Those of other physics, in the order of the table; NULL: none. The physics own them. */

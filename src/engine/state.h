@@ -89,8 +89,10 @@ struct box_servo {
 struct search {
     struct index *index;
     struct tuning tuning;
-    double pairs_seconds;             /* wall time of all pair list builds */
-    struct index_view view;           /* of the last rebuild */
+    double pairs_seconds;   /* wall time of all pair list builds */
+    struct index_view view; /* of the last rebuild */
+    uint64_t revision;      /* of the particles at the last build of the index */
+    bool sorts;             /* the next rebuild sorts the particles, as a rebuild after a resume does */
     struct interactions interactions; /* the interactions with their lists */
     struct skin *skin;
     struct skin_choice choice; /* of the skin, with `skin: auto`; skin_auto.h */

@@ -111,6 +111,7 @@ bool scree_checkpoint(struct scree_simulation *simulation, const char *directory
     int threads = scree_parts_enter(simulation);
     if (own.kind == ERROR_NONE) {
         s->sources.last_step = s->clock.step; /* nobody comes or goes here */
+        s->search.sorts = true;
         rebuild_run(s);
         simulation->run.directory = directory;
         resume_write(s, &simulation->run, "", &own);

@@ -21,7 +21,7 @@ struct link {
 struct keeping {
     const struct history *history;
     const struct pairlist *list;
-    const uint32_t *now; /* new number of each old one, or PARTICLE_LEFT */
+    const uint32_t *now; /* new number of each old one, or PARTICLE_LEFT; NULL: the old one */
     size_t before;       /* entries of now */
     struct history_kept *kept;
     struct link *link; /* of each record and loose row; HISTORY_KEPT_TURNED is added to `high` as in an entry */
@@ -38,7 +38,7 @@ static bool mirrored(const struct pair_block *mirror, size_t k) {
 
 /* The number that particle k of the old list has now; copies have none. */
 static inline uint32_t number_now(const struct keeping *keeping, uint32_t k) {
-    return k < keeping->before ? keeping->now[k] : PARTICLE_LEFT;
+    return k >= keeping->before ? PARTICLE_LEFT : keeping->now ? keeping->now[k] : k;
 }
 
 /* The records of one thread. */
@@ -97,8 +97,11 @@ static void links_sort_all(const struct keeping *keeping) {
         links_sort(keeping, (uint32_t)(owned * t / threads), (uint32_t)(owned * (t + 1) / threads));
 }
 
-/* The new number of each number after the migration. */
+/* The new number of each number after the migration; NULL: all keep theirs. */
 static uint32_t *numbers_after(const struct history_numbers *numbers) {
+    assert(numbers->order || numbers->place == NULL);
+    if (numbers->order == NULL)
+        return NULL;
     uint32_t *now = memory_allocate(numbers->owned, sizeof *now, "kept history");
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < numbers->owned; k++)

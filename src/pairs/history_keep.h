@@ -29,8 +29,9 @@ struct history_kept {
 
 /* The numbers of particles before and after a rebuild. */
 struct history_numbers {
-    const uint32_t *order; /* of the reorder: new particle k was number order[k] after the migration */
-    size_t owned;          /* now */
+    const uint32_t
+        *order;   /* of the reorder: new particle k was number order[k] after the migration; NULL: k */
+    size_t owned; /* now */
     const uint32_t *place; /* number after the migration of each particle of the list; PARTICLE_LEFT: none.
                               NULL: no particle came or left */
     size_t before;         /* owned particles of the list, entries of place */

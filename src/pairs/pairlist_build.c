@@ -119,7 +119,7 @@ struct pass {
     const struct index_view *view;
 };
 
-/* Writes all pairs that the index finds in a block to the worker's sink. */
+/* Writes all pairs that the index finds in a block to the worker's sink, which grows. */
 static void block_visit(const struct pass *pass, struct pairlist_worker *worker,
                         const struct pair_block *block) {
     struct index_sink *sink = &worker->sink;
@@ -134,6 +134,16 @@ static void block_visit(const struct pass *pass, struct pairlist_worker *worker,
         sink->i = memory_allocate(sink->capacity + INDEX_SINK_PAD, sizeof *sink->i, "pairs of a block");
         sink->j = memory_allocate(sink->capacity + INDEX_SINK_PAD, sizeof *sink->j, "pairs of a block");
     }
+}
+
+/* The rest of the worker's region as a sink; `pad` entries at its end stay free. */
+static struct index_sink region_sink(const struct pass *pass, const struct pairlist_worker *worker,
+                                     size_t pad) {
+    if (worker->used + pad >= worker->room)
+        return (struct index_sink){0};
+    return (struct index_sink){.i = pass->list->i + worker->first + worker->used,
+                               .j = pass->list->j + worker->first + worker->used,
+                               .capacity = worker->room - worker->used - pad};
 }
 
 /* Appends pairs to the worker's region, or only counts where it is full. */
@@ -175,8 +185,8 @@ static struct own_rows own_rows_of(const struct pairlist *list, int t, const str
     return (struct own_rows){first->first_row, last->last_row - first->first_row};
 }
 
-/* Sorts a pair whose partner is not one of the own rows. */
-static void pair_sort(const struct pass *pass, struct pairlist_worker *worker, int t, uint32_t i,
+/* Sorts a pair whose partner is not one of the own rows. True if both are of this thread: the pair keeps its place. */
+static bool pair_sort(const struct pass *pass, struct pairlist_worker *worker, int t, uint32_t i,
                       uint32_t j) {
     const struct pairlist_build *build = pass->list->build;
     const struct index_view *view = pass->view;
@@ -191,38 +201,73 @@ static void pair_sort(const struct pass *pass, struct pairlist_worker *worker, i
         buffer_put(&worker->one, i, j);
         buffer_put(&worker->mirror, partner, mirror_partner(i, j));
     } else {
-        region_put(pass->list, worker, i, j);
+        return true;
     }
+    return false;
 }
 
-/* Finds the pairs of a block and sorts them into its segments and the worker's buffers. */
-static void block_find(const struct pass *pass, struct pairlist_worker *worker, int t,
-                       const struct pair_block *block) {
-    const struct index_sink *sink = &worker->sink;
-    const struct own_rows own = own_rows_of(pass->list, t, block);
-    block_visit(pass, worker, block);
-    size_t others = 0;
-    for (size_t k = 0; k < sink->count; k++) {
-        if (pair_partner(sink->j[k]) - own.first < own.count) {
-            region_put(pass->list, worker, sink->i[k], sink->j[k]);
-        } else {
-            pair_sort(pass, worker, t, sink->i[k], sink->j[k]);
-            others++;
+/* True if all of these partners are among the own rows. */
+static bool all_own(const uint32_t *j, size_t count, const struct own_rows own) {
+    unsigned other = 0;
+    for (size_t k = 0; k < count; k++)
+        other |= pair_partner(j[k]) - own.first >= own.count;
+    return other == 0;
+}
+
+/* Moves the pairs of other threads from the sink into the worker's buffers and closes the gaps; returns the number of
+ * pairs whose partner is not one of the own rows. Most batches have none and move as a whole, if at all. */
+static size_t pairs_keep(const struct pass *pass, struct pairlist_worker *worker, int t,
+                         struct index_sink *sink, const struct own_rows own) {
+    enum { BATCH = 128 };
+    size_t kept = 0, others = 0, found = sink->count;
+    for (size_t first = 0; first < found; first += BATCH) {
+        size_t last = first + BATCH < found ? first + BATCH : found;
+        if (all_own(sink->j + first, last - first, own)) {
+            if (kept < first) {
+                memmove(sink->i + kept, sink->i + first, (last - first) * sizeof *sink->i);
+                memmove(sink->j + kept, sink->j + first, (last - first) * sizeof *sink->j);
+            }
+            kept += last - first;
+            continue;
+        }
+        for (size_t k = first; k < last; k++) {
+            uint32_t i = sink->i[k], j = sink->j[k];
+            bool other = pair_partner(j) - own.first >= own.count;
+            others += other;
+            if (other && !pair_sort(pass, worker, t, i, j))
+                continue;
+            sink->i[kept] = i;
+            sink->j[kept++] = j;
         }
     }
-    worker->primary += sink->count;
-    worker->partners[block->size_class] += 2 * sink->count - others;
+    sink->count = kept;
+    return others;
 }
 
-/* With one thread and no ghosts there is nothing to sort: the index writes pairs into the list at once. */
+/* Finds the pairs of a block and sorts them into its segments and the worker's buffers. The index writes them into the
+ * region at once, unless that is too small. */
+static void block_find(const struct pass *pass, struct pairlist_worker *worker, int t,
+                       const struct pair_block *block) {
+    const struct own_rows own = own_rows_of(pass->list, t, block);
+    struct index_sink sink = region_sink(pass, worker, INDEX_SINK_PAD);
+    index_visit(pass->index, pass->view, block->first_row, block->last_row, &sink);
+    const bool apart = sink.count > sink.capacity;
+    if (apart) {
+        block_visit(pass, worker, block);
+        sink = worker->sink;
+    }
+    worker->primary += sink.count;
+    worker->partners[block->size_class] += 2 * sink.count;
+    worker->partners[block->size_class] -= pairs_keep(pass, worker, t, &sink, own);
+    for (size_t k = 0; apart && k < sink.count; k++)
+        region_put(pass->list, worker, sink.i[k], sink.j[k]);
+    worker->used += apart ? 0 : sink.count;
+}
+
+/* With one thread and no ghosts there is nothing to sort. */
 static void block_fill(const struct pass *pass, struct pairlist_worker *worker,
                        const struct pair_block *block) {
-    struct index_sink sink = {0};
-    if (worker->used < worker->room) {
-        sink.i = pass->list->i + worker->first + worker->used;
-        sink.j = pass->list->j + worker->first + worker->used;
-        sink.capacity = worker->room - worker->used;
-    }
+    struct index_sink sink = region_sink(pass, worker, 0);
     index_visit(pass->index, pass->view, block->first_row, block->last_row, &sink);
     worker->used += sink.count;
     worker->primary += sink.count;

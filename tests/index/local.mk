@@ -4,6 +4,7 @@ check_PROGRAMS += \
 	tests/index/test_auto \
 	tests/index/test_index \
 	tests/index/test_levels \
+	tests/index/test_stay \
 	tests/index/test_stencil \
 	tests/index/test_wanted
 
@@ -16,6 +17,8 @@ tests_index_test_index_SOURCES = tests/index/test_index.c tests/index/cloud.c te
 tests_index_test_index_LDADD = $(INDEX_LIBS) $(TEST_LIBS)
 tests_index_test_levels_SOURCES = tests/index/test_levels.c tests/index/cloud.c tests/index/cloud.h
 tests_index_test_levels_LDADD = $(INDEX_LIBS) $(TEST_LIBS)
+tests_index_test_stay_SOURCES = tests/index/test_stay.c tests/index/cloud.c tests/index/cloud.h
+tests_index_test_stay_LDADD = $(INDEX_LIBS) $(TEST_LIBS)
 tests_index_test_stencil_SOURCES = tests/index/test_stencil.c
 tests_index_test_stencil_LDADD = $(INDEX_LIBS) $(TEST_LIBS)
 tests_index_test_wanted_SOURCES = tests/index/test_wanted.c tests/index/cloud.c tests/index/cloud.h
