@@ -52,7 +52,7 @@ struct timestep_limits {
 };
 
 /* The default step as a fraction of `stable`, used when the scene gives none: 0.15, 20 steps a contact at
- * least. Single impacts are then off by about 1 % of their speed at most, whatever the law (docs/speed-error.md). */
+ * least. Single impacts by any law, with moderate cohesion, are then off by up to 1 % of their speed (docs/speed-error.md). */
 double timestep_default_fraction(void);
 
 /* The stability bound above for stiffness k, damper c and inverse mass. Infinite if all are 0. */
