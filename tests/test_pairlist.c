@@ -251,7 +251,8 @@ struct flight {
 };
 
 /* Makes every `nth` particle leave and come back as the last ones, as if from another rank. */
-static void leave_and_return(struct cloud *c, const struct history *history, uint32_t nth, struct flight *flight) {
+static void leave_and_return(struct cloud *c, const struct history *history, uint32_t nth,
+                             struct flight *flight) {
     uint32_t order[PLACES], back[PLACES], n = 0;
     for (uint32_t k = 0; k < PLACES; k++)
         if (k % nth != 0) {

@@ -40,7 +40,7 @@ struct ghosts *ghosts_create(const struct comm *comm, const struct domain *domai
 }
 
 static void plan_free(struct ghosts *ghosts) {
-    used_free(&ghosts->used);
+    ghosts_used_free(&ghosts->used);
     memory_free(ghosts->to);
     memory_free(ghosts->from);
     memory_free(ghosts->original);
@@ -332,7 +332,8 @@ void ghosts_forward_end(struct ghosts *ghosts, struct particles *particles) {
     count_bytes(ghosts, &copies, fields_packed_bytes(particles, &ghosts->flying));
 }
 
-static void sum(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields, bool used) {
+static void sum(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields,
+                bool used) {
     const struct ghosts_used copies = copies_of(ghosts, used);
     plan_ready(ghosts, particles);
     size_t each = fields_packed_bytes(particles, fields);
@@ -348,7 +349,8 @@ void ghosts_reverse(struct ghosts *ghosts, struct particles *particles, const st
         sum(ghosts, particles, fields, false);
 }
 
-void ghosts_step_reverse(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields) {
+void ghosts_step_reverse(struct ghosts *ghosts, struct particles *particles,
+                         const struct field_list *fields) {
     if (ghosts->options.newton)
         sum(ghosts, particles, fields, true);
 }
@@ -364,7 +366,7 @@ void ghosts_use(struct ghosts *ghosts, struct particles *particles, const uint8_
     if (ghosts->held > 0)
         memcpy(ghosts->from_buffer, used, ghosts->held);
     send_back(ghosts);
-    used_make(ghosts, particles, (const uint8_t *)ghosts->to_buffer, used);
+    ghosts_used_make(ghosts, particles, (const uint8_t *)ghosts->to_buffer, used);
 }
 
 const uint32_t *ghosts_originals(const struct ghosts *ghosts, size_t *count) {

@@ -59,7 +59,8 @@ struct ghosts {
 };
 
 /* Makes the list of the copies that pairs use, from one byte for each copy sent and for each held. */
-void used_make(struct ghosts *ghosts, const struct particles *particles, const uint8_t *sent, const uint8_t *held);
-void used_free(struct ghosts_used *used);
+void ghosts_used_make(struct ghosts *ghosts, const struct particles *particles, const uint8_t *sent,
+                      const uint8_t *held);
+void ghosts_used_free(struct ghosts_used *used);
 
 #endif

@@ -24,9 +24,10 @@ static struct peer *thin(const struct peer *peer, size_t peers, const uint32_t *
     return thinned;
 }
 
-void used_make(struct ghosts *ghosts, const struct particles *particles, const uint8_t *sent, const uint8_t *held) {
+void ghosts_used_make(struct ghosts *ghosts, const struct particles *particles, const uint8_t *sent,
+                      const uint8_t *held) {
     struct ghosts_used *used = &ghosts->used;
-    used_free(used);
+    ghosts_used_free(used);
     used->known = true;
     used->to = thin(ghosts->to, ghosts->to_count, ghosts->original, sent, &used->original, &used->sent);
     used->from = thin(ghosts->from, ghosts->from_count, ghosts->number, held, &used->number, &used->held);
@@ -34,7 +35,7 @@ void used_make(struct ghosts *ghosts, const struct particles *particles, const u
         used->class_count[particles->size_class[used->number[k]]]++;
 }
 
-void used_free(struct ghosts_used *used) {
+void ghosts_used_free(struct ghosts_used *used) {
     memory_free(used->to);
     memory_free(used->from);
     memory_free(used->original);

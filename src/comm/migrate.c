@@ -27,8 +27,7 @@ size_t migrate_places(const struct comm *comm, const struct domain *domain, cons
     domain_bounds(domain, comm->rank, lower, upper);
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < owned; k++)
-        leaves[k] =
-            domain_owner_from(domain, comm->rank, lower, upper, particles->state[k].x) != comm->rank;
+        leaves[k] = domain_owner_from(domain, comm->rank, lower, upper, particles->state[k].x) != comm->rank;
     size_t stay = particles_places(leaves, owned, place);
     memory_free(leaves);
     return stay;
@@ -303,8 +302,9 @@ static void settle(struct particles *particles, struct migrate_rows *rows, int s
 }
 
 /* As migrate_particles, which particles leave being known. */
-static size_t migrate_known(struct exchange *exchange, const struct domain *domain, struct particles *particles,
-                            const struct migrate_places *places, struct migrate_rows *rows, int n) {
+static size_t migrate_known(struct exchange *exchange, const struct domain *domain,
+                            struct particles *particles, const struct migrate_places *places,
+                            struct migrate_rows *rows, int n) {
     struct leavers leavers;
     find_leavers(&leavers, exchange->comm, domain, particles, places);
     size_t peers = leavers.groups.count;

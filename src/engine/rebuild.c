@@ -77,28 +77,30 @@ static void migrate(struct simulation *s, struct rebuild_rows *rows) {
     const size_t sent = history_row_bytes(s->grains.law.history_components);
     if (rows->pairs.start) {
         pairs = n;
-        set[n++] = (struct migrate_rows){rows->pairs.start,      rows->pairs.row, rows->pairs.count,
-                                         sizeof *rows->pairs.row, sent,            NULL};
+        set[n++] = (struct migrate_rows){
+            rows->pairs.start, rows->pairs.row, rows->pairs.count, sizeof *rows->pairs.row, sent, NULL};
     }
     if (rows->leave.carrier) {
         leave = n;
-        set[n++] = (struct migrate_rows){NULL, rows->leave.row, rows->leave.count, sizeof *rows->leave.row,
+        set[n++] = (struct migrate_rows){NULL, rows->leave.row,    rows->leave.count, sizeof *rows->leave.row,
                                          sent, rows->leave.carrier};
     }
     if (rows->walls.start) {
         walls = n;
-        set[n++] = (struct migrate_rows){
-            rows->walls.start,       rows->walls.row, rows->walls.count,
-            sizeof *rows->walls.row, wall_row_bytes(s->grains.law.history_components),
-            NULL};
+        set[n++] = (struct migrate_rows){rows->walls.start,
+                                         rows->walls.row,
+                                         rows->walls.count,
+                                         sizeof *rows->walls.row,
+                                         wall_row_bytes(s->grains.law.history_components),
+                                         NULL};
     }
     for (int k = 0; k < PHYSICS_COUNT; k++) {
         const struct history_rows *own = rows->carried[k];
         carried[k] = n;
         if (own)
-            set[n++] = (struct migrate_rows){own->start,       own->row,
-                                             own->count,       sizeof *own->row,
-                                             history_row_bytes(rows->components[k]), NULL};
+            set[n++] = (struct migrate_rows){
+                own->start, own->row, own->count, sizeof *own->row, history_row_bytes(rows->components[k]),
+                NULL};
     }
     const struct migrate_places places = {rows->place, rows->stay};
     ghosts_migrate_rows(s->ranks.ghosts, s->particles, &places, set, n);

@@ -12,11 +12,11 @@ struct rebuild_rows {
     struct history_rows pairs;
     bool keep; /* the short way, if particles neither come nor go: records of pairs that stay on this rank
                 */
-    uint32_t *place; /* several ranks: number of each of the `before` particles after the migration */
-    size_t before, stay;        /* stay: how many do not leave; arrivals follow */
+    uint32_t *place;     /* several ranks: number of each of the `before` particles after the migration */
+    size_t before, stay; /* stay: how many do not leave; arrivals follow */
     struct history_loose loose; /* several ranks, the short way: rows of the other pairs */
     struct history_loose leave; /* of these, the rows of particles that leave; then of the arrivals */
-    uint32_t *near;             /* several ranks, the short way: particles that had copies elsewhere; arrivals */
+    uint32_t *near; /* several ranks, the short way: particles that had copies elsewhere; arrivals */
     size_t near_count;
     uint32_t *order;          /* new particle k is old order[k]; NULL: all stay */
     struct history_kept kept; /* made between ghosts and search */

@@ -235,8 +235,9 @@ static void loose_reserve(struct history_loose *loose, size_t count) {
     loose->row = memory_allocate(count, sizeof *loose->row, "history rows");
 }
 
-void history_loosen(const struct history *history, const struct pairlist *list, const struct particles *particles,
-                    const uint32_t *place, struct history_loose *stay, struct history_loose *leave) {
+void history_loosen(const struct history *history, const struct pairlist *list,
+                    const struct particles *particles, const uint32_t *place, struct history_loose *stay,
+                    struct history_loose *leave) {
     struct history_loose *const loose[2] = {stay, leave};
     size_t owned = particles->owned, count[2] = {0, 0};
     int threads = list->block_count == 0 ? 0 : history->threads;

@@ -90,8 +90,9 @@ struct history_loose {
  * entries), into rows of their owned ends: history_keep is for the other records. Rows of the particles that
  * leave go to `leave`, carried by their present numbers; rows of the others go to `stay`, carried by their
  * places. Allocates into both; history_loose_free releases. Opens its own thread team. */
-void history_loosen(const struct history *history, const struct pairlist *list, const struct particles *particles,
-                    const uint32_t *place, struct history_loose *stay, struct history_loose *leave);
+void history_loosen(const struct history *history, const struct pairlist *list,
+                    const struct particles *particles, const uint32_t *place, struct history_loose *stay,
+                    struct history_loose *leave);
 
 /* Moves the rows of `more` behind those of `loose`, and frees `more`. */
 void history_loose_join(struct history_loose *loose, struct history_loose *more);

@@ -24,7 +24,8 @@ struct keeping {
     const uint32_t *now; /* new number of each old one, or PARTICLE_LEFT; NULL: the old one */
     size_t before;       /* entries of now */
     struct history_kept *kept;
-    struct link *link; /* of each record and loose row; HISTORY_KEPT_TURNED is added to `high` as in an entry */
+    struct link
+        *link; /* of each record and loose row; HISTORY_KEPT_TURNED is added to `high` as in an entry */
     size_t count;
     struct {
         uint32_t lowest, highest;
