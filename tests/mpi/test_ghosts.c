@@ -342,6 +342,50 @@ static void originals(void **state) {
     team_finish(team);
 }
 
+/* Copies of odd ids alone are in use: in a step only they get values and send forces back. */
+static void used_copies_travel(void **state) {
+    struct team *team = *state;
+    struct fixture fixture;
+    fixture_make(&fixture, team, SCENE_BIDISPERSE, PARTICLES);
+    fixture_rebuild(&fixture);
+    struct particles *p = fixture.particles;
+    const struct field_list velocity = fields_one(FIELD_VELOCITY), force = fields_one(FIELD_FORCE);
+    const size_t total = p->owned + p->ghosts;
+    size_t count;
+    uint8_t *used = memory_allocate_zero(p->ghosts, 1, "test");
+    double *sum = memory_allocate_zero(p->owned, sizeof *sum, "test");
+    for (size_t k = 0; k < p->ghosts; k++)
+        used[k] = p->id[p->owned + k] % 2 != 0;
+    ghosts_use(fixture.ghosts, p, used);
+    for (size_t i = 0; i < total; i++) {
+        p->state[i].v[0] = i < p->owned ? 1000.0 + (double)p->id[i] : -1;
+        *force_at(p, i, 0) = i < p->owned ? 0 : 1;
+    }
+    ghosts_step_begin(fixture.ghosts, p, &velocity);
+    ghosts_forward_end(fixture.ghosts, p);
+    for (size_t i = p->owned; i < total; i++) {
+        double expected = p->id[i] % 2 != 0 ? 1000.0 + (double)p->id[i] : -1;
+        team_expect(team, p->state[i].v[0] == expected, "copy %zu has the velocity %g", i, p->state[i].v[0]);
+    }
+    ghosts_step_reverse(fixture.ghosts, p, &force);
+    for (size_t i = 0; i < p->owned; i++) {
+        sum[i] = *force_at(p, i, 0);
+        *force_at(p, i, 0) = 0;
+    }
+    ghosts_reverse(fixture.ghosts, p, &force);
+    for (size_t i = 0; i < p->owned; i++) {
+        double expected = p->id[i] % 2 != 0 ? *force_at(p, i, 0) : 0;
+        team_expect(team, sum[i] == expected, "particle %zu got %g", i, sum[i]);
+    }
+    const uint32_t *original = ghosts_step_originals(fixture.ghosts, &count);
+    for (size_t k = 0; k < count; k++)
+        team_expect(team, p->id[original[k]] % 2 != 0, "particle %u travels", original[k]);
+    memory_free(used);
+    memory_free(sum);
+    fixture_free(&fixture);
+    team_finish(team);
+}
+
 static void counts(void **state) {
     struct team *team = *state;
     struct fixture fixture;
@@ -385,6 +429,7 @@ int main(int argc, char **argv) {
         cmocka_unit_test_prestate(one_field_forward, &team),
         cmocka_unit_test_prestate(sums_are_reproducible, &team),
         cmocka_unit_test_prestate(originals, &team),
+        cmocka_unit_test_prestate(used_copies_travel, &team),
         cmocka_unit_test_prestate(counts, &team),
     };
     int failed = cmocka_run_group_tests(tests, NULL, NULL);
