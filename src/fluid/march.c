@@ -75,6 +75,7 @@ static void weights_of(const struct physics_context *context, struct fluid *flui
                                         .body = fluid_body(p),
                                         .spin = (const double(*)[4])spin_of(p),
                                         .spacing = fluid->options->spacing,
+                                        .support = fluid->support,
                                         .wall = feet_on,
                                         .context = &feet};
     timer_enter(context->timers, "operators");

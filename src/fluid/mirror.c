@@ -105,7 +105,21 @@ static double beta_of(const struct build *build, size_t i, size_t entry, const s
     return own.distance < 0 && before > WEIGHTS_NEAREST * build->input->spacing ? -own.distance / before : 0;
 }
 
-/* Returns the number of entries without a body; adds to `behind` 1 if the particle is behind a body. */
+/* True if an entry of the same body lies within the support. Particles that move keep pairs from beyond it, whose weights are 0 and
+ * whose grain may be no neighbour. */
+static bool body_near(const struct build *build, size_t row, size_t entry) {
+    bool near = false;
+    for (size_t e = entry; e < build->weights->start[row + 1]; e++) {
+        double apart[3];
+        separation(build, build->weights->first + row, build->weights->partner[e], apart);
+        double square = apart[0] * apart[0] + apart[1] * apart[1] + apart[2] * apart[2];
+        near = near || (body_at(build, e) == body_at(build, entry) &&
+                        square < build->input->support * build->input->support);
+    }
+    return near;
+}
+
+/* Returns the number of bodies that were not found; adds to `behind` 1 if the particle is behind a body. */
 static size_t row_fill(const struct build *build, size_t row, size_t *behind) {
     struct weights *weights = build->weights;
     size_t i = weights->first + row, at = weights->foot_start[row], lost = 0, deep = 0;
@@ -120,7 +134,7 @@ static size_t row_fill(const struct build *build, size_t row, size_t *behind) {
             weights->wall_foot[own] = weights->wall_foot[before + (first - walls)];
         }
         weights->mirror[own] = beta_of(build, i, e, weights_foot_of(weights, own));
-        lost += !found;
+        lost += !found && body_near(build, row, e);
     }
     *behind += deep > 0;
     return lost;

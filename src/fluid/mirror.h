@@ -11,7 +11,7 @@ struct mirror_input {
     const struct weights_input *rows; /* the pairs must have grains near fluid particles */
     const int64_t *body;              /* of boundary particles, by particle number */
     const double (*spin)[4];          /* angular velocities, by particle number; NULL: none */
-    double spacing;
+    double spacing, support;
     /* The foot of a place on a wall or an open side, by its number as a body (body.h); NULL: none of both. Any
      * thread. */
     void (*wall)(const void *context, int64_t body, const double x[3], struct weights_foot *foot);
@@ -23,7 +23,7 @@ struct mirror_input {
 #define MIRROR_BEHIND 0.5
 
 /* Fills mirror, wall_foot, foot, foot_start, opens, image and behind of weights that weights_make has made. Returns the number of
- * wall neighbours whose grain was not found (a mistake of the program). Opens its own team. */
+ * bodies within the support of a row whose grain was not found (a mistake of the program). Opens its own team. */
 size_t mirror_make(struct weights *weights, const struct mirror_input *input);
 
 #endif
