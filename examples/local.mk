@@ -83,6 +83,10 @@ nobase_dist_pkgdata_DATA += \
 	$(fluid_settling)/README.md $(fluid_settling)/liquids.txt $(fluid_settling)/picture.gp $(fluid_settling)/scene.yaml
 nobase_dist_pkgdata_SCRIPTS += $(fluid_settling)/check $(fluid_settling)/run.sh $(fluid_settling)/section.sh
 
+tumbling = examples/tumbling
+nobase_dist_pkgdata_DATA += $(tumbling)/README.md $(tumbling)/picture.gp $(tumbling)/scene.yaml
+nobase_dist_pkgdata_SCRIPTS += $(tumbling)/check $(tumbling)/run.sh $(tumbling)/section.sh
+
 fluidised = examples/fluidised_bed
 nobase_dist_pkgdata_DATA += $(fluidised)/README.md $(fluidised)/picture.gp $(fluidised)/scene.yaml
 nobase_dist_pkgdata_SCRIPTS += $(fluidised)/check $(fluidised)/run.sh $(fluidised)/section.sh

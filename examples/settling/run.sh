@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # A sphere settles in four liquids: run.sh [--spacing LENGTH] [--liquids "1 2 3 4"] [DIR]
 #
-# --spacing LENGTH   of the fluid (3.75 mm, four spacings a diameter)
+# --spacing LENGTH   of the fluid (3 mm, five spacings a diameter)
 # --liquids LIST     some of the four
 # DIR                the results (out)
 #
@@ -10,7 +10,7 @@
 set -e
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/../common.sh"
-spacing=3.75mm
+spacing=3mm
 liquids="1 2 3 4"
 out=
 while [ $# -gt 0 ]; do
