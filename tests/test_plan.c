@@ -30,6 +30,14 @@ static void count_blocks(const struct physics_context *context, int thread, int 
     ((struct calls *)context->self)->blocks++;
 }
 
+static void no_share(const struct physics_context *context, int thread) {
+    (void)context, (void)thread;
+}
+
+static void no_run(struct simulation *simulation) {
+    (void)simulation;
+}
+
 static bool not_needed(const struct physics_context *context) {
     (void)context;
     return false;
@@ -76,7 +84,7 @@ static void lists_fill(struct two_lists *lists) {
 static void make(struct step_plan *plan, struct physics_set *set, struct timers *timers,
                  const struct physics *first, struct two_lists *lists, struct calls calls[3]) {
     static const struct engine_pass none[] = {{0}};
-    static const struct engine_passes engine = {none, none, none, none};
+    static const struct engine_passes engine = {.moved = none};
     const struct physics *rows[] = {first, &age, &far};
     lists_fill(lists);
     memset(calls, 0, 3 * sizeof *calls);
@@ -131,8 +139,44 @@ static void other_lists_run_after_the_sweep(void **state) {
     }
 }
 
+/* A scene has the ring order unless a pass outside of the visit and the moves need each other's fields. */
+static void fields_decide_on_the_ring(void **state) {
+    (void)state;
+    static const struct engine_pass ring[] = {{"ring", NULL, "sweep", NULL, no_run}, {0}};
+    static const struct engine_passes engine = {.ring = ring};
+    const struct physics_pass later[] = {
+        {.name = "a", .stage = PASS_CLOSE, .reads = "inverse_mass heat", .writes = "heat", .share = no_share},
+        {.name = "b", .stage = PASS_CLOSE, .reads = "heat", .writes = "heat force", .share = no_share},
+        {.name = "c", .stage = PASS_SHARES, .reads = "position", .share = no_share},
+        {.name = "d", .stage = PASS_FIRST, .reads = "force", .writes = "velocity", .share = no_share},
+        {.name = "e", .stage = PASS_CLOSE, .writes = "force", .at_end = true, .share = no_share},
+        {.name = "f", .stage = PASS_LOOK, .reads = "position", .share = no_share},
+        {.name = "g", .stage = PASS_CLOSE, .reads = "posit", .writes = "forces", .share = no_share}};
+    const bool fits[] = {true, false, false, false, true, true, true};
+    static const struct physics_pass own[] = {{.name = "move",
+                                               .stage = PASS_MOVE,
+                                               .reads = "force inverse_mass",
+                                               .writes = "position velocity",
+                                               .rows = count_rows}};
+    static const struct physics mover = {.interactions = 1, .passes = 1, .pass = own};
+    for (size_t k = 0; k < sizeof later / sizeof later[0]; k++) {
+        const struct physics other = {.passes = 1, .pass = &later[k]};
+        const struct physics *rows[] = {&mover, &other};
+        struct step_plan plan;
+        struct timers timers = {0};
+        struct two_lists lists;
+        struct physics_set set = {.count = 2, .active = {{.row = &mover}, {.row = &other}}};
+        lists_fill(&lists);
+        set.active[0].context.list[0] = &lists.grains;
+        stages_register(&timers, rows, 2);
+        plan_make(&plan, &set, &engine, &timers, NULL);
+        assert_int_equal(plan.ring.passes > 0, fits[k]);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(fields_decide_on_the_ring),
         cmocka_unit_test(rows_need_no_interaction),
         cmocka_unit_test(other_lists_run_after_the_sweep),
     };

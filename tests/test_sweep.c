@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The plan of the fused sweep on any number of threads, with ghosts and busy particles: every particle moves
- * once, and before it is read. */
+/* The plans of the fused sweep and of the ring on any number of threads, with ghosts and busy particles: every particle
+ * moves once, and before or after it is read; no two forces share a record. */
 #include "core/memory.h"
 #include "core/random.h"
 #include "pairs/pairlist.h"
+#include "pairs/ring.h"
 #include "pairs/sweep.h"
 #include <omp.h>
 #include <setjmp.h>
@@ -63,6 +64,17 @@ static void cloud_search(struct cloud *c, int threads, bool newton) {
     pairlist_build(c->list, c->index, &c->view, &c->box);
 }
 
+static const struct sweep_numbers none[2];
+
+static void cloud_free(struct cloud *c, struct sweep **sweep, struct ring **ring) {
+    pairlist_destroy(&c->list);
+    index_destroy(&c->index);
+    particles_destroy(&c->particles);
+    sweep_destroy(sweep);
+    if (ring)
+        ring_destroy(ring);
+}
+
 static int block_of_row(const struct pairlist *list, uint32_t row) {
     for (int b = 0; b < list->thread_block[list->threads]; b++)
         if (row >= list->blocks[b].first_row && row < list->blocks[b].last_row)
@@ -86,6 +98,7 @@ static void check_gaps(const struct sweep *sweep, const struct pairlist *list) {
 static void check_plan(int threads, size_t ghosts, bool newton) {
     struct cloud c = {0};
     struct sweep *sweep = sweep_create(threads);
+    struct ring *ring = ring_create(threads);
     uint32_t originals[ORIGINALS];
     char why[200] = "";
     cloud_fill(&c, ghosts);
@@ -94,10 +107,13 @@ static void check_plan(int threads, size_t ghosts, bool newton) {
         originals[k] = 7 * k;
     size_t count = ghosts > 0 ? ORIGINALS : 0;
     for (int again = 0; again < 2; again++) {
-        sweep_build(sweep, c.list, c.particles->owned, originals, count);
+        sweep_build(sweep, c.list, c.particles->owned, (struct sweep_numbers[2]){{originals, count}});
         if (!sweep_valid(sweep, c.list, c.particles->owned, why, sizeof why))
             fail_msg("%d threads: %s", threads, why);
         check_gaps(sweep, c.list);
+        ring_build(ring, sweep, c.list, c.particles->owned, CLOUD);
+        if (!ring_valid(ring, sweep, c.list, c.particles->owned, CLOUD, why, sizeof why))
+            fail_msg("%d threads: %s", threads, why);
     }
     for (size_t k = 0; k < count; k++)
         assert_true(sweep->early[originals[k]]);
@@ -108,10 +124,7 @@ static void check_plan(int threads, size_t ghosts, bool newton) {
         assert_int_equal(early, 0);
     if (threads > 1)
         assert_true(early > LARGE);
-    pairlist_destroy(&c.list);
-    index_destroy(&c.index);
-    particles_destroy(&c.particles);
-    sweep_destroy(&sweep);
+    cloud_free(&c, &sweep, &ring);
 }
 
 static void test_plan(void **state) {
@@ -135,7 +148,7 @@ static void test_wrong_plan(void **state) {
     char why[200] = "";
     cloud_fill(&c, 0);
     cloud_search(&c, 2, true);
-    sweep_build(sweep, c.list, c.particles->owned, NULL, 0);
+    sweep_build(sweep, c.list, c.particles->owned, none);
     assert_true(sweep_valid(sweep, c.list, c.particles->owned, why, sizeof why));
     struct sweep_thread *thread = &sweep->thread[1];
     thread->early_count--;
@@ -145,10 +158,48 @@ static void test_wrong_plan(void **state) {
     for (size_t b = 0; b < blocks; b++)
         thread->start[b] = 0; /* all at the last block */
     assert_false(sweep_valid(sweep, c.list, c.particles->owned, why, sizeof why));
-    pairlist_destroy(&c.list);
-    index_destroy(&c.index);
-    particles_destroy(&c.particles);
-    sweep_destroy(&sweep);
+    cloud_free(&c, &sweep, NULL);
+}
+
+/* A row of spheres, in order: forces borrow records, and a plan in which they must not is told from a right one. */
+static void test_records(void **state) {
+    (void)state;
+    enum { ROW = 40 * SWEEP_GRAIN };
+    for (int threads = 1; threads <= 3; threads++) {
+        struct cloud c = {.box = {.dimension = 3, .edge = {ROW, 9, 9}}, .particles = particles_create(ROW)};
+        struct sweep *sweep = sweep_create(threads);
+        struct ring *ring = ring_create(threads);
+        char why[200] = "";
+        c.classes = (struct size_classes){.count = 1, .radius_min = {0.5}, .radius_max = {0.5}, .margin = {{0.2}}};
+        for (size_t k = 0; k < ROW; k++) {
+            size_t i = particles_append(c.particles);
+            c.particles->state[i] = (struct particle_state){.x = {(double)k + 0.5, 1, 1}, .radius = 0.5};
+            c.particles->id[i] = (int64_t)k + 1;
+        }
+        cloud_search(&c, threads, true);
+        assert_int_equal(c.list->primary_count, ROW - 1);
+        sweep_build(sweep, c.list, ROW, none);
+        ring_build(ring, sweep, c.list, ROW, ROW);
+        if (!ring_valid(ring, sweep, c.list, ROW, ROW, why, sizeof why))
+            fail_msg("%d threads: %s", threads, why);
+        size_t borrowed = 0, again = 0;
+        for (int t = 0; t < threads; t++)
+            borrowed += ring->thread[t].borrowed;
+        for (size_t g = 1; g < ROW / SWEEP_GRAIN; g++)
+            again += ring->shift[g] != 0;
+        assert_int_equal(borrowed, again);
+        assert_true(borrowed >= ROW / SWEEP_GRAIN - 6 * (size_t)threads);
+        ring->shift[1] = -SWEEP_GRAIN; /* the records of the grain before, which still waits for its last pair */
+        assert_false(ring_valid(ring, sweep, c.list, ROW, ROW, why, sizeof why));
+        ring->shift[1] = 0;
+        assert_true(ring_valid(ring, sweep, c.list, ROW, ROW, why, sizeof why));
+        size_t *start = ring->thread[0].start, block = 1;
+        while (start[block + 1] == 0)
+            block++;
+        start[block] = start[block + 1]; /* the first to move do so one block too early */
+        assert_false(ring_valid(ring, sweep, c.list, ROW, ROW, why, sizeof why));
+        cloud_free(&c, &sweep, &ring);
+    }
 }
 
 static void test_empty(void **state) {
@@ -159,16 +210,14 @@ static void test_empty(void **state) {
     cloud_fill(&c, 0);
     c.particles->owned = 0;
     cloud_search(&c, 2, true);
-    sweep_build(sweep, c.list, 0, NULL, 0);
+    sweep_build(sweep, c.list, 0, none);
     assert_true(sweep_valid(sweep, c.list, 0, why, sizeof why));
-    pairlist_destroy(&c.list);
-    index_destroy(&c.index);
-    particles_destroy(&c.particles);
-    sweep_destroy(&sweep);
+    cloud_free(&c, &sweep, NULL);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_plan), cmocka_unit_test(test_plan_with_ghosts),
-                                       cmocka_unit_test(test_wrong_plan), cmocka_unit_test(test_empty)};
+                                       cmocka_unit_test(test_wrong_plan), cmocka_unit_test(test_records),
+                                       cmocka_unit_test(test_empty)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

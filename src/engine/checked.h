@@ -5,8 +5,9 @@
 
 #include "engine/state.h"
 
-/* Runs a step. `sums`: observables of its end are wanted. `rebuild` forces a rebuild. The caller has set
- * simulation->agree.signals of this rank; errors of guards are in simulation->error. Collective. */
-void checked_step(struct simulation *simulation, bool sums, bool rebuild);
+/* Runs a step. `sums`: observables of its end are wanted. `rebuild` forces a rebuild. `unseen`: the caller does not look
+ * at its end, nor change anything before the next step (step_run). The caller has set simulation->agree.signals of
+ * this rank; errors of guards are in simulation->error. Collective. */
+void checked_step(struct simulation *simulation, bool sums, bool rebuild, bool unseen);
 
 #endif

@@ -37,7 +37,10 @@ static void advance(const struct physics_context *context, int thread, size_t fi
     struct simulation *s = context->self;
     if (s->classes.kind[size_class] != KIND_GRAIN)
         return;
-    double v2 = integrator_advance(s->particles, &s->grains.motion, first, last);
+    struct particles particles = *s->particles;
+    if (s->grains.contact.ring) /* rows of one grain of the sweep */
+        particles.force += s->grains.contact.ring->shift[first / SWEEP_GRAIN] * (ptrdiff_t)particles.force_stride;
+    double v2 = integrator_advance(&particles, &s->grains.motion, first, last);
     if (s->box.motion.moves)
         v2 = speed_from_flow(s, first, last, 0 * v2);
     double *largest = &s->grains.speed[thread][size_class];
@@ -174,6 +177,7 @@ static const struct physics_pass passes[] = {
      .stage = PASS_SHARES,
      .reads = "position velocity radius inverse_mass",
      .writes = "force",
+     .at_end = true,
      .needed = needs_walls,
      .share = wall},
     {.name = "finish",
@@ -181,6 +185,7 @@ static const struct physics_pass passes[] = {
      .stage = PASS_CLOSE,
      .timer = "contact",
      .writes = "force",
+     .at_end = true,
      .needed = needs_contacts,
      .whole = finish},
     {.name = "stress",

@@ -82,24 +82,35 @@ static size_t fastest_find(const struct simulation *s, double *speed) {
     return worst;
 }
 
+/* The largest squared speed of the last drift; tells whether all are numbers. */
+static double fastest_drift(const struct simulation *s, bool *finite) {
+    double fastest = 0;
+    *finite = true;
+    for (int t = 0; t < s->threads; t++)
+        for (int c = 0; c < s->classes.count; c++) {
+            *finite = *finite && isfinite(s->grains.speed[t][c]);
+            fastest = fmax(fastest, s->grains.speed[t][c]);
+        }
+    return fastest;
+}
+
+/* The smallest radius of grains. */
+static double least_radius(const struct simulation *s) {
+    int first = 0; /* class of grains */
+    while (first < s->classes.count - 1 && s->classes.kind[first] != KIND_GRAIN)
+        first++;
+    return s->classes.radius_min[first];
+}
+
 /* A particle that moves by more than the smallest radius in a step may pass through another particle without
  * contact. This check also finds a speed that is not a number. */
 static void guard_speed(struct simulation *s) {
-    double fastest = 0;
-    bool finite = true;
-    for (int t = 0; t < s->threads; t++)
-        for (int c = 0; c < s->classes.count; c++) {
-            finite = finite && isfinite(s->grains.speed[t][c]);
-            fastest = fmax(fastest, s->grains.speed[t][c]);
-        }
+    bool finite;
+    double fastest = fastest_drift(s, &finite), bound = least_radius(s), speed;
     if (!finite) {
         guards_check_positions(s);
         return;
     }
-    int first = 0; /* class of grains */
-    while (first < s->classes.count - 1 && s->classes.kind[first] != KIND_GRAIN)
-        first++;
-    double bound = s->classes.radius_min[first], speed;
     if (s->scene->guards.speed == SCENE_GUARD_OFF || s->classes.count == 0 ||
         !(sqrt(fastest) * s->clock.dt > bound) || s->particles->owned == 0)
         return;
@@ -123,7 +134,18 @@ void guards_step(struct simulation *s, const char *text) {
 
 void guards_check(struct simulation *s) {
     guard_overlap(s);
-    guard_speed(s);
+    if (!s->ahead)
+        guard_speed(s);
+    s->guards.overlap_known = true;
+}
+
+bool guards_calm(const struct simulation *s) {
+    bool finite;
+    double move = sqrt(fastest_drift(s, &finite)) * s->clock.dt, least = least_radius(s);
+    double walls = fmax(s->search.skin->growth[s->classes.count], 0);
+    double overlap = s->grains.sums.overlap_max + (move + fmax(move, walls)) / least;
+    return finite && !(move > least) && s->guards.overlap_known &&
+           (s->scene->guards.overlap == SCENE_GUARD_OFF || overlap < s->scene->guards.overlap_bound);
 }
 
 static bool state_finite(const struct particle_state *p) {

@@ -14,8 +14,13 @@ bool guards_prepare(struct simulation *simulation, struct error *error);
  * all ranks alike. */
 void guards_step(struct simulation *simulation, const char *text);
 
-/* Checks overlap and speed after a force evaluation; costs no time. */
+/* Checks overlap and speed after a force evaluation; costs no time. Of a step in ring order the overlap alone: the
+ * largest speed is that of the next step. */
 void guards_check(struct simulation *simulation);
+
+/* True if guards_check cannot find anything on this rank after the step in progress, whose particles have moved: the speed
+ * is within bounds, and the largest overlap, known from the step before, will be. */
+bool guards_calm(const struct simulation *simulation);
 
 /* Finds positions and velocities that are not numbers; a pass over all particles. */
 void guards_check_positions(struct simulation *simulation);

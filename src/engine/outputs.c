@@ -68,19 +68,24 @@ const struct output_interval *outputs_grid_every(const struct output_options *op
     return output_interval_set(own) ? own : &options->observables.every;
 }
 
-static bool grid_due(const struct outputs *o, const struct simulation *s, int k) {
-    return output_interval_due(outputs_grid_every(o->options, k), s->clock.step, s->clock.time, s->clock.dt);
+static bool interval_due(const struct output_interval *every, const struct simulation *s, uint64_t step) {
+    double time = s->clock.time_base + (double)(step - s->clock.step_base) * s->clock.dt;
+    return output_interval_due(every, step, step == s->clock.step ? s->clock.time : time, s->clock.dt);
 }
 
-bool outputs_due(const struct outputs *o, const struct simulation *s) {
+static bool grid_due(const struct outputs *o, const struct simulation *s, uint64_t step, int k) {
+    return interval_due(outputs_grid_every(o->options, k), s, step);
+}
+
+bool outputs_due(const struct outputs *o, const struct simulation *s, uint64_t step) {
     const struct output_interval *every[] = {&o->options->observables.every, &o->options->trajectory.every,
                                              &o->options->trajectory.contacts, &o->options->dump.every,
                                              &o->options->walls.every};
     for (size_t k = 0; k < sizeof every / sizeof every[0]; k++)
-        if (output_interval_due(every[k], s->clock.step, s->clock.time, s->clock.dt))
+        if (interval_due(every[k], s, step))
             return true;
     for (int k = 0; k < o->options->observables.grids; k++)
-        if (grid_due(o, s, k))
+        if (grid_due(o, s, step, k))
             return true;
     return false;
 }
@@ -105,9 +110,9 @@ bool outputs_write(struct outputs *o, const struct simulation *s, struct error *
         output_interval_due(&options->walls.every, s->clock.step, s->clock.time, s->clock.dt))
         good = wall_frames_write(o->walls, &view, error);
     for (int k = 0; good && k < options->observables.grids; k++)
-        if (grid_due(o, s, k))
+        if (grid_due(o, s, s->clock.step, k))
             good = grid_write(o->grid[k], &view, error);
-    return good && (!outputs_due(o, s) || outputs_tables(s, error));
+    return good && (!outputs_due(o, s, s->clock.step) || outputs_tables(s, error));
 }
 
 bool outputs_tables(const struct simulation *s, struct error *error) {

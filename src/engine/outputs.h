@@ -31,9 +31,9 @@ const struct output_interval *outputs_grid_every(const struct output_options *op
 /* True if dissipated energy or another sum over steps is observed. */
 bool outputs_sum_each_step(const struct outputs *outputs);
 
-/* True if outputs_write has anything to write now: the values that physics show must then be computed
- * (physics_look). */
-bool outputs_due(const struct outputs *outputs, const struct simulation *simulation);
+/* True if outputs_write has anything to write at this step, the present one or the next: the values that physics show must
+ * then be computed (physics_look). */
+bool outputs_due(const struct outputs *outputs, const struct simulation *simulation, uint64_t step);
 
 /* Writes all outputs that are due at the present step. Collective. */
 bool outputs_write(struct outputs *outputs, const struct simulation *simulation, struct error *error);

@@ -3,6 +3,7 @@
 #include "engine/plan.h"
 #include "engine/stages.h"
 #include <assert.h>
+#include <string.h>
 
 static void visit_add(struct plan_visit *visit, const struct plan_pass *pass) {
     assert(visit->count < PLAN_PASSES_MAX);
@@ -16,7 +17,7 @@ static void add(struct plan *plan, const struct plan_pass *pass) {
 
 static void add_engine(struct plan *plan, const struct engine_pass *pass, const struct timers *timers,
                        const struct simulation *simulation) {
-    for (; pass->run; pass++)
+    for (; pass && pass->run; pass++)
         if (pass->needed == NULL || pass->needed(simulation))
             add(plan, &(struct plan_pass){.name = pass->name,
                                           .why = pass->why,
@@ -53,6 +54,66 @@ static void add_stage(struct plan *plan, struct plan_visit *visit, const struct 
         }
 }
 
+/* True if one of the names in `a`, separated by blanks, is among those in `b`; NULL: no names. */
+static bool share_names(const char *a, const char *b) {
+    for (size_t n; a && b && *a; a += n + strspn(a + n, " ")) {
+        n = strcspn(a, " ");
+        for (const char *at = b; *at; at += strcspn(at, " "), at += strspn(at, " "))
+            if (strcspn(at, " ") == n && strncmp(at, a, n) == 0)
+                return true;
+    }
+    return false;
+}
+
+/* True if particles may move before the pass runs, as far as `moves` are concerned. */
+static bool allows_moves(const struct physics_pass *pass, const struct plan_visit *moves) {
+    for (int p = 0; p < moves->count; p++) {
+        const struct physics_pass *move = moves->pass[p].pass;
+        if (share_names(pass->writes, move->reads) || share_names(pass->writes, move->writes) ||
+            share_names(pass->reads, move->writes))
+            return false;
+    }
+    return true;
+}
+
+/* True if the passes of a step allow the ring order: those after the visit, and those before the moves, which in this
+ * order come after the moves of the step before. */
+static bool ring_fits(const struct physics_set *set, const struct plan_visit *moves) {
+    for (int k = 0; k < set->count; k++)
+        for (int p = 0; p < set->active[k].row->passes; p++) {
+            const struct physics_active *active = &set->active[k];
+            const struct physics_pass *pass = &active->row->pass[p];
+            bool runs = pass->needed == NULL || pass->needed(&active->context);
+            bool visit = pass->stage == PASS_MOVE || pass->stage == PASS_LOOK ||
+                         (pass->stage == PASS_PAIRS && active->context.list[0] == set->active[0].context.list[0]);
+            if (runs && !visit && !pass->at_end && !allows_moves(pass, moves))
+                return false;
+        }
+    return true;
+}
+
+static void ring_make(struct step_plan *plan, const struct plan *alone, const struct physics_set *set,
+                      const struct engine_passes *engine, const struct timers *timers,
+                      const struct simulation *simulation) {
+    add_stage(&plan->begin, NULL, set, timers, PASS_FIRST);
+    add_stage(&plan->begin, NULL, set, timers, PASS_MOVE);
+    add_stage(&plan->begin, NULL, set, timers, PASS_MOVED);
+    add_engine(&plan->begin, engine->moved, timers, simulation);
+    add_stage(&plan->go_on, NULL, set, timers, PASS_FIRST);
+    add_stage(&plan->go_on, NULL, set, timers, PASS_MOVED);
+    add_engine(&plan->go_on, engine->moved, timers, simulation);
+    add_engine(&plan->exchange, engine->renew, timers, simulation);
+    if (!ring_fits(set, &plan->moves))
+        return;
+    add_engine(&plan->ring, engine->ring, timers, simulation);
+    for (int p = 0; p < alone->passes; p++)
+        add(&plan->ring, &alone->pass[p]);
+    add_stage(&plan->ring, NULL, set, timers, PASS_SHARES);
+    add_stage(&plan->ring, NULL, set, timers, PASS_CLOSE);
+    add_engine(&plan->ring, engine->paired, timers, simulation);
+    add_engine(&plan->ring, engine->settle, timers, simulation);
+}
+
 void plan_make(struct step_plan *plan, const struct physics_set *set, const struct engine_passes *engine,
                const struct timers *timers, const struct simulation *simulation) {
     struct plan alone = {0};
@@ -60,6 +121,7 @@ void plan_make(struct step_plan *plan, const struct physics_set *set, const stru
     for (int stage = PASS_FIRST; stage <= PASS_MOVED; stage++)
         add_stage(&plan->plain, NULL, set, timers, (enum pass_stage)stage);
     add_engine(&plan->plain, engine->moved, timers, simulation);
+    add_engine(&plan->plain, engine->renew, timers, simulation);
     add_stage(&plan->forces, NULL, set, timers, PASS_PAIRS);
     add_stage(&plan->forces, NULL, set, timers, PASS_SHARES);
     add_engine(&plan->forces, engine->shared, timers, simulation);
@@ -79,6 +141,7 @@ void plan_make(struct step_plan *plan, const struct physics_set *set, const stru
     add_engine(&plan->fused, engine->shared, timers, simulation);
     add_stage(&plan->fused, NULL, set, timers, PASS_CLOSE);
     add_engine(&plan->fused, engine->paired, timers, simulation);
+    ring_make(plan, &alone, set, engine, timers, simulation);
 }
 
 void plan_move(const struct plan_visit *moves, int thread, size_t first, size_t last, int size_class) {

@@ -2,12 +2,17 @@
 /* The plan of a step: the passes of all active physics and of the engine itself, merged into one list that
  * runs from top to bottom and that `scree check` prints.
  *
- * Two orders are made from the same passes. The plain one runs pass after pass, stage by stage (physics.h).
+ * Three orders are made from the same passes. The plain one runs pass after pass, stage by stage (physics.h).
  * In the fused one the passes by rows that move particles, and the passes by block that follow them, share
  * one visit to each block: the particles of a block move just before the first pair that reads them, while
  * the particles are in the cache (pairs/sweep.h). A pass by block joins the visit if the pass walks over the
  * list of the sweep, which is the list of grains. Other passes run by themselves, after the copies have
- * arrived. */
+ * arrived.
+ *
+ * In the ring order (pairs/ring.h) a step begins with particles that have moved already, and moves them on after
+ * their last pair: forces never reach the memory, and are gone when the step ends. That is the order for steps after which
+ * nobody looks. A scene has this order if no pass outside of the visit, other than those `at_end`, reads what
+ * moves change or changes what moves read: the fields that passes declare tell. */
 #ifndef SCREE_ENGINE_PLAN_H
 #define SCREE_ENGINE_PLAN_H
 
@@ -51,16 +56,21 @@ struct plan_visit {
 /* Both orders, and the passes of their visits. */
 struct step_plan {
     struct plan plain, fused, forces; /* forces: the plain one from PASS_PAIRS on */
+    /* The ring order: up to the decision on a rebuild, from particles that have to move, and from those that have
+     * moved; new values for copies; the rest, without passes if the scene does not have this order. */
+    struct plan begin, go_on, exchange, ring;
     struct plan_visit moves, pairs;   /* by rows; by block, on the list of the sweep */
 };
 
 /* The engine's own passes between the stages of the physics; lists end with a NULL run. */
 struct engine_passes {
     const struct engine_pass *moved;  /* plain: after everything has moved */
+    const struct engine_pass *renew;  /* plain: then */
     const struct engine_pass *shared; /* both: before PASS_CLOSE */
     const struct engine_pass *paired; /* plain: after PASS_CLOSE */
     const struct engine_pass
         *sweep; /* fused: from the first move to the last sum over pairs of the sweep's list */
+    const struct engine_pass *ring, *settle; /* ring: the sums over pairs of the sweep's list; at the end */
 };
 
 /* Makes the plan; once a run, before the first step, after the stages have been registered with

@@ -215,13 +215,19 @@ static void used_pass(struct simulation *s, struct rebuild_rows *rows) {
 }
 
 void rebuild_plan(struct simulation *s) {
-    size_t count = 0;
     if (!s->search.sweep->stale)
         return;
     int stage = stages_find(&s->timers, "pairs");
     timer_start(&s->timers, stage);
-    const uint32_t *originals = s->ranks.alone ? NULL : ghosts_step_originals(s->ranks.ghosts, &count);
-    sweep_build(s->search.sweep, s->grains.list, s->particles->owned, originals, count);
+    struct sweep_numbers early[2] = {{0}};
+    if (!s->ranks.alone)
+        early[0].number = ghosts_step_originals(s->ranks.ghosts, &early[0].count);
+    if (s->search.ring && s->grains.walls && s->grains.law.materials > 0)
+        early[1].count = walls_candidates(s->grains.walls, &early[1].number);
+    sweep_build(s->search.sweep, s->grains.list, s->particles->owned, early);
+    if (s->search.ring)
+        ring_build(s->search.ring, s->search.sweep, s->grains.list, s->particles->owned,
+                   s->particles->owned + s->particles->ghosts);
     timer_stop(&s->timers, stage);
 }
 

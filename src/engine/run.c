@@ -137,18 +137,20 @@ static bool step_once(struct run *run, struct error *error) {
     const struct run_watch *watch = run->options->watch;
     bool watched = watch && watch->due(watch->context, s->clock.step + 1);
     bool looked = run_stages_due(&run->stages, s, s->clock.step + 1);
+    bool seen = watched || looked || checkpoint || s->clock.step + 1 >= run->last ||
+                (run->outputs && outputs_due(run->outputs, s, s->clock.step + 1));
     signals_ask(run);
     checked_step(s,
                  (watched && !watch->without_sums) || (looked && run_stages_need_sums(&run->stages)) ||
                      (run->outputs && outputs_want_sums(run->outputs, s, s->clock.step + 1)),
-                 checkpoint);
+                 checkpoint, !seen);
     if (s->clock.dt != dt) /* a shortened time step needs more steps to the end */
         run->last = run_last_step(s);
     crowd_tell(run);
     run->record.particle_steps += (double)s->total;
     int stage = stages_find(&s->timers, "output");
     timer_start(&s->timers, stage);
-    if (watched || looked || (run->outputs && outputs_due(run->outputs, s)))
+    if (watched || looked || (run->outputs && outputs_due(run->outputs, s, s->clock.step)))
         physics_look(&s->physics);
     bool good = run->outputs == NULL || outputs_write(run->outputs, s, error);
     if (good && watched)

@@ -195,6 +195,7 @@ void simulation_destroy(struct simulation **simulation) {
     deform_free(s);
     walls_destroy(&s->grains.walls);
     sweep_destroy(&s->search.sweep);
+    ring_destroy(&s->search.ring);
     skin_destroy(&s->search.skin);
     history_destroy(&s->grains.history);
     physics_free(&s->physics);

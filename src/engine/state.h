@@ -13,6 +13,7 @@
 #include "formats/output.h"
 #include "pairs/skin.h"
 #include "pairs/skin_choice.h"
+#include "pairs/ring.h"
 #include "pairs/sweep.h"
 #include "scene/compare.h"
 #include "scene/scene_particles.h"
@@ -97,6 +98,7 @@ struct search {
     struct skin *skin;
     struct skin_choice choice; /* of the skin, with `skin: auto`; skin_auto.h */
     struct sweep *sweep;       /* the plan of the fused order; NULL: the scene wants only the plain order */
+    struct ring *ring;         /* the plan of the ring order; NULL: the scene does not have it */
 };
 
 /* The division among ranks, and this rank's copies. */
@@ -150,6 +152,7 @@ struct stage_place {
 /* Data of the guards (guards.h). */
 struct guards {
     unsigned warned; /* one bit for each guard: has warned */
+    bool overlap_known; /* the largest overlap of the step before is in grains.sums */
     struct guard_energy energy;
 };
 
@@ -183,6 +186,7 @@ struct simulation {
     bool classes_stale; /* radii may have changed: the next rebuild chooses classes again */
     uint64_t total;     /* particles on all ranks */
     struct clock clock;
+    bool ahead; /* the last step was in ring order (step.h): positions and velocities are those of the next step */
     struct stage_place stage;
     struct output_crossing crossings[OUTPUT_PLANES_MAX]; /* crossings.h */
     struct timing timing;

@@ -25,12 +25,24 @@
  *     verify     if a particle has left its skin: rebuild, and compute the forces again
  *     wall, caller, finish, reverse
  *
- * Both orders give the same bits. A step is fused unless a rebuild is due or to be expected
+ * In ring order, for steps after which nobody looks, particles come moved from the step before, or move first, and the
+ * particles of a block move on to n+1 as soon as all their forces are there (pairs/ring.h):
+ *
+ *     servo, advance (only after a step in another order), walls, decide
+ *     exchange   rebuild, or values leave for copies
+ *     ring       block by block: forces, then the particles of which this was the last block move
+ *     receive    values arrive
+ *     copies     forces of pairs with copies, then the particles that waited for these move
+ *     wall, finish, reverse
+ *     settle     particles that others read, and those at walls, move
+ *
+ * All orders give the same bits. A step is fused unless a rebuild is due or to be expected
  * (docs/architecture.md). The lists of passes are made once from the scene, without passes that the scene
  * does not need.
  */
 #include "engine/step.h"
 #include "engine/decide.h"
+#include "engine/guards.h"
 #include "engine/skin_auto.h"
 #include "engine/stages.h"
 #include "engine/sources.h"
@@ -42,19 +54,25 @@ static void copies_clear(struct simulation *s) {
     fields_clear_reverse(s->particles, s->particles->owned, s->particles->ghosts);
 }
 
+static void values_send(struct simulation *s) {
+    struct field_list fields = fields_with(s->particles, FIELD_FORWARD);
+    ghosts_step_begin(s->ranks.ghosts, s->particles, &fields);
+}
+
+static void receive_run(struct simulation *s) {
+    ghosts_forward_end(s->ranks.ghosts, s->particles);
+    copies_clear(s);
+}
+
 static void exchange_run(struct simulation *s) {
     if (s->agree.signals.rebuild) {
         s->particles->force_clear = true;
         rebuild_run(s);
         s->particles->force_clear = false;
-        return;
+    } else if (!s->ranks.alone) {
+        values_send(s);
+        receive_run(s);
     }
-    if (s->ranks.alone)
-        return;
-    struct field_list fields = fields_with(s->particles, FIELD_FORWARD);
-    ghosts_step_begin(s->ranks.ghosts, s->particles, &fields);
-    ghosts_forward_end(s->ranks.ghosts, s->particles);
-    copies_clear(s);
 }
 
 /* Moves the early particles of a thread, before all other particles. */
@@ -68,8 +86,7 @@ static void early_run(struct simulation *s) {
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < s->threads; t++)
         early_move(s, t);
-    struct field_list fields = fields_with(s->particles, FIELD_FORWARD);
-    ghosts_step_begin(s->ranks.ghosts, s->particles, &fields);
+    values_send(s);
 }
 
 /* Computes the blocks of a thread: late particles move, then forces. */
@@ -100,11 +117,6 @@ static void sweep_run(struct simulation *s) {
     decide_begin(s);
 }
 
-static void receive_run(struct simulation *s) {
-    ghosts_forward_end(s->ranks.ghosts, s->particles);
-    copies_clear(s);
-}
-
 static void copies_run(struct simulation *s) {
     const struct pairlist *list = s->grains.list;
 #pragma omp parallel for schedule(static, 1)
@@ -126,6 +138,48 @@ static void verify_run(struct simulation *s) {
     plan_block_all(&s->plan.pairs, s->grains.list);
 }
 
+/* Computes one block of a thread; then the particles move for which this was the last. */
+static void ring_block(struct simulation *s, int t, int b) {
+    const struct ring_thread *plan = &s->search.ring->thread[t];
+    int number = b - s->grains.list->thread_block[t];
+    plan_block(&s->plan.pairs, t, b);
+    for (size_t r = plan->start[number]; r < plan->start[number + 1]; r++)
+        plan_move(&s->plan.moves, t, plan->range[r].first, plan->range[r].last, plan->range[r].size_class);
+}
+
+static void ring_run(struct simulation *s) {
+    const struct pairlist *list = s->grains.list;
+    rebuild_plan(s);
+    memset(s->grains.speed, 0, (size_t)s->threads * sizeof *s->grains.speed);
+    s->grains.contact.ring = s->search.ring;
+    s->ahead = true;
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < s->threads; t++)
+        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
+            if (s->ranks.alone || list->blocks[b].kind != PAIR_BLOCK_GHOST)
+                ring_block(s, t, b);
+}
+
+/* After a rebuild the copies are new. */
+static void ring_receive(struct simulation *s) {
+    if (!s->agree.signals.rebuild)
+        receive_run(s);
+}
+
+static void ring_copies(struct simulation *s) {
+    const struct pairlist *list = s->grains.list;
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < s->threads; t++)
+        ring_block(s, t, list->thread_block[t + 1] - 1);
+}
+
+static void settle_run(struct simulation *s) {
+    s->grains.contact.ring = NULL;
+#pragma omp parallel for schedule(static, 1)
+    for (int t = 0; t < s->threads; t++)
+        early_move(s, t);
+}
+
 static void reverse_run(struct simulation *s) {
     struct field_list fields = fields_with(s->particles, FIELD_REVERSE);
     ghosts_step_reverse(s->ranks.ghosts, s->particles, &fields);
@@ -139,8 +193,14 @@ static bool needs_copies(const struct simulation *s) {
     return !s->ranks.alone;
 }
 
-static const struct engine_pass moved[] = {
-    {"decide", NULL, "decide", NULL, decide_run}, {"exchange", NULL, "comm", NULL, exchange_run}, {0}};
+static const struct engine_pass moved[] = {{"decide", NULL, "decide", NULL, decide_run}, {0}},
+                                renew[] = {{"exchange", NULL, "comm", NULL, exchange_run}, {0}};
+
+static const struct engine_pass ring[] = {{"ring", NULL, "sweep", NULL, ring_run},
+                                          {"receive", "several ranks", "comm", needs_copies, ring_receive},
+                                          {"copies", "several ranks", "contact", needs_copies, ring_copies},
+                                          {0}},
+                                settle[] = {{"settle", NULL, "advance", NULL, settle_run}, {0}};
 
 static const struct engine_pass sweep[] = {{"early", "several ranks", "advance", needs_copies, early_run},
                                            {"sweep", NULL, "sweep", NULL, sweep_run},
@@ -163,14 +223,22 @@ static const struct engine_pass shared[] = {
 static const struct engine_pass paired[] = {
     {"reverse", "newton on, several ranks", "comm", needs_reverse, reverse_run}, {0}};
 
+/* Reproducible sums wait for all shares; a skin that the run chooses looks at particles between steps. */
+static bool ring_wanted(const struct simulation *s) {
+    return s->plan.ring.passes > 0 && s->scene->step.fused && !s->scene->reproducible &&
+           !s->scene->classes.skin_auto && !s->box.motion.moves && !s->caller.force;
+}
+
 void step_plan(struct simulation *s) {
     static const struct engine_passes own = {
-        .moved = moved, .shared = shared, .paired = paired, .sweep = sweep};
+        .moved = moved, .renew = renew, .shared = shared, .paired = paired, .sweep = sweep,
+        .ring = ring, .settle = settle};
     const struct physics *physics[PHYSICS_COUNT + 1];
     for (int k = 0; k < s->physics.count; k++)
         physics[k] = s->physics.active[k].row;
     stages_register(&s->timers, physics, s->physics.count);
     plan_make(&s->plan, &s->physics, &own, &s->timers, s);
+    s->search.ring = ring_wanted(s) ? ring_create(s->threads) : NULL;
 }
 
 void step_plan_print(const struct simulation *s, FILE *file) {
@@ -186,16 +254,37 @@ void step_plan_print(const struct simulation *s, FILE *file) {
     rebuild_print(s, file);
 }
 
-void step_run(struct simulation *s, bool rebuild) {
+/* The rest of a step in ring order, or, where the state at its end will be looked at, in plain order. */
+static void ring_step(struct simulation *s, bool unseen) {
+    plan_run(s->ahead ? &s->plan.go_on : &s->plan.begin, &s->timers, s);
+    s->ahead = false;
+    unseen = unseen && !s->agree.signals.error && guards_calm(s);
+    bool rebuild = s->agree.signals.rebuild;
+    if (rebuild)
+        plan_run(&s->plan.exchange, &s->timers, s);
+    unseen = unseen && s->error.kind == ERROR_NONE && s->sources.last_step != s->clock.step;
+    if (!rebuild && !unseen)
+        plan_run(&s->plan.exchange, &s->timers, s);
+    else if (!rebuild && !s->ranks.alone)
+        values_send(s);
+    plan_run(unseen ? &s->plan.ring : &s->plan.forces, &s->timers, s);
+}
+
+void step_run(struct simulation *s, bool rebuild, bool unseen) {
     s->clock.step++;
     s->clock.time = s->clock.time_base + (double)(s->clock.step - s->clock.step_base) * s->clock.dt;
     s->agree.signals.rebuild = rebuild || sources_due(s) || physics_due(&s->physics) || skin_auto_due(s);
-    memset(s->grains.speed, 0, (size_t)s->threads * sizeof *s->grains.speed);
+    if (!s->ahead)
+        memset(s->grains.speed, 0, (size_t)s->threads * sizeof *s->grains.speed);
     bool fused =
         s->scene->step.fused && !s->agree.signals.rebuild && !skin_nearly_due(s->search.skin, &s->classes);
-    if (fused)
-        rebuild_plan(s);
-    plan_run(fused ? &s->plan.fused : &s->plan.plain, &s->timers, s);
+    if (s->search.ring && (s->ahead || unseen)) {
+        ring_step(s, unseen);
+    } else {
+        if (fused)
+            rebuild_plan(s);
+        plan_run(fused ? &s->plan.fused : &s->plan.plain, &s->timers, s);
+    }
     physics_guard(&s->physics, &s->error);
     team_step(&s->team, s->timers.since, timer_sum(&s->timers, TIMER_WORK, TIMER_REBUILD));
 }

@@ -44,7 +44,7 @@ static void early_mark_block(struct sweep *sweep, const struct pairlist *list, c
 }
 
 static void early_mark(struct sweep *sweep, const struct pairlist *list, size_t owned,
-                       const uint32_t *originals, size_t originals_count) {
+                       const struct sweep_numbers early[2]) {
     if (owned > sweep->early_capacity) {
         sweep->early_capacity = owned + owned / 8;
         memory_free(sweep->early);
@@ -58,8 +58,9 @@ static void early_mark(struct sweep *sweep, const struct pairlist *list, size_t 
     for (size_t s = 0; s < list->slot_count; s++)
         if (list->busy[s] < owned)
             sweep->early[list->busy[s]] = 1;
-    for (size_t k = 0; k < originals_count; k++)
-        sweep->early[originals[k]] = 1;
+    for (int n = 0; n < 2; n++)
+        for (size_t k = 0; k < early[n].count; k++)
+            sweep->early[early[n].number[k]] = 1;
 }
 
 static void *grown(void *array, size_t *capacity, size_t count, size_t size) {
@@ -143,10 +144,10 @@ static void ranges_sort(struct sweep_thread *thread, size_t blocks) {
         thread->late[at[thread->use[thread->unsorted[r].first / SWEEP_GRAIN]]++] = thread->unsorted[r];
 }
 
-void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned, const uint32_t *originals,
-                 size_t originals_count) {
+void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned,
+                 const struct sweep_numbers early[2]) {
     sweep->stale = false;
-    early_mark(sweep, list, owned, originals, originals_count);
+    early_mark(sweep, list, owned, early);
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < sweep->threads; t++) {
         struct sweep_thread *thread = &sweep->thread[t];

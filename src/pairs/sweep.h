@@ -52,9 +52,13 @@ struct sweep *sweep_create(int threads);
 void sweep_destroy(struct sweep **sweep);
 
 /* Makes the plan for a pair list that was just built for `owned` particles; `originals` are the particles
- * with copies elsewhere (ghosts_originals). Opens its own thread team. */
-void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned, const uint32_t *originals,
-                 size_t originals_count);
+ * with copies elsewhere (ghosts_originals), and others that must move early. Opens its own thread team. */
+struct sweep_numbers {
+    const uint32_t *number;
+    size_t count;
+};
+void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned,
+                 const struct sweep_numbers early[2]);
 
 /* True if every particle moves exactly once, and none after a block of its thread that reads it or while
  * another thread may; else `why` gets one line. Tests call it. */

@@ -15,6 +15,7 @@ struct walk_view {
     struct walk_field gather[WALK_GATHER_MAX];
     const double *target; /* only to fetch it ahead of the scatter */
     size_t stride;
+    const int32_t *place; /* shift of the ring */
     const uint32_t *i, *j; /* from the first pair of the block on */
     const double (*shift)[4];
     const double (*drift)[4]; /* velocities of images; NULL: the box is at rest */
@@ -27,6 +28,7 @@ static inline struct walk_view walk_view_of(const struct walk_task *task) {
     struct walk_view view = {.state = work->particles->state,
                              .target = work->target,
                              .stride = work->stride,
+                             .place = work->ring ? work->ring->shift : NULL,
                              .i = work->list->i + task->block->first_pair,
                              .j = work->list->j + task->block->first_pair,
                              .shift = work->list->shift,
@@ -64,18 +66,37 @@ static inline unsigned walk_near(const struct walk_view *view, enum walk_cutoff 
     return walk_bits(row[0] * row[0] + row[1] * row[1] + row[2] * row[2] < row[3] * row[3]);
 }
 
+/* Fetches the next particles of the next block: their states, and the first field that is gathered. */
+static inline void walk_fetch_some(const struct walk_view *view, struct walk_fetch *fetch) {
+    if (fetch->row < fetch->last) {
+        for (uint32_t k = 0; k < WALK_FETCH; k++)
+            __builtin_prefetch(&view->state[fetch->row + k]);
+        if (view->gathers > 0)
+            __builtin_prefetch(view->gather[0].base + fetch->row * view->gather[0].stride);
+        fetch->row += WALK_FETCH;
+    } else if (fetch->ranges > 0) {
+        fetch->row = fetch->range->first;
+        fetch->last = fetch->range->last;
+        fetch->range++;
+        fetch->ranges--;
+    }
+}
+
 /* Appends those of the block's pairs [first, last) that are near. */
 static inline __attribute__((always_inline)) void walk_filter(const struct walk_view view,
                                                               enum walk_cutoff cutoff,
                                                               struct walk_thread *restrict thread,
                                                               size_t first, size_t last) {
     uint32_t *out = thread->candidate + thread->candidates;
+    struct walk_fetch fetch = thread->fetch;
     size_t k = first;
     for (; k + WALK_QUAD <= last; k += WALK_QUAD) {
         for (size_t lane = 0; lane < WALK_QUAD; lane++)
             __builtin_prefetch(&view.state[pair_partner(view.j[k + lane + WALK_AHEAD])]);
         out = walk_append(out, k, walk_near(&view, cutoff, view.i + k, view.j + k));
+        walk_fetch_some(&view, &fetch);
     }
+    thread->fetch = fetch;
     if (k < last) {
         uint32_t i[WALK_QUAD], j[WALK_QUAD];
         for (size_t lane = 0; lane < WALK_QUAD; lane++) {
@@ -172,8 +193,8 @@ static inline void walk_gather(const struct walk_task *task, const struct walk_v
     for (int k = 0; k < count; k++) {
         uint32_t pair = thread->candidate[k], i = view.i[pair], code = view.j[pair], j = pair_partner(code);
         const struct particle_state *si = &view.state[i], *sj = &view.state[j];
-        __builtin_prefetch(view.target + i * view.stride, 1);
-        __builtin_prefetch(view.target + j * view.stride, 1);
+        __builtin_prefetch(view.target + ring_record(view.place, i) * view.stride, 1);
+        __builtin_prefetch(view.target + ring_record(view.place, j) * view.stride, 1);
         b->i[k] = i;
         b->j[k] = j;
         b->pair[k] = pair + offset;
@@ -394,6 +415,7 @@ static inline __attribute__((always_inline)) void walk_scatter(const struct walk
     struct walk_thread *thread = task->thread;
     const struct walk_batch *restrict b = thread->batch;
     const int32_t *slot_of = task->work->list->slot_of;
+    const int32_t *shift = task->work->ring ? task->work->ring->shift : NULL;
     const size_t stride = walk_stride(task, scatter);
     const int values = task->client->values, both = b->both, one = b->one, count = b->count;
     double *target = task->work->target, *slots = thread->slots;
@@ -404,11 +426,11 @@ static inline __attribute__((always_inline)) void walk_scatter(const struct walk
         return;
     }
     for (int k = 0; k < both; k++) {
-        walk_add(target + b->i[k] * stride, b, k, 0, scatter, values);
-        walk_add(target + b->j[k] * stride, b, k, 1, scatter, values);
+        walk_add(target + ring_record(shift, b->i[k]) * stride, b, k, 0, scatter, values);
+        walk_add(target + ring_record(shift, b->j[k]) * stride, b, k, 1, scatter, values);
     }
     for (int k = both; k < count; k++)
-        walk_add(target + b->i[k] * stride, b, k, 0, scatter, values);
+        walk_add(target + ring_record(shift, b->i[k]) * stride, b, k, 0, scatter, values);
     for (int k = one; k < count; k++)
         walk_add(slots + (size_t)slot_of[b->j[k]] * stride, b, k, 1, scatter, values);
 }
