@@ -170,7 +170,8 @@ static void test_records(void **state) {
         struct sweep *sweep = sweep_create(threads);
         struct ring *ring = ring_create(threads);
         char why[200] = "";
-        c.classes = (struct size_classes){.count = 1, .radius_min = {0.5}, .radius_max = {0.5}, .margin = {{0.2}}};
+        c.classes =
+            (struct size_classes){.count = 1, .radius_min = {0.5}, .radius_max = {0.5}, .margin = {{0.2}}};
         for (size_t k = 0; k < ROW; k++) {
             size_t i = particles_append(c.particles);
             c.particles->state[i] = (struct particle_state){.x = {(double)k + 0.5, 1, 1}, .radius = 0.5};
@@ -189,7 +190,8 @@ static void test_records(void **state) {
             again += ring->shift[g] != 0;
         assert_int_equal(borrowed, again);
         assert_true(borrowed >= ROW / SWEEP_GRAIN - 6 * (size_t)threads);
-        ring->shift[1] = -SWEEP_GRAIN; /* the records of the grain before, which still waits for its last pair */
+        ring->shift[1] =
+            -SWEEP_GRAIN; /* the records of the grain before, which still waits for its last pair */
         assert_false(ring_valid(ring, sweep, c.list, ROW, ROW, why, sizeof why));
         ring->shift[1] = 0;
         assert_true(ring_valid(ring, sweep, c.list, ROW, ROW, why, sizeof why));

@@ -7,7 +7,7 @@
 # 16). Bytes are compulsory ones: what must be read once and written once, however good the cache. With p pairs and c
 # contacts a particle they are, a particle:
 #
-#   step      320 + 8 p + 56 c   state 64, spin 32, force and torque 64, each read and written; the pairs (4 + 4) read; the springs
+#   step      192 + 8 p + 56 c   state 64 and spin 32 read and written; the pairs (4 + 4) read; the springs
 #                                (3 x 8 + 4) read and written
 #   reorder   306                positions read where they lie (64), the order written and read (8), state 64, spin 32, id 8,
 #                                class 1, image 12 read and written
@@ -67,7 +67,7 @@ $(median 5 "$work/roofline.runs") $(median 6 "$work/roofline.runs")" | awk -v th
         {
             p = pairs / n
             c = contacts / n
-            print_stage("step", $1 / steps, 320 + 8 * p + 56 * c, 33 + 13 * p + 177 * c)
+            print_stage("step", $1 / steps, 192 + 8 * p + 56 * c, 33 + 13 * p + 177 * c)
             print_stage("reorder", $2 / rebuilds, 306, 0)
             print_stage("index", $3 / rebuilds, 84, 0)
             print_stage("pairs", $4 / rebuilds, 20 + 8 * p, 10 * p)

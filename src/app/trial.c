@@ -20,7 +20,7 @@ void trial_step(struct simulation *s) {
         (struct step_signals){.stop = run_signalled() != 0, .error = s->error.kind != ERROR_NONE};
     s->grains.contact.want_virial = s->servo.on;
     s->grains.contact.want_sums = s->grains.sums_each_step || s->grains.contact.want_work || s->servo.on;
-    step_run(s, every > 0 && (s->clock.step + 1) % (uint64_t)every == 0, false);
+    step_run(s, every > 0 && (s->clock.step + 1) % (uint64_t)every == 0, true);
 }
 
 /* Joins the observations of all ranks. Collective. */

@@ -14,7 +14,8 @@ void checked_step(struct simulation *s, bool sums, bool rebuild, bool unseen) {
     s->grains.contact.want_sums = s->grains.contact.want_virial || s->grains.sums_each_step ||
                                   s->grains.contact.want_work || guards_energy_due(s, next);
     s->search.sorts = s->search.sorts || rebuild; /* the caller writes the state, or has changed it */
-    bool positions = next % POSITIONS_EVERY == 0, energy = guards_energy_due(s, next), stable = timing_due(s, next);
+    bool positions = next % POSITIONS_EVERY == 0, energy = guards_energy_due(s, next),
+         stable = timing_due(s, next);
     step_run(s, rebuild || (every > 0 && next % (uint64_t)every == 0),
              unseen && !positions && !energy && !stable);
     if (positions)

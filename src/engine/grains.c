@@ -39,7 +39,8 @@ static void advance(const struct physics_context *context, int thread, size_t fi
         return;
     struct particles particles = *s->particles;
     if (s->grains.contact.ring) /* rows of one grain of the sweep */
-        particles.force += s->grains.contact.ring->shift[first / SWEEP_GRAIN] * (ptrdiff_t)particles.force_stride;
+        particles.force +=
+            s->grains.contact.ring->shift[first / SWEEP_GRAIN] * (ptrdiff_t)particles.force_stride;
     double v2 = integrator_advance(&particles, &s->grains.motion, first, last);
     if (s->box.motion.moves)
         v2 = speed_from_flow(s, first, last, 0 * v2);

@@ -87,12 +87,13 @@ struct physics_pass {
     const char *name;
     const char *why; /* the reason in the scene for this pass; NULL: always there */
     enum pass_stage stage;
-    const char *does;           /* its work in a few words, for the report's description of its stage */
-    const char *timer;          /* stage of the report for the time (stages.h); NULL: named as the pass */
+    const char *does;  /* its work in a few words, for the report's description of its stage */
+    const char *timer; /* stage of the report for the time (stages.h); NULL: named as the pass */
     /* Names of fields, as "position velocity": shown to people, and the reason for which a scene has or has not the
      * ring order (plan.h). */
     const char *reads, *writes;
-    bool at_end; /* of the fields that moves read and write it touches only those of particles that move at the end
+    bool
+        at_end; /* of the fields that moves read and write it touches only those of particles that move at the end
                     of a step in ring order (pairs/ring.h) */
     bool (*needed)(const struct physics_context *context); /* NULL: always */
     /* Called once; opens its own teams of threads. */

@@ -84,8 +84,9 @@ static bool ring_fits(const struct physics_set *set, const struct plan_visit *mo
             const struct physics_active *active = &set->active[k];
             const struct physics_pass *pass = &active->row->pass[p];
             bool runs = pass->needed == NULL || pass->needed(&active->context);
-            bool visit = pass->stage == PASS_MOVE || pass->stage == PASS_LOOK ||
-                         (pass->stage == PASS_PAIRS && active->context.list[0] == set->active[0].context.list[0]);
+            bool visit =
+                pass->stage == PASS_MOVE || pass->stage == PASS_LOOK ||
+                (pass->stage == PASS_PAIRS && active->context.list[0] == set->active[0].context.list[0]);
             if (runs && !visit && !pass->at_end && !allows_moves(pass, moves))
                 return false;
         }

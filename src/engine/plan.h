@@ -59,7 +59,7 @@ struct step_plan {
     /* The ring order: up to the decision on a rebuild, from particles that have to move, and from those that have
      * moved; new values for copies; the rest, without passes if the scene does not have this order. */
     struct plan begin, go_on, exchange, ring;
-    struct plan_visit moves, pairs;   /* by rows; by block, on the list of the sweep */
+    struct plan_visit moves, pairs; /* by rows; by block, on the list of the sweep */
 };
 
 /* The engine's own passes between the stages of the physics; lists end with a NULL run. */

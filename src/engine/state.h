@@ -151,7 +151,7 @@ struct stage_place {
 
 /* Data of the guards (guards.h). */
 struct guards {
-    unsigned warned; /* one bit for each guard: has warned */
+    unsigned warned;    /* one bit for each guard: has warned */
     bool overlap_known; /* the largest overlap of the step before is in grains.sums */
     struct guard_energy energy;
 };
@@ -186,7 +186,7 @@ struct simulation {
     bool classes_stale; /* radii may have changed: the next rebuild chooses classes again */
     uint64_t total;     /* particles on all ranks */
     struct clock clock;
-    bool ahead; /* the last step was in ring order (step.h): positions and velocities are those of the next step */
+    bool ahead; /* positions and velocities are those of the next step already (step.h) */
     struct stage_place stage;
     struct output_crossing crossings[OUTPUT_PLANES_MAX]; /* crossings.h */
     struct timing timing;

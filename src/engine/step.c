@@ -230,9 +230,13 @@ static bool ring_wanted(const struct simulation *s) {
 }
 
 void step_plan(struct simulation *s) {
-    static const struct engine_passes own = {
-        .moved = moved, .renew = renew, .shared = shared, .paired = paired, .sweep = sweep,
-        .ring = ring, .settle = settle};
+    static const struct engine_passes own = {.moved = moved,
+                                             .renew = renew,
+                                             .shared = shared,
+                                             .paired = paired,
+                                             .sweep = sweep,
+                                             .ring = ring,
+                                             .settle = settle};
     const struct physics *physics[PHYSICS_COUNT + 1];
     for (int k = 0; k < s->physics.count; k++)
         physics[k] = s->physics.active[k].row;
@@ -247,6 +251,14 @@ void step_plan_print(const struct simulation *s, FILE *file) {
         plan_print_visits(&s->plan.moves, &s->plan.pairs, file);
         fprintf(file, "\n");
         plan_print(&s->plan.fused, file);
+        if (s->search.ring) {
+            fprintf(file, " steps after which nobody looks; ring: ");
+            plan_print_visits(&s->plan.pairs, &s->plan.moves, file);
+            fprintf(file, "\n");
+            plan_print(&s->plan.go_on, file);
+            plan_print(&s->plan.exchange, file);
+            plan_print(&s->plan.ring, file);
+        }
         fprintf(file, " at rebuilds:\n");
     }
     plan_print(&s->plan.plain, file);

@@ -116,7 +116,8 @@ void ring_build(struct ring *ring, const struct sweep *sweep, const struct pairl
         size_t blocks = (size_t)(list->thread_block[t + 1] - list->thread_block[t]), free_count = 0;
         thread->last = grown(thread->last, &thread->last_capacity, grains, sizeof *thread->last);
         thread->free = grown(thread->free, &thread->free_capacity, grains, sizeof *thread->free);
-        thread->range = grown(thread->range, &thread->range_capacity, plan->late_count, sizeof *thread->range);
+        thread->range =
+            grown(thread->range, &thread->range_capacity, plan->late_count, sizeof *thread->range);
         thread->start = grown(thread->start, &thread->start_capacity, blocks + 2, sizeof *thread->start);
         thread->borrowed = 0;
         lasts_find(thread, list, t, owned);
@@ -133,7 +134,7 @@ struct ring_check {
     int *thread;      /* that moves the particle after a block; -1: it moves at the end; -2: not at all */
     uint32_t *when;   /* the block */
     uint32_t *holder; /* of each record: the particle + 1 whose force it holds; 0: none */
-    int *user;        /* of each record: the thread; -1: a particle that moves at the end, or a copy; -2: none */
+    int *user; /* of each record: the thread; -1: a particle that moves at the end, or a copy; -2: none */
 };
 
 static bool moves_note(const struct ring *ring, const struct sweep *sweep, const struct pairlist *list,
@@ -158,7 +159,8 @@ static bool moves_note(const struct ring *ring, const struct sweep *sweep, const
 }
 
 /* Takes the record of particle p into use by thread t before block b reads it. */
-static const char *record_use(const struct ring *ring, struct ring_check *check, uint32_t p, int t, uint32_t b) {
+static const char *record_use(const struct ring *ring, struct ring_check *check, uint32_t p, int t,
+                              uint32_t b) {
     size_t record = ring_record(ring->shift, p);
     int user = check->thread[p] < 0 ? -1 : t;
     if (check->thread[p] >= 0 && (check->thread[p] != t || check->when[p] < b))
@@ -174,8 +176,8 @@ static const char *record_use(const struct ring *ring, struct ring_check *check,
     return NULL;
 }
 
-static const char *thread_check(const struct ring *ring, const struct pairlist *list, struct ring_check *check,
-                                int t, uint32_t *wrong) {
+static const char *thread_check(const struct ring *ring, const struct pairlist *list,
+                                struct ring_check *check, int t, uint32_t *wrong) {
     const char *what = NULL;
     for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
         const struct ring_thread *thread = &ring->thread[t];

@@ -25,8 +25,8 @@
 /* One thread's part. */
 struct ring_thread {
     struct sweep_range *range; /* as sweep_thread.late, in the order of the moves */
-    size_t *start;             /* after block b of the thread range[start[b]] ... range[start[b + 1] - 1] move */
-    size_t borrowed;           /* grains that have borrowed records */
+    size_t *start;   /* after block b of the thread range[start[b]] ... range[start[b + 1] - 1] move */
+    size_t borrowed; /* grains that have borrowed records */
     /* scratch, kept between rebuilds */
     uint32_t *last; /* of each grain: the last block that reads it */
     uint32_t *free; /* grains whose records are free, the last one on top */

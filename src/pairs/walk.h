@@ -111,7 +111,7 @@ struct walk_work {
     struct walk_field gather[WALK_GATHER_MAX];
     double *target; /* where shares are added: `stride` doubles a particle, owned and copies */
     size_t stride;
-    const struct ring *ring; /* shares go where the ring says (pairs/ring.h); NULL: to the particles' own records */
+    const struct ring *ring; /* where shares go (pairs/ring.h); NULL: to the particles' own records */
     bool radii;
     double range;
     /* With `radii` and a history: a pair is near if it touches, or if number `held` of its record is not 0; the range is not
@@ -136,9 +136,9 @@ struct walk_thread {
     /* Near pairs, number - first pair of the block; WALK_QUAD are written at a time. */
     uint32_t candidate[WALK_CHUNK + WALK_BATCH + WALK_QUAD];
     size_t candidates;
-    size_t cursor;              /* merge pointer into the old history records */
-    size_t ahead;               /* the filter's, of work that waits */
-    double *slots;              /* stride doubles a busy particle */
+    size_t cursor; /* merge pointer into the old history records */
+    size_t ahead;  /* the filter's, of work that waits */
+    double *slots; /* stride doubles a busy particle */
     struct walk_fetch fetch;
     struct walk_ledger *ledger; /* NULL: shares are added at once */
 };

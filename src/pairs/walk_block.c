@@ -15,7 +15,7 @@ struct walk_view {
     struct walk_field gather[WALK_GATHER_MAX];
     const double *target; /* only to fetch it ahead of the scatter */
     size_t stride;
-    const int32_t *place; /* shift of the ring */
+    const int32_t *place;  /* shift of the ring */
     const uint32_t *i, *j; /* from the first pair of the block on */
     const double (*shift)[4];
     const double (*drift)[4]; /* velocities of images; NULL: the box is at rest */
