@@ -185,10 +185,11 @@ bool schema_known_keys(struct schema_reader *reader, const struct schema_table *
             snprintf(key, sizeof(key), "%.120s%.80s", prefix, section->key[k - 1]);
             /* 2,500 is 2500 to some, and 2.5 to others */
             if (strlen(name) == 3 && strspn(name, "0123456789") == 3 && strcmp(whole, "0") != 0)
-                schema_fail(reader, section->child[k], key,
-                            "'%.40s,%.40s': a comma ends the value; write %.40s%.40s, or with a decimal point: "
-                            "%.40s.%.40s",
-                            whole, name, whole, name, whole, name);
+                schema_fail(
+                    reader, section->child[k], key,
+                    "'%.40s,%.40s': a comma ends the value; write %.40s%.40s, or with a decimal point: "
+                    "%.40s.%.40s",
+                    whole, name, whole, name, whole, name);
             else
                 schema_fail(reader, section->child[k], key,
                             "'%.40s,%.40s': a comma ends the value; write a decimal point: %.40s.%.40s",
