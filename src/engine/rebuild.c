@@ -214,7 +214,22 @@ static void used_pass(struct simulation *s, struct rebuild_rows *rows) {
     memory_free(used);
 }
 
+static size_t early_count(const struct sweep *sweep) {
+    size_t early = 0;
+    for (int t = 0; t < sweep->threads; t++)
+        for (size_t r = 0; r < sweep->thread[t].early_count; r++)
+            early += sweep->thread[t].early[r].last - sweep->thread[t].early[r].first;
+    return early;
+}
+
+/* The ring order has one more pass, over the particles that move early in the fused one, and over those at walls: it is
+ * planned unless these are more than one in RING_PART. */
+enum { RING_PART = 3 };
+
 void rebuild_plan(struct simulation *s) {
+    size_t many = s->particles->owned / RING_PART;
+    struct ring *ring = s->search.ring;
+
     if (!s->search.sweep->stale)
         return;
     int stage = stages_find(&s->timers, "pairs");
@@ -222,11 +237,16 @@ void rebuild_plan(struct simulation *s) {
     struct sweep_numbers early[2] = {{0}};
     if (!s->ranks.alone)
         early[0].number = ghosts_step_originals(s->ranks.ghosts, &early[0].count);
-    if (s->search.ring && s->grains.walls && s->grains.law.materials > 0)
+    if (ring && s->grains.walls && s->grains.law.materials > 0)
         early[1].count = walls_candidates(s->grains.walls, &early[1].number);
+    bool few = early[1].count <= many;
+    if (!few)
+        early[1].count = 0;
     sweep_build(s->search.sweep, s->grains.list, s->particles->owned, early);
-    if (s->search.ring)
-        ring_build(s->search.ring, s->search.sweep, s->grains.list, s->particles->owned,
+    if (ring)
+        ring->sweep = NULL;
+    if (ring && few && early_count(s->search.sweep) <= many)
+        ring_build(ring, s->search.sweep, s->grains.list, s->particles->owned,
                    s->particles->owned + s->particles->ghosts);
     timer_stop(&s->timers, stage);
 }

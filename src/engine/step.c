@@ -149,7 +149,6 @@ static void ring_block(struct simulation *s, int t, int b) {
 
 static void ring_run(struct simulation *s) {
     const struct pairlist *list = s->grains.list;
-    rebuild_plan(s);
     memset(s->grains.speed, 0, (size_t)s->threads * sizeof *s->grains.speed);
     s->grains.contact.ring = s->search.ring;
     s->ahead = true;
@@ -266,6 +265,11 @@ void step_plan_print(const struct simulation *s, FILE *file) {
     rebuild_print(s, file);
 }
 
+/* False if the plan says that most of the ring's gain would be lost (rebuild_plan); before a new plan is made, true. */
+static bool ring_pays(const struct simulation *s) {
+    return s->search.ring && (s->search.sweep->stale || s->search.ring->sweep);
+}
+
 /* The rest of a step in ring order, or, where the state at its end will be looked at, in plain order. */
 static void ring_step(struct simulation *s, bool unseen) {
     plan_run(s->ahead ? &s->plan.go_on : &s->plan.begin, &s->timers, s);
@@ -275,6 +279,9 @@ static void ring_step(struct simulation *s, bool unseen) {
     if (rebuild)
         plan_run(&s->plan.exchange, &s->timers, s);
     unseen = unseen && s->error.kind == ERROR_NONE && s->sources.last_step != s->clock.step;
+    if (unseen)
+        rebuild_plan(s);
+    unseen = unseen && ring_pays(s);
     if (!rebuild && !unseen)
         plan_run(&s->plan.exchange, &s->timers, s);
     else if (!rebuild && !s->ranks.alone)
@@ -290,7 +297,7 @@ void step_run(struct simulation *s, bool rebuild, bool unseen) {
         memset(s->grains.speed, 0, (size_t)s->threads * sizeof *s->grains.speed);
     bool fused =
         s->scene->step.fused && !s->agree.signals.rebuild && !skin_nearly_due(s->search.skin, &s->classes);
-    if (s->search.ring && (s->ahead || unseen)) {
+    if (s->ahead || (unseen && ring_pays(s))) {
         ring_step(s, unseen);
     } else {
         if (fused)
