@@ -51,12 +51,14 @@ struct sweep {
 struct sweep *sweep_create(int threads);
 void sweep_destroy(struct sweep **sweep);
 
-/* Makes the plan for a pair list that was just built for `owned` particles; `originals` are the particles
- * with copies elsewhere (ghosts_originals), and others that must move early. Opens its own thread team. */
+/* Numbers of particles, in any order. */
 struct sweep_numbers {
     const uint32_t *number;
     size_t count;
 };
+
+/* Makes the plan for a pair list that was just built for `owned` particles; `early` are the particles whose
+ * values travel in a step (ghosts_step_originals), and others that must move early. Opens its own team. */
 void sweep_build(struct sweep *sweep, const struct pairlist *list, size_t owned,
                  const struct sweep_numbers early[2]);
 
