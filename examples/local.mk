@@ -87,6 +87,11 @@ tumbling = examples/tumbling
 nobase_dist_pkgdata_DATA += $(tumbling)/README.md $(tumbling)/picture.gp $(tumbling)/scene.yaml
 nobase_dist_pkgdata_SCRIPTS += $(tumbling)/check $(tumbling)/run.sh $(tumbling)/section.sh
 
+bed_erosion = examples/bed_erosion
+nobase_dist_pkgdata_DATA += \
+	$(bed_erosion)/README.md $(bed_erosion)/bed.txt $(bed_erosion)/picture.gp $(bed_erosion)/scene.yaml
+nobase_dist_pkgdata_SCRIPTS += $(bed_erosion)/check $(bed_erosion)/run.sh $(bed_erosion)/section.sh
+
 fluidised = examples/fluidised_bed
 nobase_dist_pkgdata_DATA += $(fluidised)/README.md $(fluidised)/picture.gp $(fluidised)/scene.yaml
 nobase_dist_pkgdata_SCRIPTS += $(fluidised)/check $(fluidised)/run.sh $(fluidised)/section.sh

@@ -10,7 +10,7 @@ documents=${1:-$here/../docs}
 results=$documents/results/pores
 {
     cat "$here/pores.head.md"
-    for example in bead_packing ergun electroosmosis settling tumbling fluidised_bed fluid_scaling; do
+    for example in bead_packing ergun electroosmosis settling tumbling bed_erosion fluidised_bed fluid_scaling; do
         [ ! -s "$results/$example.jsonl" ] || "$here/$example/section.sh" "$results/$example.jsonl"
     done
 } >"$documents/pores.md.new"

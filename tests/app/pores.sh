@@ -19,5 +19,6 @@ check 'no solve ends in the ten iterations after a restart' awk 'match($0, /"ite
 check 'the last line has what others read' grep -qE '^\{"beads": 410, "porosity": 0\.[0-9]+, "spacings_um": \[[0-9., ]+\], "pressure_drops_pa": \[[0-9., ]+\], "richardson_pa": [0-9.]+, "eisfeld_schnitzlein_pa": [0-9.]+, "observed_order": [0-9.nul]+, "core_seconds": [0-9.]+' \
     "$out/beads.lines"
 check 'two discs draft and touch' env SCREE="$scree" SCREE_ARGS='--set threads=1' sh "$top_srcdir/examples/tumbling/check" "$out/tumbling"
+check 'a flow erodes a bed' env SCREE="$scree" SCREE_ARGS='--set threads=1' sh "$top_srcdir/examples/bed_erosion/check" "$out/bed"
 check 'inertia raises the friction of a random packing' env SCREE="$scree" sh "$top_srcdir/examples/ergun/check" "$out/ergun"
 finish
