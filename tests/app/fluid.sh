@@ -409,6 +409,15 @@ falls() {
         END { printf "  largest velocity %g, at the end %g, drag %g of weight 4.357\n", most, v, last; exit !(!bad && most < -0.5 && v > most && last > 4.3 && last < 6) }' fallen/observables.csv
 }
 check "a sphere that falls in a fluid: forces make sense" falls
+# Discs that move by a fifth of a spacing between two steps of the fluid: rows keep pairs from beyond the support, whose grain is no neighbour
+check "grains that move between two steps of the fluid" run_scene 1 "$top_srcdir/examples/tumbling/scene.yaml" tumbling --set threads=1 --set step.count=230 --set output.dump=~
+# A sphere without torque between walls that slide, four of its diameters apart, turns at half of the rate of shear
+spin() {
+    run_scene 1 "$top_srcdir/examples/verify/fluid-settling/shear.yaml" spin --set threads=1 --set box.upper='[1, 1, 1]' --set box.dimension=3 --set box.periodic='[true, false, true]' \
+        --set particles.position='[0.5, 0.5, 0.5]' --set particles.radius=0.125 --set particles.density=1 --set 'materials[0].density=1' --set fluid.spacing=0.0625 \
+        --set step.count=40 --set observables.every=40 && within "$(last_of spin particle1_wz)" -0.5 0.01
+}
+check "a sphere in shear turns at half of its rate" spin
 check "free grains among particles at rest" scene_refused 'fluid.grains|lagrangian' falling.yaml --set fluid.motion=fixed
 
 check "a support below the diagonal" scene_refused 'fluid.kernel.support|from 1.42' sphere.yaml --set fluid.kernel.support=1.2
