@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Reads the command line by the table of flags and getopt_long. */
 #include "app/command_line.h"
+#include "scene/schema_unknown.h"
 #include "core/memory.h"
 #include "scene/scene_files.h"
 #include "scene/scene_text.h"
@@ -267,8 +268,16 @@ static bool flag_refuse(const struct command *command, const struct option *opti
         return error_set(error, ERROR_USER, "command line: --%s needs its %s", flag->name, flag->argument);
     if (flag && strlen(flag->name) == length - 2 && word[length] == '=')
         return error_set(error, ERROR_USER, "command line: --%s takes no argument", flag->name);
-    return error_set(error, ERROR_USER, "command line: %s %s; 'scree help %s' lists those of this command",
-                     flag ? "several flags begin with" : "unknown flag", word, command->name);
+    const char *near = NULL;
+    for (int k = 0; option[k].name && flag == NULL && near == NULL && length > 2 && length < 64; k++) {
+        char name[64];
+        snprintf(name, sizeof name, "%.*s", (int)length - 2, word + 2);
+        near = schema_distance(name, option[k].name) >= 0 ? option[k].name : NULL;
+    }
+    return error_set(error, ERROR_USER,
+                     "command line: %s %s%s%s%s; 'scree help %s' lists those of this command",
+                     flag ? "several flags begin with" : "unknown flag", word,
+                     near ? " (did you mean --" : "", near ? near : "", near ? "?)" : "", command->name);
 }
 
 /* The argument of a flag whose argument may be missing: behind '=', or the next word if that is a number. */

@@ -78,8 +78,11 @@ static void list_entries(const struct tree_node *node, char *list) {
 
 static bool print_node(const struct tree_node *root, const char *path, const char *key, FILE *out,
                        struct error *error) {
+    static const char file[] = "report."; /* report.pairs is pairs of the report */
     char list[LIST_MAX] = "";
     const struct tree_node *node = find_path(root, key);
+    if (node == NULL && strncmp(key, file, strlen(file)) == 0)
+        node = find_path(root, key + strlen(file));
     int found = node ? 1 : strpbrk(key, ".[") ? 0 : find_below(root, key, "", list, &node);
     if (found > 1)
         return error_set(error, ERROR_USER, "%s: --get %s: stands in several places: %s", path, key, list);

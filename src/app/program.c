@@ -77,7 +77,7 @@ static int run_command(const struct comm *comm, int argc, char **argv, struct er
         return error->kind;
     }
     for (int k = 2; k < argc; k++) {
-        if (strcmp(argv[k], "--help") == 0) {
+        if (strcmp(argv[k], "--help") == 0 || strcmp(argv[k], "-h") == 0) {
             const char *topic = argv[2][0] == '-' ? NULL : argv[2];
             if (comm->rank == 0 && !command_usage(stdout, command, topic))
                 command_usage(stdout, command, NULL);

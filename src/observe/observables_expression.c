@@ -273,7 +273,8 @@ static const struct observable_kind kinds[] = {
     ROW("largest", largest_of, "its largest value"),
     ROW("least", least_of, "its least value"),
     ROW("lacey", lacey,
-        "Lacey's mixing index of the particles that `where` selects among all, by number, in the `cells` of "
+        "Lacey's mixing (segregation) index of the particles that `where` selects among all, by number, in "
+        "the `cells` of "
         "the box: 0 apart, "
         "1 as at random; (s0 - s) / (s0 - sr) with the variances s0 = p (1 - p), s = sum of n_k (p_k - p)^2 "
         "/ N and sr = s0 K / N "

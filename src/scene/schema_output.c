@@ -215,7 +215,7 @@ static const struct schema_row observables_rows[] = {
      .help = "planes that particles cross, for crossed and crossed_mass"},
     {.key = "grids", .type = SCHEMA_LIST, .sub = &grid_table,
      ARRAY_AT(struct observables_options, grid, grids),
-     .help = "profiles and coarse-grained fields: density, velocity, granular temperature, stress in cells"},
+     .help = "profiles and coarse-grained fields (coarse-graining by the kernel of Goldhirsch): density, velocity, granular temperature, stress in cells"},
     {.key = "list", .type = SCHEMA_LIST, .sub = &request_table,
      ARRAY_AT(struct observables_options, request, count),
      .help = "the observables; left out: energies, momentum, contacts"},

@@ -6,7 +6,6 @@
 
 #include <ctype.h>
 #include <string.h>
-#include <strings.h>
 
 struct search {
     FILE *out; /* NULL: count only */
@@ -31,11 +30,21 @@ static void line(struct search *search, const char *key, const char *value, cons
     search->found++;
 }
 
+/* A letter without its case; blanks and hyphens are as good as underscores. */
+static int plain(char letter) {
+    return letter == ' ' || letter == '-' ? '_' : tolower((unsigned char)letter);
+}
+
+static bool begins(const char *text, const char *word) {
+    while (*word && plain(*text) == plain(*word))
+        text++, word++;
+    return *word == '\0';
+}
+
 /* True if a word of the text begins with the word that is looked for. */
 static bool has(const char *text, const char *word) {
-    size_t length = strlen(word);
     for (const char *at = text; text && *at; at++)
-        if ((at == text || !isalnum((unsigned char)at[-1])) && strncasecmp(at, word, length) == 0)
+        if ((at == text || !isalnum((unsigned char)at[-1])) && begins(at, word))
             return true;
     return false;
 }

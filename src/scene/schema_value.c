@@ -37,7 +37,11 @@ bool schema_number(const char *text, const char *unit, bool units_allowed, doubl
     struct units_dimension wanted, given;
     struct units_scale scale, base;
     if (!units_parse(end, &scale, &given)) {
-        snprintf(why, room, "'%.80s': '%.40s' is not a unit", text, end);
+        char known[80] = "";
+        units_symbols(unit ? unit : "", known, sizeof(known));
+        snprintf(why, room, "'%.80s': '%.40s' is not a unit%s%s%s", text, end, known[0] ? "; those of " : "",
+                 known[0] ? units_name(unit) : "", known[0] ? ": " : "");
+        strncat(why, known, room - strlen(why) - 1);
         return false;
     }
     if (!units_allowed) {

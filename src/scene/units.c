@@ -3,6 +3,7 @@
 #include "scene/units.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -163,6 +164,17 @@ double units_convert(double value, const struct units_scale *scale) {
 bool units_same(const struct units_dimension *a, const struct units_dimension *b) {
     return a->length == b->length && a->mass == b->mass && a->time == b->time && a->angle == b->angle &&
            a->temperature == b->temperature && a->current == b->current;
+}
+
+void units_symbols(const char *si, char *text, size_t room) {
+    struct units_dimension wanted;
+    struct units_scale scale;
+    text[0] = '\0';
+    if (!units_parse(si, &scale, &wanted) || units_same(&wanted, &(struct units_dimension){0}))
+        return;
+    for (size_t k = 0; k < sizeof(symbols) / sizeof(symbols[0]); k++)
+        if (units_same(&symbols[k].dimension, &wanted) && strlen(text) + strlen(symbols[k].name) + 2 < room)
+            sprintf(text + strlen(text), "%s%s", text[0] ? " " : "", symbols[k].name);
 }
 
 const char *units_name(const char *si) {

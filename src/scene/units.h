@@ -4,6 +4,7 @@
 #define SCREE_SCENE_UNITS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 /* Powers of metre, kilogram, second, radian, kelvin and ampere. */
 struct units_dimension {
@@ -27,6 +28,9 @@ double units_convert(double value, const struct units_scale *scale);
 
 /* True if both are of one dimension. */
 bool units_same(const struct units_dimension *a, const struct units_dimension *b);
+
+/* Writes the symbols of the dimension of an SI unit, "s sec day min h"; "" if no symbol has it. */
+void units_symbols(const char *si, char *text, size_t room);
 
 /* The name of the dimension of an SI unit ("length", "pressure"); the unit itself if the dimension has no
  * name. */

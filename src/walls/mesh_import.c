@@ -12,7 +12,10 @@ const char *mesh_import_format(const char *content, const char *path) {
     const char *end = length > 4 ? path + length - 4 : "";
     if (strncmp(content, "ply", 3) == 0 && (content[3] == '\n' || content[3] == '\r'))
         return "ply";
-    bool object = strncmp(content, "v ", 2) == 0 || strncmp(content, "mtllib ", 7) == 0;
+    while (*content == '#' || *content == '\n' || *content == '\r') /* comments and empty lines */
+        content += *content == '#' ? strcspn(content, "\n") : 1;
+    bool object = strncmp(content, "v ", 2) == 0 || strncmp(content, "o ", 2) == 0 ||
+                  strncmp(content, "g ", 2) == 0 || strncmp(content, "mtllib ", 7) == 0;
     return object || strcasecmp(end, ".obj") == 0 ? "obj" : NULL;
 }
 

@@ -435,6 +435,7 @@ echo '== command line'
 line() { local words=$2 what=$1; shift 2; bad 'command line' "$what" "command line|$words" "$scree" "$@"; }
 line 'unknown command' "walk|run, check" walk good.yaml
 line 'unknown flag' "--fast" run good.yaml -o new --fast
+line 'a flag with a slip' '--ouput (did you mean --output?)' run good.yaml --ouput new
 line 'a flag of another command' "--frame" run good.yaml -o new --frame 1
 line 'no -o' "-o DIR" run good.yaml
 line 'no scene' "too few" run -o new

@@ -123,6 +123,7 @@ echo '== single values'
 run_scene 1 scene.yaml short --set step.count=3 --set observables='{every: 1, list: [{name: energy_kinetic}, {name: momentum}]}'
 gets() { [ "$("$scree" info short --get "$1")" = "$2" ] && [ "$("$scree" info short/report.json --get "$1")" = "$2" ]; }
 check 'a key of the report' gets last_step 3
+check 'the same, with the name of the file' gets report.last_step 3
 check 'a text of the report' gets index "$(sed -n 's/^  "index": "\([a-z]*\)",/\1/p' short/report.json)"
 stage() { local found; found=$("$scree" info short --get stages.contact.max) && [ -n "$found" ] && grep -qF "\"contact\": {" short/report.json && grep -F '"contact": {' short/report.json | grep -qF "\"max\": $found}"; }
 check 'a key of a stage' stage
