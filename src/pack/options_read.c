@@ -187,7 +187,10 @@ static bool check_shape(const struct pack_options *o, const struct given *given,
     }
     for (int k = 0; k < shapes[o->shape].needed; k++)
         if (!is_given(given, keys[k]))
-            return error_set(error, ERROR_USER, "command line: shape=%s needs %s=", name, keys[k]);
+            return error_set(error, ERROR_USER, "command line: shape=%s needs %s=%s%s%s", name, keys[0],
+                             shapes[o->shape].needed > 1 ? " and " : "",
+                             shapes[o->shape].needed > 1 ? keys[1] : "",
+                             shapes[o->shape].needed > 1 ? "=" : "");
     return o->shape <= PACK_BOX || o->walls == PACK_HARD || !is_given(given, "walls") ||
            error_set(error, ERROR_USER, "command line: walls=periodic goes with shape=cube and shape=box");
 }

@@ -11,7 +11,7 @@ sphinx=$(tool SPHINX)
 python=$(head -n 1 "${sphinx:-/dev/null}" | sed -n 's/^#!//p')
 if [ -z "$sphinx" ] || [ -z "$(tool DOXYGEN)" ] || ! ${python:-false} -c 'import myst_parser, furo, breathe' 2>/dev/null; then
     skip 'the site: no Sphinx with MyST, Furo, Doxygen and Breathe here (Debian: python3-sphinx python3-myst-parser furo doxygen python3-breathe)'
-    finish
+    exit 77
 fi
 
 made() { make -C "$top_builddir" --no-print-directory docs >said 2>&1 || { tail -n 20 said; return 1; }; }
