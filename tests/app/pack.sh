@@ -117,7 +117,7 @@ check "no such key" refused "no key of the law" sand new.data colour=3
 check "too dense" refused "too dense" power new.data count=200 max=1.01 fraction=0.8 sweeps=20
 check "a sieve file that is not there" refused "no.txt" sieve new.data table=no.txt
 check "no such container" refused "allowed are cube, box, cylinder, sphere, mesh" power new.data shape=ball
-check "a container's key that is missing" refused "needs length=" power new.data shape=cylinder radius=3
+check "a container's key that is missing" refused "needs radius= and length=" power new.data shape=cylinder radius=3
 check "another container's key" refused "edges= does not go with shape=sphere" power new.data shape=sphere radius=9 edges=1,2,3
 check "two edges" refused "three lengths" power new.data shape=box edges=1,2
 check "periodic and round" refused "walls=periodic goes with" power new.data shape=sphere radius=9 walls=periodic
