@@ -207,6 +207,10 @@ static size_t auto_memory(const struct index *self) {
     return sizeof(struct auto_index) + levels_memory(&own_const(self)->levels);
 }
 
+static void auto_release(struct index *self) {
+    levels_release(&own(self)->levels);
+}
+
 static int auto_trials(const struct index *self) {
     return own_const(self)->variants;
 }
@@ -229,4 +233,5 @@ const struct index_ops auto_ops = {
     .memory = auto_memory,
     .trials = auto_trials,
     .select = auto_select,
+    .release = auto_release,
 };

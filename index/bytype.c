@@ -32,4 +32,5 @@ const struct index_ops bytype_ops = {
     .check = levels_index_check,
     .describe = levels_index_describe,
     .memory = levels_index_memory,
+    .release = levels_index_release,
 };

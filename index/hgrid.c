@@ -42,4 +42,5 @@ const struct index_ops hgrid_ops = {
     .check = levels_index_check,
     .describe = levels_index_describe,
     .memory = levels_index_memory,
+    .release = levels_index_release,
 };

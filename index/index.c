@@ -2,6 +2,7 @@
 /* The wrappers: the only place that calls through the table of an index. */
 #include "index/index.h"
 
+#include "core/memory.h"
 #include "core/timer.h"
 
 #include <assert.h>
@@ -35,6 +36,7 @@ struct index *index_create(const char *name, const struct index_params *params, 
 
 void index_destroy(struct index **index) {
     if (*index != NULL) {
+        memory_free((*index)->described);
         (*index)->ops->destroy(*index);
     }
     *index = NULL;
@@ -76,6 +78,8 @@ bool index_order(struct index *index, const struct index_view *view, uint32_t *o
 void index_build(struct index *index, const struct index_view *view) {
     assert(view_plausible(view));
     double start = timer_now();
+    memory_free(index->described);
+    index->described = NULL;
     index->ops->build(index, view);
     index->build_seconds += timer_now() - start;
     index->builds++;
@@ -116,7 +120,21 @@ bool index_check(const struct index *index, const struct index_view *view, char 
 
 void index_describe(const struct index *index, struct index_description *description) {
     memset(description, 0, sizeof *description);
+    if (index->described != NULL) {
+        *description = *index->described;
+        return;
+    }
     index->ops->describe(index, description);
+}
+
+void index_release(struct index *index) {
+    if (index->ops->release == NULL || index->described != NULL) {
+        return;
+    }
+    struct index_description *described = memory_allocate(1, sizeof *described, "description of an index");
+    index_describe(index, described);
+    index->ops->release(index);
+    index->described = described;
 }
 
 size_t index_memory(const struct index *index) {

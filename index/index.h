@@ -36,6 +36,8 @@
  *   memory       the report                          nothing                      one
  *   trials       after a build                       nothing                      one
  *   select       before order                        its own state                one
+ *   release      after the visits, where nothing      its own state                one
+ *                moves: memory is freed
  *   destroy      once                                its own state                one
  *
  * How to add an index, in six steps:
@@ -199,6 +201,8 @@ struct index_ops {
      * again. */
     int (*trials)(const struct index *self);
     void (*select)(struct index *self, int variant);
+    /* Frees the memory of the last build; `build` comes before the next visit. NULL: it keeps the memory. */
+    void (*release)(struct index *self);
 };
 
 /* The base of every index: first member of its private struct. */
@@ -207,6 +211,7 @@ struct index {
     struct index_params params;
     uint64_t builds;
     double order_seconds, build_seconds; /* wall time spent so far */
+    struct index_description *described; /* by index_release, of the build that was released; NULL: none */
 };
 
 /* The number of registered indexes; the k-th index; the index of a name, or NULL. `brute` is the first. */
@@ -231,5 +236,6 @@ void index_describe(const struct index *index, struct index_description *descrip
 size_t index_memory(const struct index *index);
 int index_trials(const struct index *index); /* 0: nothing to try */
 void index_select(struct index *index, int variant);
+void index_release(struct index *index); /* index_describe goes on to describe the build that was released */
 
 #endif

@@ -29,4 +29,5 @@ const struct index_ops linkcell_ops = {
     .check = levels_index_check,
     .describe = levels_index_describe,
     .memory = levels_index_memory,
+    .release = levels_index_release,
 };

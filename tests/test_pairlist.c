@@ -118,6 +118,20 @@ static void check_layouts(size_t ghosts, bool newton) {
         share = shares(&c);
         assert_memory_equal(share, reference, counted * sizeof *share);
         memory_free(share);
+        /* A list that was released has no pairs and no memory for pairs, and all of them after a build */
+        int64_t sides = pairlist_sides(c.list);
+        size_t held = pairlist_memory(c.list);
+        pairlist_release(c.list);
+        share = shares(&c);
+        for (size_t k = 0; k < counted; k++)
+            assert_int_equal(share[k], 0);
+        memory_free(share);
+        assert_true(pairlist_sides(c.list) == sides && pairlist_memory(c.list) < held / 2);
+        pairlist_build(c.list, c.index, &c.view, &c.box);
+        share = shares(&c);
+        assert_memory_equal(share, reference, counted * sizeof *share);
+        assert_int_equal(pairlist_sides(c.list), sides);
+        memory_free(share);
         cloud_free(&c);
     }
     memory_free(reference);
@@ -348,7 +362,11 @@ static void test_skin_is_due_by_class_pairs(void **state) {
     c.particles->state[4].x[0] -= 0.02;
     skin_measure(skin, c.particles, 2);
     assert_true(skin_due(skin, &c.classes));
+    skin_release(skin); /* without the positions the bounds stay */
+    skin_measure(skin, c.particles, 2);
+    assert_true(skin_due(skin, &c.classes));
     skin_reset(skin, c.particles);
+    assert_false(skin_due(skin, &c.classes));
     skin_moved(skin, (const double[]){0, 0}, 2, 0.1, 0.11); /* a wall moved */
     assert_true(skin_due(skin, &c.classes));
     skin_destroy(&skin);

@@ -49,6 +49,14 @@ void levels_free(struct levels *levels) {
     memory_free(levels->cross_searches.list);
 }
 
+void levels_release(struct levels *levels) {
+    const struct index_params params = {.instructions = levels->instructions,
+                                        .cross_search = levels->cross_search};
+    levels_free(levels);
+    *levels = (struct levels){0};
+    levels_start(levels, &params);
+}
+
 /* The number of cells of this edge in the extent of the owned particles; *directions: the number of
  * directions with several cells. */
 static double cells_of(const struct frame *frame, double edge, int *directions) {

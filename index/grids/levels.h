@@ -31,6 +31,9 @@ bool levels_too_many_cells(double cells, double particles);
 void levels_start(struct levels *levels, const struct index_params *params);
 void levels_free(struct levels *levels);
 
+/* Back to what levels_start left. */
+void levels_release(struct levels *levels);
+
 /* The operations of the contract, for a plan made from the same view (levels_plan_apart ends it). */
 bool levels_order(struct levels *levels, const struct levels_plan *plan, const struct index_view *view,
                   uint32_t *order);

@@ -68,6 +68,10 @@ size_t levels_index_memory(const struct index *self) {
     return sizeof(struct levels_index) + levels_memory(&own_const(self)->levels);
 }
 
+void levels_index_release(struct index *self) {
+    levels_release(&own(self)->levels);
+}
+
 double levels_index_factor(const struct index_params *params, double fallback) {
     return params->cell_factor > 0 ? params->cell_factor : fallback;
 }

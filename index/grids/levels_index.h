@@ -22,6 +22,7 @@ void levels_index_visit(const struct index *self, const struct index_view *view,
 bool levels_index_check(const struct index *self, const struct index_view *view, char why[INDEX_WHY_MAX]);
 void levels_index_describe(const struct index *self, struct index_description *description);
 size_t levels_index_memory(const struct index *self);
+void levels_index_release(struct index *self);
 
 /* The user's cell factor, or the default. */
 double levels_index_factor(const struct index_params *params, double fallback);

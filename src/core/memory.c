@@ -17,6 +17,7 @@
 #include "core/error.h"
 
 #include <assert.h>
+#include <malloc.h>
 #include <omp.h>
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -201,6 +202,15 @@ void memory_free(void *array) {
     } else {
         free(header->block);
     }
+}
+
+void memory_trim(void) {
+#pragma omp critical(memory_cache)
+    while (cache.count > 0) {
+        free(cache.entry[0].block);
+        cache_drop(0);
+    }
+    malloc_trim(0);
 }
 
 size_t memory_in_use(void) {

@@ -24,6 +24,9 @@ void *memory_resize(void *array, size_t count, size_t size, const char *what);
 /* Frees an array of this interface; NULL is allowed. */
 void memory_free(void *array);
 
+/* Gives all freed memory that is kept for later arrays back to the system. One thread. */
+void memory_trim(void);
+
 /* Bytes now held through this interface on this process, and the largest value so far. */
 size_t memory_in_use(void);
 size_t memory_peak(void);

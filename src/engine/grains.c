@@ -202,6 +202,10 @@ static double range(const void *context, int kind_a, double radius_a, int kind_b
     return grains ? law_range(context, radius_a, radius_b) : -INFINITY;
 }
 
+static bool rests(const struct physics_context *context) {
+    return !needs_contacts(context);
+}
+
 /* The cut-off of the walk is one number: the largest range. */
 static void rebuilt(const struct physics_context *context) {
     struct simulation *s = context->self;
@@ -237,6 +241,7 @@ const struct physics grains_physics = {.name = "grains",
                                        .passes = sizeof passes / sizeof passes[0],
                                        .pass = passes,
                                        .rebuilt = rebuilt,
+                                       .rests = rests,
                                        .limit = limit,
                                        .guard = guard,
                                        .restart = restart};

@@ -116,6 +116,16 @@ bool physics_rebuilt(struct physics_set *set, struct ghosts *ghosts) {
     return again;
 }
 
+bool physics_rests(const struct physics_set *set) {
+    bool rests = true;
+    for (int k = 0; k < set->count; k++) {
+        const struct physics_active *active = &set->active[k];
+        rests = rests && (active->row->interactions == 0 ||
+                          (active->row->rests && active->row->rests(&active->context)));
+    }
+    return rests;
+}
+
 bool physics_due(const struct physics_set *set) {
     bool due = false;
     for (int k = 1; k < set->count; k++)

@@ -148,6 +148,9 @@ struct physics {
                  struct error *error);
     /* Called after each rebuild, when the lists are new. NULL: nothing to do. */
     void (*rebuilt)(const struct physics_context *context);
+    /* True if the physics reads its lists in `rebuilt` alone and nothing that it knows moves: where all physics with
+     * interactions say so, the engine then releases the memory of the search. NULL: false. */
+    bool (*rests)(const struct physics_context *context);
     /* The memory of pairs of the physics: rows at both particles of a pair (pairs/history.h), by owned particle,
      * of which `row_components` doubles count. The engine asks before each rebuild, and for a checkpoint; it
      * carries the rows with their particles through deletion, migration, reorder, checkpoint and resume. The
@@ -235,6 +238,9 @@ void physics_lists(struct physics_set *set, const struct interactions *interacti
 
 /* Calls `rebuilt` of all physics, after the search of a rebuild. True if the engine must rebuild again. */
 bool physics_rebuilt(struct physics_set *set, struct ghosts *ghosts);
+
+/* True if no physics reads its lists until the next rebuild. */
+bool physics_rests(const struct physics_set *set);
 
 /* True if a physics needs a rebuild in the step in progress. */
 bool physics_due(const struct physics_set *set);

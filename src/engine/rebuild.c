@@ -342,11 +342,21 @@ static void come_and_go(struct simulation *s, struct rebuild_rows *rows) {
     load_begin(s);
 }
 
+/* Where nothing moves the search has done its work. */
+static void search_release(struct simulation *s) {
+    interactions_release(&s->search.interactions);
+    index_release(s->search.index);
+    skin_release(s->search.skin);
+    memory_trim();
+}
+
 static void tell_physics(struct simulation *s, struct rebuild_rows *rows) {
     rows->again = physics_rebuilt(&s->physics, s->ranks.alone ? NULL : s->ranks.ghosts);
     s->classes_stale = s->classes_stale || rows->again;
     if (s->search.sweep)
         s->search.sweep->stale = true;
+    if (!rows->again && physics_rests(&s->physics))
+        search_release(s);
 }
 
 static bool many_ranks(const struct simulation *s, const struct rebuild_rows *rows) {

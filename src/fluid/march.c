@@ -216,6 +216,7 @@ static void step_steady(const struct physics_context *context, struct fluid *flu
         fluid->solved =
             steady_solve(fluid->steady, &fluid->flow, fluid->drive.force, &fluid->report, &fluid->error) &&
             drive_scale(&fluid->drive, options, context->box, &fluid->flow, &fluid->error);
+    steady_destroy(&fluid->steady); /* what comes after the solve needs memory, too */
 }
 
 /* Walls may slide within themselves: one that comes nearer or goes away is refused. */

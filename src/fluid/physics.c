@@ -144,6 +144,11 @@ static double work(const struct physics_context *context) {
     return ((const struct fluid *)context->self)->work;
 }
 
+/* Particles at rest have their weights from the first rebuild. */
+static bool rests(const struct physics_context *context) {
+    return !motion_moves(context->options);
+}
+
 static const struct physics_pass passes[] = {
     {.name = "follow",
      .why = "particles of a fluid that move",
@@ -194,6 +199,7 @@ const struct physics fluid_physics = {.name = "fluid",
                                       .moving = motion_kinds,
                                       .fill = fill_run,
                                       .rebuilt = march_rebuilt,
+                                      .rests = rests,
                                       .limit = march_limit,
                                       .limit_why =
                                           "advection: the fluid may move by half a spacing in a step",

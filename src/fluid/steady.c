@@ -10,7 +10,8 @@
 #include <math.h>
 #include <string.h>
 
-enum { EVERY = 10, RESTART = 30 };
+/* A cycle of LGMRES has directions of its own and corrections of earlier cycles; the solve asks at the end of each whether to go on. */
+enum { RESTART = 14, AUGMENT = 2, EVERY = RESTART + AUGMENT };
 
 /* The momentum's residual, as a part of the force, that is small enough. */
 #define RESIDUAL_ENOUGH 1e-3
@@ -27,11 +28,13 @@ struct steady {
     struct solve_system *velocity[3], *coupled;
     int systems;
     size_t rows, unknowns;
-    double (*vector)[3], *scalar; /* [rows]: results of operators */
-    double *still;                /* [unknowns]: the operator's value of a fluid at rest: walls that move */
-    double *side, *solution, *product; /* [unknowns] */
-    double flow_before[3];             /* mean velocity ten iterations ago */
-    double speed_before;               /* root mean square of the velocity then */
+    double (*vector)[3],
+        *scalar;   /* [rows]: results of operators; in the memory of `product`, of other times */
+    double *still; /* [unknowns]: the operator's value of a fluid at rest: walls that move; NULL: 0 */
+    double *side, *solution; /* [unknowns] */
+    double *product;         /* [4 rows] at least: the operator's value */
+    double flow_before[3];   /* mean velocity a cycle ago */
+    double speed_before;     /* root mean square of the velocity then */
     double change, residual, loss;
 };
 
@@ -63,6 +66,8 @@ static void apply(struct steady *steady, const double *x, double *y) {
 static void multiply(void *context, const double *x, double *y) {
     struct steady *steady = context;
     apply(steady, x, y);
+    if (steady->still == NULL)
+        return;
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < steady->unknowns; k++)
         y[k] -= steady->still[k];
@@ -167,8 +172,7 @@ static double loss_of(const struct steady *steady, const struct rest *rest, doub
 static bool enough(void *context, int iteration, const double *x, double residual) {
     struct steady *steady = context;
     double mean[3], difference[3], volume;
-    bool restarted = iteration > RESTART && iteration % RESTART <= EVERY && iteration % RESTART > 0;
-    (void)residual;
+    (void)iteration, (void)residual;
     mean_flow(steady, x, mean, &volume);
     for (int d = 0; d < 3; d++) {
         difference[d] = mean[d] - steady->flow_before[d];
@@ -183,7 +187,7 @@ static bool enough(void *context, int iteration, const double *x, double residua
     struct rest rest = rest_of(steady, x);
     steady->residual = rest.momentum;
     steady->loss = loss_of(steady, &rest, length(mean) > STILL * speed ? length(mean) : speed, volume);
-    return !restarted && steady->change <= steady->options.tolerance && steady->residual <= RESIDUAL_ENOUGH &&
+    return steady->change <= steady->options.tolerance && steady->residual <= RESIDUAL_ENOUGH &&
            steady->loss <= LOSS_ENOUGH;
 }
 
@@ -215,8 +219,9 @@ static bool make_systems(struct steady *steady, struct solve *solve, const struc
     assembly_free(&assembly);
     struct solve_free work = {(int32_t)steady->unknowns, steady, multiply, precondition, enough, EVERY};
     options = solve_options_regular("fluid_s_");
-    options.method = "gmres";
+    options.method = "lgmres";
     options.restart = RESTART;
+    options.augment = AUGMENT;
     options.tolerance = 1e-10;
     options.iterations = steady->options.iterations;
     if (good)
@@ -237,12 +242,11 @@ struct steady *steady_create(struct solve *solve, const struct flow *flow,
     steady->flow = flow;
     steady->rows = n;
     steady->unknowns = unknowns;
-    steady->vector = memory_allocate(n, sizeof *steady->vector, "steady flow");
-    steady->scalar = memory_allocate(n, sizeof(double), "steady flow");
-    steady->still = memory_allocate(unknowns, sizeof(double), "steady flow");
     steady->side = memory_allocate(unknowns, sizeof(double), "steady flow");
     steady->solution = memory_allocate(unknowns, sizeof(double), "steady flow");
-    steady->product = memory_allocate(unknowns, sizeof(double), "steady flow");
+    steady->product = memory_allocate(4 * n, sizeof(double), "steady flow");
+    steady->vector = (double(*)[3])(void *)steady->product;
+    steady->scalar = steady->product + 3 * n;
     if (!make_systems(steady, solve, flow, error))
         steady_destroy(&steady);
     return steady;
@@ -255,8 +259,6 @@ void steady_destroy(struct steady **steady) {
     solve_destroy(&s->coupled);
     for (int k = 0; k < s->systems; k++)
         solve_destroy(&s->velocity[k]);
-    memory_free(s->vector);
-    memory_free(s->scalar);
     memory_free(s->still);
     memory_free(s->side);
     memory_free(s->solution);
@@ -265,20 +267,39 @@ void steady_destroy(struct steady **steady) {
     *steady = NULL;
 }
 
+/* The operator's value of a fluid at rest, kept where it is not 0 on some rank. */
+static void make_still(struct steady *steady) {
+    int64_t some = 0;
+    memory_free(steady->still);
+    steady->still = memory_allocate(steady->unknowns, sizeof(double), "steady flow");
+    memset(steady->solution, 0, steady->unknowns * sizeof(double));
+    apply(steady, steady->solution, steady->still);
+    for (size_t k = 0; k < steady->unknowns; k++)
+        some |= steady->still[k] != 0;
+    comm_max_int(steady->flow->comm, &some, 1);
+    if (some)
+        return;
+    memory_free(steady->still);
+    steady->still = NULL;
+}
+
+static double still_of(const struct steady *steady, size_t k) {
+    return steady->still != NULL ? steady->still[k] : 0;
+}
+
 /* Right-hand side and first guess. */
 static void fill_side(struct steady *steady, const double force[3]) {
     const struct flow *flow = steady->flow;
     size_t n = steady->rows, dimension = (size_t)flow->weights->dimension;
     double dx = steady->options.spacing, viscosity = steady->options.viscosity;
-    memset(steady->solution, 0, steady->unknowns * sizeof(double));
-    apply(steady, steady->solution, steady->still);
+    make_still(steady);
     for (size_t row = 0; row < n; row++) {
         for (size_t d = 0; d < dimension; d++) {
             double push = flow->body != NULL ? force[d] + flow->body[row][d] : force[d];
-            steady->side[d * n + row] = dx * dx / viscosity * push - steady->still[d * n + row];
+            steady->side[d * n + row] = dx * dx / viscosity * push - still_of(steady, d * n + row);
             steady->solution[d * n + row] = flow_velocity_of(flow, row)[d];
         }
-        steady->side[dimension * n + row] = -steady->still[dimension * n + row];
+        steady->side[dimension * n + row] = -still_of(steady, dimension * n + row);
         steady->solution[dimension * n + row] = flow->pressure[flow->weights->first + row] * dx / viscosity;
     }
     subtract_means(flow, steady->side + dimension * n);
@@ -326,7 +347,7 @@ bool steady_solve(struct steady *steady, const struct flow *flow, const double f
         return true;
     return error_set(
         error, ERROR_PHYSICS,
-        "the steady flow did not converge in %d iterations (%s): over the last ten the mean flow "
+        "the steady flow did not converge in %d iterations (%s): over the last 16 the mean flow "
         "changed by %.2g of itself, the momentum's residual is %.2g of the force, and between open sides "
         "%.2g of "
         "the flow gets lost; %s may help",

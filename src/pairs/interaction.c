@@ -146,6 +146,7 @@ static void list_select(struct pairlist *list, const struct pairlist *from, cons
                         double (*margin)[CLASS_MAX]) {
     size_t pairs = 0, primary = 0;
     list_reserve(list, from);
+    list->sides = 0;
     list->block_count = from->block_count;
     memcpy(list->thread_block, from->thread_block, ((size_t)from->threads + 1) * sizeof *from->thread_block);
     memcpy(list->shift, from->shift, sizeof list->shift);
@@ -182,6 +183,13 @@ void interactions_follow(struct interactions *interactions, const struct box *bo
     for (int k = 0; k < interactions->count; k++)
         if (interactions->own[k])
             pairlist_follow(interactions->own[k], box);
+}
+
+void interactions_release(struct interactions *interactions) {
+    pairlist_release(interactions->all);
+    for (int k = 0; k < interactions->count; k++)
+        if (interactions->own[k])
+            pairlist_release(interactions->own[k]);
 }
 
 static int partner_compare(const void *a, const void *b) {

@@ -72,6 +72,9 @@ void interactions_follow(struct interactions *interactions, const struct box *bo
 void interactions_select(struct interactions *interactions, const struct size_classes *classes,
                          const struct index_view *view);
 
+/* Releases the pairs of all lists (pairlist_release). */
+void interactions_release(struct interactions *interactions);
+
 /* Each pair in the rows of both its particles: row i has the partners partner[start[i]] ... [start[i + 1]), with
  * their image codes, in increasing order of particle number and code. For owned rows. All zero: empty. */
 struct pair_rows {

@@ -27,7 +27,7 @@ struct pairlist *pairlist_create(const struct pairlist_options *options) {
 }
 
 int64_t pairlist_sides(const struct pairlist *list) {
-    size_t sides = 0;
+    size_t sides = (size_t)list->sides;
     for (int b = 0; b < list->block_count; b++) {
         const struct pair_block *block = &list->blocks[b];
         size_t one = block->slotted - block->one_sided;
@@ -41,27 +41,44 @@ void pair_buffer_free(struct pair_buffer *buffer) {
     memory_free(buffer->j);
 }
 
+static void worker_release(struct pairlist_worker *worker) {
+    struct pair_buffer *const buffer[] = {&worker->one,           &worker->slot,         &worker->mirror,
+                                          &worker->mirrors.pairs, &worker->ghosts.pairs, &worker->ghost};
+    memory_free(worker->sink.i);
+    memory_free(worker->sink.j);
+    worker->sink = (struct index_sink){0};
+    worker->first = worker->room = 0;
+    for (size_t k = 0; k < sizeof buffer / sizeof *buffer; k++) {
+        pair_buffer_free(buffer[k]);
+        *buffer[k] = (struct pair_buffer){0};
+    }
+}
+
+void pairlist_release(struct pairlist *list) {
+    list->sides = pairlist_sides(list);
+    for (int t = 0; t < list->threads; t++)
+        worker_release(&list->build->worker[t]);
+    memory_free(list->build->thread_of);
+    list->build->thread_of = NULL;
+    list->build->thread_of_capacity = 0;
+    memory_free(list->i);
+    memory_free(list->j);
+    list->i = list->j = NULL;
+    list->capacity = 0;
+    for (int b = 0; b < list->block_count; b++) {
+        struct pair_block *block = &list->blocks[b];
+        block->first_pair = block->one_sided = block->slotted = block->end_pair = 0;
+    }
+}
+
 void pairlist_destroy(struct pairlist **list) {
     struct pairlist *l = *list;
     if (l == NULL)
         return;
-    for (int t = 0; t < l->threads; t++) {
-        struct pairlist_worker *w = &l->build->worker[t];
-        memory_free(w->sink.i);
-        memory_free(w->sink.j);
-        pair_buffer_free(&w->one);
-        pair_buffer_free(&w->slot);
-        pair_buffer_free(&w->mirror);
-        pair_buffer_free(&w->mirrors.pairs);
-        pair_buffer_free(&w->ghosts.pairs);
-        pair_buffer_free(&w->ghost);
-    }
+    pairlist_release(l);
     memory_free(l->build->worker);
-    memory_free(l->build->thread_of);
     memory_free(l->build->run);
     memory_free(l->build);
-    memory_free(l->i);
-    memory_free(l->j);
     memory_free(l->blocks);
     memory_free(l->thread_block);
     memory_free(l->busy);

@@ -68,6 +68,7 @@ struct pairlist {
     double shift[IMAGE_CODES][4]; /* image code -> vector added to x_j */
     bool moves;                   /* the box moves: `drift` counts */
     double drift[IMAGE_CODES][4]; /* image code -> velocity added to v_j */
+    int64_t sides;                /* of a list that was released, for the report; else 0 */
     struct pairlist_build *build;
 };
 
@@ -81,6 +82,9 @@ struct pairlist_options {
 /* Makes an empty list; destroy frees it and nulls the pointer. */
 struct pairlist *pairlist_create(const struct pairlist_options *options);
 void pairlist_destroy(struct pairlist **list);
+
+/* Releases the pairs and the memory of their search; the counts stay, the blocks are empty. pairlist_build makes the pairs again. */
+void pairlist_release(struct pairlist *list);
 
 /* Fills the view that an index sees: the particles, the classes, the periodic directions it wraps itself
  * (`wrap`, a direction in which one rank holds the whole box). Borrows all pointers. */

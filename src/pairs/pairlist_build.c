@@ -432,6 +432,7 @@ void pairlist_build(struct pairlist *list, const struct index *index, const stru
                     const struct box *box) {
     assert(view->total < (size_t)1 << PARTICLE_INDEX_BITS);
     struct pass pass = {list, index, view};
+    list->sides = 0;
     pairlist_follow(list, box);
     blocks_make(list, view);
     for (;;) {

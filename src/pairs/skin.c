@@ -36,6 +36,12 @@ void skin_reset(struct skin *skin, const struct particles *particles) {
         skin->then = *skin->box;
 }
 
+void skin_release(struct skin *skin) {
+    memory_free(skin->anchor);
+    skin->anchor = NULL;
+    skin->capacity = 0;
+}
+
 void skin_follow(struct skin *skin, const struct box *box) {
     skin->box = box;
 }
@@ -118,6 +124,8 @@ static double displacement2(const struct skin *skin, const double anchor[3], con
 
 void skin_measure(struct skin *skin, const struct particles *particles, int classes) {
     struct largest all = {0};
+    if (skin->anchor == NULL && particles->owned > 0)
+        return;
 #pragma omp parallel
     {
         struct largest mine = {0};

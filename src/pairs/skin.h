@@ -47,6 +47,9 @@ double skin_speed2(const struct box *box, const struct particle_state *state, do
 /* A rebuild has happened: displacements start from here. Opens its own thread team. */
 void skin_reset(struct skin *skin, const struct particles *particles);
 
+/* Releases the memory of positions, where nothing is expected to move: skin_measure then leaves the bounds as they are. */
+void skin_release(struct skin *skin);
+
 /* The largest speed of each class in the drift just made (this rank's, or all ranks'), and how far walls have
  * moved in all. In a box that moves speeds are those of skin_speed2, and the box has moved. */
 void skin_moved(struct skin *skin, const double *speed, int classes, double dt, double walls);

@@ -35,6 +35,7 @@ static const struct method {
     PCSide side;
 } methods[] = {{"fgmres", KSPFGMRES, PC_RIGHT},
                {"gmres", KSPGMRES, PC_RIGHT},
+               {"lgmres", KSPLGMRES, PC_RIGHT},
                {"bicgstab", KSPBCGS, PC_RIGHT},
                {"cg", KSPCG, PC_LEFT}};
 
@@ -80,7 +81,7 @@ static bool choose_method(struct petsc_system *system, const struct solve_option
     const struct method *row = find_method(options->method);
     if (row == NULL)
         return error_set(error, ERROR_USER, "no Krylov method '%s'; there are: %s", options->method,
-                         "fgmres, gmres, bicgstab, cg");
+                         "fgmres, gmres, lgmres, bicgstab, cg");
     PetscBool other = PETSC_FALSE; /* the user's method may know neither this side nor this norm */
     CALL(PetscOptionsHasName, NULL, options->prefix, "-ksp_type", &other);
     CALL(KSPSetType, system->solver, row->type);
@@ -89,6 +90,8 @@ static bool choose_method(struct petsc_system *system, const struct solve_option
         CALL(KSPSetNormType, system->solver, KSP_NORM_UNPRECONDITIONED);
     }
     CALL(KSPGMRESSetRestart, system->solver, options->restart);
+    if (options->augment > 0 && options->augment < options->restart)
+        CALL(KSPLGMRESSetAugDim, system->solver, options->augment);
     CALL(KSPSetTolerances, system->solver, options->tolerance, PETSC_DEFAULT, PETSC_DEFAULT,
          options->iterations);
     return true;

@@ -48,7 +48,7 @@ const char *solve_preconditioners(void) {
 }
 
 const char *solve_methods(void) {
-    return "fgmres, gmres, bicgstab, cg";
+    return "fgmres, gmres, lgmres, bicgstab, cg";
 }
 
 struct solve_options solve_options_singular(const char *prefix) {

@@ -232,6 +232,42 @@ static void memory_grows_with_particles_alone(void **state) {
     }
 }
 
+/* An index that was released describes its last build, holds little, and finds the same pairs after a new build. */
+static void released_indexes_can_be_rebuilt(void **state) {
+    (void)state;
+    struct cloud cloud;
+    cloud_make(&cloud, &(struct cloud_spec){.count = 3000,
+                                            .large = 3,
+                                            .sizes = CLOUD_BIDISPERSE,
+                                            .ratio = 20,
+                                            .fraction = 0.4,
+                                            .dimension = 3,
+                                            .periodic = {true, true, true}});
+    struct index_params params = {0};
+    struct error error = {0};
+    for (int k = 1; k < index_registry_count(); k++) {
+        struct index *index = index_create(index_registry_get(k)->name, &params, &error);
+        struct pair_set expected = {0}, found = {0};
+        struct index_description before, after;
+        index_build(index, &cloud.view);
+        pair_set_collect(&expected, index, &cloud.view, 2);
+        index_describe(index, &before);
+        size_t held = index_memory(index);
+        index_release(index);
+        index_describe(index, &after);
+        assert_true(index_memory(index) < held / 2);
+        assert_int_equal(after.levels, before.levels);
+        assert_int_equal(after.level[0].particles, before.level[0].particles);
+        index_build(index, &cloud.view);
+        pair_set_collect(&found, index, &cloud.view, 2);
+        pair_set_compare(&expected, &found, index_registry_get(k)->name);
+        pair_set_free(&expected);
+        pair_set_free(&found);
+        index_destroy(&index);
+    }
+    cloud_free(&cloud);
+}
+
 static void descriptions_account_for_all(void **state) {
     (void)state;
     struct cloud cloud;
@@ -301,6 +337,7 @@ int main(void) {
         cmocka_unit_test(indexes_can_be_rebuilt),
         cmocka_unit_test(an_order_need_not_be_followed),
         cmocka_unit_test(memory_grows_with_particles_alone),
+        cmocka_unit_test(released_indexes_can_be_rebuilt),
         cmocka_unit_test(descriptions_account_for_all),
         cmocka_unit_test(checks_notice_moved_particles),
     };
