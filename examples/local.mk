@@ -87,6 +87,10 @@ tumbling = examples/tumbling
 nobase_dist_pkgdata_DATA += $(tumbling)/README.md $(tumbling)/picture.gp $(tumbling)/scene.yaml
 nobase_dist_pkgdata_SCRIPTS += $(tumbling)/check $(tumbling)/run.sh $(tumbling)/section.sh
 
+two_sizes = examples/two_sizes
+nobase_dist_pkgdata_DATA += $(two_sizes)/README.md $(two_sizes)/picture.gp $(two_sizes)/scene.yaml
+nobase_dist_pkgdata_SCRIPTS += $(two_sizes)/check $(two_sizes)/run.sh
+
 bed_erosion = examples/bed_erosion
 nobase_dist_pkgdata_DATA += \
 	$(bed_erosion)/README.md $(bed_erosion)/bed.txt $(bed_erosion)/picture.gp $(bed_erosion)/scene.yaml
