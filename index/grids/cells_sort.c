@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The threaded sort by cell, for dense and for sparse cells. Read cells_sort.h first. */
 #include "index/grids/cells_sort.h"
+#include "index/grids/cells.h"
 
 #include "core/memory.h"
 

@@ -44,80 +44,6 @@ static double images_apart(const struct simulation *s) {
     return apart;
 }
 
-/* Every particle gets a place among the particles that stay. */
-static void part(struct simulation *s, struct rebuild_rows *rows) {
-    rows->before = s->particles->owned;
-    rows->place = memory_allocate(rows->before, sizeof *rows->place, "places of particles");
-    rows->stay = migrate_places(s->comm, s->ranks.domain, s->particles, rows->place);
-}
-
-/* Two particles that stay keep their history here. The other histories become loose rows. */
-static void loosen(struct simulation *s, struct rebuild_rows *rows) {
-    history_loosen(s->grains.history, s->grains.list, s->particles, rows->place, &rows->loose, &rows->leave);
-}
-
-/* After the migration: the rows of the arrivals join the loose rows, and the arrivals join the particles that
- * may be partners, which get the numbers of their places. */
-static void loose_settle(struct simulation *s, struct rebuild_rows *rows) {
-    size_t arrivals = s->particles->owned - rows->stay, n = 0;
-    history_loose_join(&rows->loose, &rows->leave);
-    for (size_t k = 0; k < rows->near_count; k++)
-        if (rows->place[rows->near[k]] != PARTICLE_LEFT)
-            rows->near[n++] = rows->place[rows->near[k]];
-    rows->near = memory_resize(rows->near, n + arrivals, sizeof *rows->near, "partners of rows");
-    for (size_t k = rows->stay; k < s->particles->owned; k++)
-        rows->near[n++] = (uint32_t)k;
-    rows->near_count = n;
-}
-
-/* Particles go to their owners, with their rows. */
-static void migrate(struct simulation *s, struct rebuild_rows *rows) {
-    struct migrate_rows set[2 + PHYSICS_COUNT];
-    int n = 0, pairs = -1, leave = -1, walls = -1, carried[PHYSICS_COUNT];
-    const size_t sent = history_row_bytes(s->grains.law.history_components);
-    if (rows->pairs.start) {
-        pairs = n;
-        set[n++] = (struct migrate_rows){
-            rows->pairs.start, rows->pairs.row, rows->pairs.count, sizeof *rows->pairs.row, sent, NULL};
-    }
-    if (rows->leave.carrier) {
-        leave = n;
-        set[n++] = (struct migrate_rows){NULL, rows->leave.row,    rows->leave.count, sizeof *rows->leave.row,
-                                         sent, rows->leave.carrier};
-    }
-    if (rows->walls.start) {
-        walls = n;
-        set[n++] = (struct migrate_rows){rows->walls.start,
-                                         rows->walls.row,
-                                         rows->walls.count,
-                                         sizeof *rows->walls.row,
-                                         wall_row_bytes(s->grains.law.history_components),
-                                         NULL};
-    }
-    for (int k = 0; k < PHYSICS_COUNT; k++) {
-        const struct history_rows *own = rows->carried[k];
-        carried[k] = n;
-        if (own)
-            set[n++] = (struct migrate_rows){
-                own->start, own->row, own->count, sizeof *own->row, history_row_bytes(rows->components[k]),
-                NULL};
-    }
-    const struct migrate_places places = {rows->place, rows->stay};
-    ghosts_migrate_rows(s->ranks.ghosts, s->particles, &places, set, n);
-    for (int k = 0; k < PHYSICS_COUNT; k++)
-        if (rows->carried[k])
-            *rows->carried[k] =
-                (struct history_rows){set[carried[k]].start, set[carried[k]].row, set[carried[k]].count};
-    if (pairs >= 0)
-        rows->pairs = (struct history_rows){set[pairs].start, set[pairs].row, set[pairs].count};
-    if (walls >= 0)
-        rows->walls = (struct wall_rows){set[walls].start, set[walls].row, set[walls].count};
-    if (leave >= 0) {
-        rows->leave = (struct history_loose){set[leave].carrier, set[leave].row, set[leave].count};
-        loose_settle(s, rows);
-    }
-}
-
 /* True if the particles lie as at the last build of the index, so that the index may leave them there. */
 static bool may_stay(const struct simulation *s) {
     return s->ranks.alone && !s->search.sorts && !s->box.motion.moves &&
@@ -404,9 +330,9 @@ static const struct rebuild_pass passes[] = {
     {"carry", "pairs that a physics remembers", "history", with_carried, carry},
     {"wrap", NULL, "migrate", NULL, wrap},
     {"sources", NULL, "migrate", NULL, come_and_go},
-    {"part", "several ranks", "migrate", many_ranks, part},
-    {"loosen", "history, several ranks", "history", many_that_keep, loosen},
-    {"migrate", "several ranks", "migrate", many_ranks, migrate},
+    {"part", "several ranks", "migrate", many_ranks, rebuild_part},
+    {"loosen", "history, several ranks", "history", many_that_keep, rebuild_loosen},
+    {"migrate", "several ranks", "migrate", many_ranks, rebuild_migrate},
     {"classify", NULL, "migrate", NULL, classify},
     {"reorder", NULL, "reorder", NULL, reorder},
     {"ghosts", NULL, "ghosts", NULL, ghosts_pass},

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Turns contact histories into rows. */
+/* Contact histories become rows, which go with their particles to other ranks. */
 #include "engine/rebuild_rows.h"
 #include "core/memory.h"
 
@@ -13,6 +13,77 @@ void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *r
 
 void rebuild_carry(struct simulation *s, struct rebuild_rows *rows) {
     physics_rows(&s->physics, rows->carried, rows->components);
+}
+
+void rebuild_part(struct simulation *s, struct rebuild_rows *rows) {
+    rows->before = s->particles->owned;
+    rows->place = memory_allocate(rows->before, sizeof *rows->place, "places of particles");
+    rows->stay = migrate_places(s->comm, s->ranks.domain, s->particles, rows->place);
+}
+
+void rebuild_loosen(struct simulation *s, struct rebuild_rows *rows) {
+    history_loosen(s->grains.history, s->grains.list, s->particles, rows->place, &rows->loose, &rows->leave);
+}
+
+/* After the migration: the rows of the arrivals join the loose rows, and the arrivals join the particles that
+ * may be partners, which get the numbers of their places. */
+static void loose_settle(struct simulation *s, struct rebuild_rows *rows) {
+    size_t arrivals = s->particles->owned - rows->stay, n = 0;
+    history_loose_join(&rows->loose, &rows->leave);
+    for (size_t k = 0; k < rows->near_count; k++)
+        if (rows->place[rows->near[k]] != PARTICLE_LEFT)
+            rows->near[n++] = rows->place[rows->near[k]];
+    rows->near = memory_resize(rows->near, n + arrivals, sizeof *rows->near, "partners of rows");
+    for (size_t k = rows->stay; k < s->particles->owned; k++)
+        rows->near[n++] = (uint32_t)k;
+    rows->near_count = n;
+}
+
+void rebuild_migrate(struct simulation *s, struct rebuild_rows *rows) {
+    struct migrate_rows set[2 + PHYSICS_COUNT];
+    int n = 0, pairs = -1, leave = -1, walls = -1, carried[PHYSICS_COUNT];
+    const size_t sent = history_row_bytes(s->grains.law.history_components);
+    if (rows->pairs.start) {
+        pairs = n;
+        set[n++] = (struct migrate_rows){
+            rows->pairs.start, rows->pairs.row, rows->pairs.count, sizeof *rows->pairs.row, sent, NULL};
+    }
+    if (rows->leave.carrier) {
+        leave = n;
+        set[n++] = (struct migrate_rows){NULL, rows->leave.row,    rows->leave.count, sizeof *rows->leave.row,
+                                         sent, rows->leave.carrier};
+    }
+    if (rows->walls.start) {
+        walls = n;
+        set[n++] = (struct migrate_rows){rows->walls.start,
+                                         rows->walls.row,
+                                         rows->walls.count,
+                                         sizeof *rows->walls.row,
+                                         wall_row_bytes(s->grains.law.history_components),
+                                         NULL};
+    }
+    for (int k = 0; k < PHYSICS_COUNT; k++) {
+        const struct history_rows *own = rows->carried[k];
+        carried[k] = n;
+        if (own)
+            set[n++] = (struct migrate_rows){
+                own->start, own->row, own->count, sizeof *own->row, history_row_bytes(rows->components[k]),
+                NULL};
+    }
+    const struct migrate_places places = {rows->place, rows->stay};
+    ghosts_migrate_rows(s->ranks.ghosts, s->particles, &places, set, n);
+    for (int k = 0; k < PHYSICS_COUNT; k++)
+        if (rows->carried[k])
+            *rows->carried[k] =
+                (struct history_rows){set[carried[k]].start, set[carried[k]].row, set[carried[k]].count};
+    if (pairs >= 0)
+        rows->pairs = (struct history_rows){set[pairs].start, set[pairs].row, set[pairs].count};
+    if (walls >= 0)
+        rows->walls = (struct wall_rows){set[walls].start, set[walls].row, set[walls].count};
+    if (leave >= 0) {
+        rows->leave = (struct history_loose){set[leave].carrier, set[leave].row, set[leave].count};
+        loose_settle(s, rows);
+    }
 }
 
 void rebuild_rows_free(struct rebuild_rows *rows) {

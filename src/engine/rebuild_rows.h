@@ -30,6 +30,14 @@ void rebuild_detach(struct simulation *simulation, bool both_ends, struct rebuil
 
 /* Asks all physics for their rows. */
 void rebuild_carry(struct simulation *simulation, struct rebuild_rows *rows);
+
+/* Passes of the rebuild, on several ranks: every particle gets a place among those that stay; histories of two that
+ * stay remain where they are, the others become loose rows; particles go to their owners, with their rows. The
+ * last one is collective. */
+void rebuild_part(struct simulation *simulation, struct rebuild_rows *rows);
+void rebuild_loosen(struct simulation *simulation, struct rebuild_rows *rows);
+void rebuild_migrate(struct simulation *simulation, struct rebuild_rows *rows);
+
 void rebuild_rows_free(struct rebuild_rows *rows);
 
 #endif

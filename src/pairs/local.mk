@@ -12,7 +12,9 @@ libpairs_la_SOURCES = \
 	src/pairs/skin_choice.c src/pairs/skin_choice.h \
 	src/pairs/sweep.c src/pairs/sweep.h \
 	src/pairs/walk.c src/pairs/walk.h \
+	src/pairs/walk_filter.h \
 	src/pairs/walk_four.h \
+	src/pairs/walk_history.h \
 	src/pairs/walk_kernel.h \
 	src/pairs/walk_kernels.c \
 	src/pairs/walk_ordered.c src/pairs/walk_ordered.h
