@@ -258,7 +258,7 @@ static void test_history_survives_reorder_and_another_thread_count(void **state)
     check_history(2, 4, true);
 }
 
-/* What a rebuild of several ranks does with loose rows, on one. */
+/* A rebuild of several ranks with its loose rows, on one. */
 struct flight {
     uint32_t place[PLACES], near[PLACES];
     struct history_loose loose, leave;

@@ -31,5 +31,15 @@ autodoc_mock_imports = ["cffi", "numpy"]
 autodoc_member_order = "bysource"
 
 
+def _forget(app):
+    """Forgets what Sphinx itself has loaded of these modules (cffi, for its requests): autodoc puts a stand-in for new ones alone."""
+    for name in [name for name in sys.modules if name.partition(".")[0] in autodoc_mock_imports]:
+        del sys.modules[name]
+
+
+def setup(app):
+    app.connect("builder-inited", _forget)
+
+
 # A function may have the name of a struct (scree_box, scree_field): C keeps two lists of names, Sphinx one
 logging.getLogger("sphinx.sphinx.domains.c").addFilter(lambda record: "Duplicate C declaration" not in str(record.msg))

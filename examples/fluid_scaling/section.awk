@@ -51,7 +51,7 @@ END {
         printf "| %s | %d | %d | %s | %.0f (%.0f) | %.0f | %.1f | %.0f | %.1f | %.0f |\n", scheme[k] == "transient" ? "transient, a step" : "steady, an iteration", share[k], ranks[k], \
             scheme[k] == "transient" ? sprintf("%.1f pressure, %.1f velocity", iterations[k], velocity[k]) : sprintf("%d", iterations[k]), messages[k], most[k], bytes[k] / 1e3, calls_of[k], \
             first[k], first_bytes[k] / 1e6, memory[k] / 1e6
-    print "\nThe transient flow solves to the default tolerances, the steady one until ten iterations change the flow by less than 10^-4. Two ranks have one neighbour, four have three, eight"
+    print "\nThe transient flow solves to the default tolerances, the steady one until a cycle of iterations (16) changes the flow by less than 10^-4. Two ranks have one neighbour, four have three, eight"
     print "seven, 27 and more 26. Copies of the flow travel in one message a neighbour and product; nearly all other messages are those of the levels of multigrid, whose coarse levels have more neighbours than"
     print "the lattice."
     fit("transient")

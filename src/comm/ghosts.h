@@ -90,8 +90,7 @@ void ghosts_reverse(struct ghosts *ghosts, struct particles *particles, const st
 /* The same, whatever newton is: for sums that are not over pairs of the list. */
 void ghosts_sum(struct ghosts *ghosts, struct particles *particles, const struct field_list *fields);
 
-/* The owned particles that have copies on any rank, increasing, each once: the particles that an integrator
- * moves first. Borrowed until the next ghosts_make or ghosts_drop. */
+/* The owned particles that have copies on any rank, increasing, each once. Borrowed until the next ghosts_make or ghosts_drop. */
 const uint32_t *ghosts_originals(const struct ghosts *ghosts, size_t *count);
 
 /* The copies that this rank holds of its own particles, if the rank is its own neighbour across the box.

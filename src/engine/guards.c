@@ -133,9 +133,10 @@ void guards_step(struct simulation *s, const char *text) {
 }
 
 void guards_check(struct simulation *s) {
-    guard_overlap(s);
-    if (!s->ahead)
+    if (!s->ahead) { /* the next step then ends complete, as guards_calm finds the overlap, too */
+        guard_overlap(s);
         guard_speed(s);
+    }
     s->guards.overlap_known = true;
 }
 

@@ -14,12 +14,13 @@ bool guards_prepare(struct simulation *simulation, struct error *error);
  * all ranks alike. */
 void guards_step(struct simulation *simulation, const char *text);
 
-/* Checks overlap and speed after a force evaluation; costs no time. Of a step in ring order the overlap alone: the
- * largest speed is that of the next step. */
+/* Checks overlap and speed after a force evaluation; costs no time. A step in ring order is left to the next one, which
+ * guards_calm then keeps out of that order. */
 void guards_check(struct simulation *simulation);
 
-/* True if guards_check cannot find anything on this rank after the step in progress, whose particles have moved: the speed
- * is within bounds, and the largest overlap, known from the step before, will be. */
+/* True if the speed on this rank is within bounds in the step in progress, whose particles have moved, and the largest
+ * overlap, known from the step before, most likely will be: walls that turn back and pairs from other ranks are not
+ * bounded. */
 bool guards_calm(const struct simulation *simulation);
 
 /* Finds positions and velocities that are not numbers; a pass over all particles. */

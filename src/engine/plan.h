@@ -53,7 +53,7 @@ struct plan_visit {
     struct plan_pass pass[PLAN_PASSES_MAX];
 };
 
-/* Both orders, and the passes of their visits. */
+/* The orders, and the passes of their visits. */
 struct step_plan {
     struct plan plain, fused, forces; /* forces: the plain one from PASS_PAIRS on */
     /* The ring order: up to the decision on a rebuild, from particles that have to move, and from those that have
@@ -64,10 +64,10 @@ struct step_plan {
 
 /* The engine's own passes between the stages of the physics; lists end with a NULL run. */
 struct engine_passes {
-    const struct engine_pass *moved;  /* plain: after everything has moved */
-    const struct engine_pass *renew;  /* plain: then */
-    const struct engine_pass *shared; /* both: before PASS_CLOSE */
-    const struct engine_pass *paired; /* plain: after PASS_CLOSE */
+    const struct engine_pass *moved;  /* plain and ring: after everything has moved */
+    const struct engine_pass *renew;  /* plain and ring: then */
+    const struct engine_pass *shared; /* plain and fused: before PASS_CLOSE */
+    const struct engine_pass *paired; /* all orders: after PASS_CLOSE */
     const struct engine_pass
         *sweep; /* fused: from the first move to the last sum over pairs of the sweep's list */
     const struct engine_pass *ring, *settle; /* ring: the sums over pairs of the sweep's list; at the end */

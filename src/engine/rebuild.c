@@ -152,14 +152,9 @@ static size_t early_count(const struct sweep *sweep) {
  * planned unless these are more than one in RING_PART. */
 enum { RING_PART = 3 };
 
-void rebuild_plan(struct simulation *s) {
+static void plan_sweep(struct simulation *s) {
     size_t many = s->particles->owned / RING_PART;
     struct ring *ring = s->search.ring;
-
-    if (!s->search.sweep->stale)
-        return;
-    int stage = stages_find(&s->timers, "pairs");
-    timer_start(&s->timers, stage);
     struct sweep_numbers early[2] = {{0}};
     if (!s->ranks.alone)
         early[0].number = ghosts_step_originals(s->ranks.ghosts, &early[0].count);
@@ -174,7 +169,24 @@ void rebuild_plan(struct simulation *s) {
     if (ring && few && early_count(s->search.sweep) <= many)
         ring_build(ring, s->search.sweep, s->grains.list, s->particles->owned,
                    s->particles->owned + s->particles->ghosts);
+}
+
+void rebuild_plan(struct simulation *s) {
+    if (!s->search.sweep->stale)
+        return;
+    int stage = stages_find(&s->timers, "pairs");
+    timer_start(&s->timers, stage);
+    plan_sweep(s);
     timer_stop(&s->timers, stage);
+}
+
+/* The ranks agree whether the ring order pays on all of them. */
+static void plan_pass(struct simulation *s, struct rebuild_rows *rows) {
+    (void)rows;
+    plan_sweep(s);
+    int64_t without = s->search.ring->sweep == NULL;
+    comm_max_int(s->comm, &without, 1);
+    s->search.ring_agreed = without == 0;
 }
 
 /* Sets size classes: particles that have arrived have none, and after a new choice of classes the classes of
@@ -231,7 +243,8 @@ static void balance(struct simulation *s, struct rebuild_rows *rows) {
 }
 
 static void detach(struct simulation *s, struct rebuild_rows *rows) {
-    bool none_lost = !sources_due(s) && !simulation_may_lose(s);
+    bool given = s->sources.given.added > 0 || s->sources.given.taken > 0;
+    bool none_lost = !given && !sources_due(s) && !simulation_may_lose(s);
     bool keeps = s->grains.history && none_lost && one_image(s);
     if (!keeps)
         rebuild_detach(s, !s->ranks.alone, rows);
@@ -300,6 +313,10 @@ static bool many_with_history(const struct simulation *s, const struct rebuild_r
 static bool many_that_keep(const struct simulation *s, const struct rebuild_rows *rows) {
     return !s->ranks.alone && (rows == NULL || rows->keep);
 }
+static bool many_with_ring(const struct simulation *s, const struct rebuild_rows *rows) {
+    (void)rows;
+    return !s->ranks.alone && s->search.ring;
+}
 static bool with_walls(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
     return s->grains.walls && s->grains.law.materials > 0;
@@ -343,6 +360,7 @@ static const struct rebuild_pass passes[] = {
     {"walls", "walls", "wall", with_walls, walls_pass},
     {"attach", NULL, "history", NULL, attach},
     {"physics", NULL, "pairs", NULL, tell_physics},
+    {"plan", "several ranks, ring order", "pairs", many_with_ring, plan_pass},
 };
 enum { REBUILD_PASSES = sizeof passes / sizeof passes[0], REBUILD_CARRY = 4 };
 

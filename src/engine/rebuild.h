@@ -5,14 +5,14 @@
 
 #include "engine/rebuild_rows.h"
 
-/* Full rebuild: history detached, particles wrapped, inserted, deleted and migrated, sorted, copied,
+/* Full rebuild: history detached, particles wrapped, inserted, deleted and migrated, sorted unless they may stay, copied,
  * searched; history attached. Collective. */
 void rebuild_run(struct simulation *simulation);
 
 /* Prints the passes of a rebuild, a line each. */
 void rebuild_print(const struct simulation *simulation, FILE *file);
 
-/* Makes the plan of the sweep, if none was made since the last rebuild. Called before a fused step. */
+/* Makes the plan of the sweep, if none was made since the last rebuild. Called before a fused step and before one in ring order. */
 void rebuild_plan(struct simulation *simulation);
 
 /* As rebuild_run, but with rows from a checkpoint; becomes the owner of the rows. */

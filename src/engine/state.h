@@ -99,6 +99,8 @@ struct search {
     struct skin_choice choice; /* of the skin, with `skin: auto`; skin_auto.h */
     struct sweep *sweep;       /* the plan of the fused order; NULL: the scene wants only the plain order */
     struct ring *ring;         /* the plan of the ring order; NULL: the scene does not have it */
+    bool ring_agreed;          /* several ranks: all have such a plan since the last rebuild */
+    bool ring_before; /* several ranks: the step before may have ended in ring order on some of them */
 };
 
 /* The division among ranks, and this rank's copies. */

@@ -47,6 +47,7 @@
 #include "engine/stages.h"
 #include "engine/sources.h"
 #include "engine/rebuild.h"
+#include <assert.h>
 #include <string.h>
 
 /* Sets the forces of copies to zero. */
@@ -265,9 +266,19 @@ void step_plan_print(const struct simulation *s, FILE *file) {
     rebuild_print(s, file);
 }
 
-/* False if the plan says that most of the ring's gain would be lost (rebuild_plan); before a new plan is made, true. */
+/* False if the plan says that most of the ring's gain would be lost (rebuild_plan); before a new plan is made, true.
+ * Several ranks agree on this at a rebuild. */
 static bool ring_pays(const struct simulation *s) {
+    if (!s->ranks.alone)
+        return s->search.ring_agreed;
     return s->search.ring && (s->search.sweep->stale || s->search.ring->sweep);
+}
+
+/* True if this step takes the way of the ring order. The order of messages and reductions differs between that way and
+ * the fused order, so all ranks go the same way, whether or not their particles have moved ahead. */
+static bool ring_due(const struct simulation *s, bool unseen) {
+    bool before = s->ranks.alone ? s->ahead : s->search.ring_before;
+    return ring_pays(s) && (unseen || before);
 }
 
 /* The rest of a step in ring order, or, where the state at its end will be looked at, in plain order. */
@@ -297,7 +308,10 @@ void step_run(struct simulation *s, bool rebuild, bool unseen) {
         memset(s->grains.speed, 0, (size_t)s->threads * sizeof *s->grains.speed);
     bool fused =
         s->scene->step.fused && !s->agree.signals.rebuild && !skin_nearly_due(s->search.skin, &s->classes);
-    if (s->ahead || (unseen && ring_pays(s))) {
+    bool in_ring = ring_due(s, unseen);
+    s->search.ring_before = in_ring && unseen;
+    assert(in_ring || !s->ahead);
+    if (in_ring) {
         ring_step(s, unseen);
     } else {
         if (fused)

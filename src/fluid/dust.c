@@ -12,7 +12,7 @@
 static const struct field
     seen = {.name = "fluid_seen",
             .components = 3,
-            .use = FIELD_OUTPUT | FIELD_ASKED,
+            .use = FIELD_TRAVELS | FIELD_OUTPUT | FIELD_ASKED,
             .unit = "m s-1",
             .kinds = 1u << KIND_GRAIN,
             OF_DUST,
@@ -149,10 +149,12 @@ void dust_look(const struct physics_context *context) {
         else
             lost = i < lost ? i : lost;
     }
-    if (lost != SIZE_MAX)
+    int64_t worst = lost == SIZE_MAX ? -1 : p->id[lost];
+    comm_max_int(context->comm, &worst, 1);
+    if (worst >= 0)
         error_set(&fluid->error, ERROR_PHYSICS,
                   "fluid.grains.unresolved: grain %lld has no fluid around it in step %llu, t = %.9g",
-                  (long long)p->id[lost], (unsigned long long)context->clock->step, context->clock->time);
+                  (long long)worst, (unsigned long long)context->clock->step, context->clock->time);
 }
 
 /* The forces of all grains on the fluid particles of this rank. */

@@ -38,7 +38,7 @@ double (*dust_force(const struct particles *particles))[4];
 /* As `needed` of a pass. */
 bool dust_needed(const struct physics_context *context);
 
-/* Fills dust_seen. Opens its own team. */
+/* Fills dust_seen; an error on all ranks if a grain has no fluid around it. Opens its own team. Collective. */
 void dust_look(const struct physics_context *context);
 
 /* Once in each step of the grains: their forces become impulses of the fluid. An error if a step of the fluid, of the length dt, is too long

@@ -10,8 +10,9 @@
 #include <math.h>
 #include <string.h>
 
-/* A cycle of LGMRES has directions of its own and corrections of earlier cycles; the solve asks at the end of each whether to go on. */
-enum { RESTART = 14, AUGMENT = 2, EVERY = RESTART + AUGMENT };
+/* Iterations of a cycle of LGMRES, of which the last ones take corrections of earlier cycles as directions; the solve
+ * asks at the end of each cycle whether to go on. */
+enum { CYCLE = 16, AUGMENT = 2 };
 
 /* The momentum's residual, as a part of the force, that is small enough. */
 #define RESIDUAL_ENOUGH 1e-3
@@ -217,10 +218,10 @@ static bool make_systems(struct steady *steady, struct solve *solve, const struc
         good = steady->velocity[s] != NULL;
     }
     assembly_free(&assembly);
-    struct solve_free work = {(int32_t)steady->unknowns, steady, multiply, precondition, enough, EVERY};
+    struct solve_free work = {(int32_t)steady->unknowns, steady, multiply, precondition, enough, CYCLE};
     options = solve_options_regular("fluid_s_");
     options.method = "lgmres";
-    options.restart = RESTART;
+    options.restart = CYCLE;
     options.augment = AUGMENT;
     options.tolerance = 1e-10;
     options.iterations = steady->options.iterations;

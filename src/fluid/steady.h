@@ -16,7 +16,7 @@
  * square of the velocity takes its place. Between open sides of given pressure at most a hundredth of the flow may get
  * lost, too: there the continuity converges slowly. A part of a cycle would not do: the first iterations after a restart change the
  * flow little even where it has a percent to go. Cycles of LGMRES take along the corrections of the last two cycles, and
- * so need fewer vectors than those of GMRES: 26 with 4 doubles a particle, not 36. */
+ * so need fewer vectors than those of GMRES: 28 with 4 doubles a particle, not 36. */
 #ifndef SCREE_FLUID_STEADY_H
 #define SCREE_FLUID_STEADY_H
 

@@ -127,10 +127,11 @@ static bool step(struct scree_simulation *simulation, bool last, struct error *e
     double time = s->clock.time_base + (double)(next - s->clock.step_base) * s->clock.dt;
     s->agree.signals = (struct step_signals){.error = s->error.kind != ERROR_NONE};
     bool ends = scree_stages_last(simulation, next), rebuild = simulation->changed || ends;
-    bool seen =
+    bool sums =
         last || ends || scree_observe_due(simulation, next, time) || scree_stages_want_sums(simulation, next);
+    bool seen = sums || run_stages_due(&simulation->stages, s, next);
     simulation->changed = false; /* a force of the caller may change something again */
-    checked_step(s, seen, rebuild, !seen);
+    checked_step(s, sums, rebuild, !seen);
     scree_observe_drop(simulation);
     if (s->agree.signals.error || (s->ranks.alone && s->error.kind != ERROR_NONE))
         return false;

@@ -7,7 +7,8 @@
  * threads read, too, moves early: before all blocks, and a barrier follows. Early are
  *   - particles in pairs that cross threads (both copies of such a pair read both particles),
  *   - particles of busy classes, which every thread reads,
- *   - particles that have copies elsewhere: their values are sent before the sweep.
+ *   - particles that have copies elsewhere which pairs use: their values are sent before the sweep;
+ *   - where a ring plan (ring.h) may follow, particles near walls.
  *
  * Forces of the last step must be complete when the sweep begins, and a particle's record is set to zero when
  * it moves; so each contribution of this step comes after. The order of contributions is that of the plain

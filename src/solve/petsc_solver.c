@@ -90,8 +90,10 @@ static bool choose_method(struct petsc_system *system, const struct solve_option
         CALL(KSPSetNormType, system->solver, KSP_NORM_UNPRECONDITIONED);
     }
     CALL(KSPGMRESSetRestart, system->solver, options->restart);
-    if (options->augment > 0 && options->augment < options->restart)
+    if (options->augment > 0 && options->augment < options->restart) {
         CALL(KSPLGMRESSetAugDim, system->solver, options->augment);
+        CALL(KSPLGMRESSetConstant, system->solver);
+    }
     CALL(KSPSetTolerances, system->solver, options->tolerance, PETSC_DEFAULT, PETSC_DEFAULT,
          options->iterations);
     return true;

@@ -57,9 +57,9 @@ struct solve_options {
     const char *preconditioner; /* boomeramg, gamg, ml, ilu, sor, jacobi or none */
     double tolerance;           /* of |b - A x| / |b| */
     int iterations;             /* at most */
-    int restart; /* vectors that fgmres, gmres and lgmres keep; the latter three times `augment` more */
-    int augment; /* lgmres: corrections of earlier cycles among the directions of a cycle */
-    double pin;  /* the diagonal is multiplied by 1 + pin; 0: none. For singular matrices 1e-9 */
+    int restart; /* iterations of a cycle, and vectors, of fgmres, gmres and lgmres; lgmres has some more for `augment` */
+    int augment; /* lgmres: corrections of earlier cycles among the directions of a cycle, once there are so many */
+    double pin; /* the diagonal is multiplied by 1 + pin; 0: none. For singular matrices 1e-9 */
     /* A preconditioner serves the matrix for which it was made, and after new values so many times more; 0: none.
      * It is made again sooner if a solve took more than half as many iterations again as the first one with it. */
     int reuse;

@@ -138,4 +138,10 @@ check "steps of a fluid that moves nothing" refused 'fluid.grains.every' --set '
 check "no fluid for drag" refused 'drag.fluid|missing' --set 'fluid.grains={motion: given}' --set 'groups=[{name: g, motion: frozen}]' --set 'particles={from: single, position: [0.5, 0.5, 0.5], radius: 0.3, group: g}'
 slow() { run_scene 1 bed.yaml slow --set threads=1 --set step.dt=0.1 --set step.force=true >told; grep -q 'fluid.grains.unresolved: grains take the momentum' told || { cat told; return 1; }; }
 check "a step too long for the exchange" slow
+# all ranks stop, with one message, where one of them has a grain without fluid around it
+sed 's/^box:.*/box: {lower: [0, 0, 0], upper: [1, 1, 1], periodic: [true, true, false]}\nguards: {speed: off, overlap: off, energy: off}\nwalls: [{name: floor, shape: plane, point: [0, 0, 0.2], normal: [0, 0, 1]}, {name: lid, shape: plane, point: [0, 0, 0.8], normal: [0, 0, -1]}]/
+    s/position: \[0.43, 0.51, 0.52\]/position: [0.43, 0.51, 0.2021], velocity: [0, 0, -3000]/; s/k_n: 1,/k_n: 1e-9,/' dust.yaml >lost.yaml
+lost() { run_scene "$1" lost.yaml lost --overwrite --set threads=1 >told 2>&1; grep -q 'grain 1 has no fluid around it in step 1' told || { cat told; return 1; }; }
+check "a grain that leaves the fluid" lost 1
+check "a grain that leaves the fluid, on 2 ranks" lost 2
 finish

@@ -176,6 +176,24 @@ def test_stages_have_the_bits_of_the_command_line(tmp_path):
     assert simulation.run(5).step == ends[2]  # no stage is left
 
 
+def test_a_condition_of_a_stage_looks_at_the_end_of_its_step():
+    # many grains far from the floor, which nobody looks at in between: the condition holds just after step 35, not in it
+    scene = {
+        **STAGES,
+        "reproducible": False,
+        "observables": {"every": 100000, "list": STAGES["observables"]["list"]},
+        "particles": {"from": "lattice", "lattice": "sc", "spacing": 0.5, "region": {"shape": "box", "lower": [-2.5, -2.5, 5], "upper": [2.5, 2.5, 9]}, "sizes": 0.2},
+    }
+    heights = []
+    free = scree.Simulation({key: value for key, value in scene.items() if key != "stages"} | {"step": {"dt": 0.001, "count": 100}})
+    for _ in range(36):
+        heights.append(free.run(1).observe()["centre_z"])
+    until = {"name": "centre", "component": "z", "at_most": (heights[34] + heights[35]) / 2}
+    scene["stages"] = [{"name": "fall", "every": 7, "until": [until]}]
+    simulation = scree.Simulation(scene).run()
+    assert simulation.step == 43  # the step after the look at 42
+
+
 def contents(folder, step):
     """Name, bytes and checksum of each dataset of a checkpoint, without the texts that name the run, and the sums, which are
     those of the steps that somebody looks at."""
