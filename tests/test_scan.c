@@ -12,7 +12,7 @@
 #include "core/random.h"
 #include "core/scan.h"
 
-static const size_t lengths[] = {0, 1, 2, 63, 65535, 65536, 65537, 200003};
+static const size_t lengths[] = {0, 1, 2, 63, 16383, 16384, 16385, 200003};
 enum { LENGTHS = sizeof lengths / sizeof lengths[0], LONGEST = 200003 };
 
 struct arrays {
@@ -53,6 +53,29 @@ static void check_length(size_t n) {
     free(arrays);
 }
 
+/* Marks of one length, about one number in `part`. */
+static void check_marks(size_t n, int part) {
+    uint8_t *mark = calloc(n + 1, 1);
+    uint32_t *list = calloc(n + 1, sizeof *list);
+    size_t expected = 0;
+    assert_non_null(mark);
+    assert_non_null(list);
+    struct random_sequence sequence = random_sequence(2, RANDOM_TEST, n);
+    for (size_t k = 0; k < n; k++) {
+        mark[k] = part * random_uniform(&sequence) < 1 ? (uint8_t)(1 + k % 255) : 0;
+        expected += mark[k] != 0;
+    }
+    assert_int_equal(scan_marked(mark, n, NULL), expected);
+    assert_int_equal(scan_marked(mark, n, list), expected);
+    for (size_t k = 0, next = 0; k < n; k++) {
+        if (mark[k] != 0) {
+            assert_int_equal(list[next++], k);
+        }
+    }
+    free(mark);
+    free(list);
+}
+
 static void equals_the_plain_loop(void **state) {
     (void)state;
     int threads = omp_get_max_threads();
@@ -60,6 +83,8 @@ static void equals_the_plain_loop(void **state) {
         omp_set_num_threads(team);
         for (size_t i = 0; i < LENGTHS; i++) {
             check_length(lengths[i]);
+            check_marks(lengths[i], 1);
+            check_marks(lengths[i], 50);
         }
     }
     omp_set_num_threads(threads);

@@ -19,6 +19,7 @@
 #include "comm/ghosts_parts.h"
 #include "comm/shadows.h"
 #include "core/memory.h"
+#include "core/scan.h"
 #include "particles/fields.h"
 
 #include <assert.h>
@@ -127,9 +128,7 @@ static void plan_sends(struct ghosts *ghosts, struct shadows *shadows, size_t ow
     for (size_t k = 0; k < ghosts->sent; k++)
         has_copy[ghosts->original[k]] = 1;
     ghosts->border = memory_allocate(ghosts->sent, sizeof *ghosts->border, "border particles");
-    for (size_t k = 0; k < owned; k++)
-        if (has_copy[k])
-            ghosts->border[ghosts->border_count++] = (uint32_t)k;
+    ghosts->border_count = scan_marked(has_copy, owned, ghosts->border);
     memory_free(has_copy);
 }
 

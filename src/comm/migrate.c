@@ -6,6 +6,7 @@
 
 #include "comm/groups.h"
 #include "core/memory.h"
+#include "core/scan.h"
 #include "particles/fields.h"
 
 #include <assert.h>
@@ -36,17 +37,20 @@ size_t migrate_places(const struct comm *comm, const struct domain *domain, cons
 static void find_leavers(struct leavers *leavers, const struct comm *comm, const struct domain *domain,
                          const struct particles *particles, const struct migrate_places *places) {
     double lower[3], upper[3];
-    size_t n = 0;
+    const size_t n = leavers->count = particles->owned - places->stay;
     domain_bounds(domain, comm->rank, lower, upper);
-    leavers->count = particles->owned - places->stay;
-    uint32_t *found = memory_allocate(leavers->count, sizeof *found, "particles that leave");
-    int *owner = memory_allocate(leavers->count, sizeof *owner, "owners");
-    for (size_t k = 0; k < particles->owned && n < leavers->count; k++)
-        if (places->place[k] == PARTICLE_LEFT) {
-            owner[n] = domain_owner_from(domain, comm->rank, lower, upper, particles->state[k].x);
-            found[n++] = (uint32_t)k;
-        }
-    assert(n == leavers->count);
+    uint8_t *leaves = memory_allocate(particles->owned, 1, "particles that leave");
+    uint32_t *found = memory_allocate(n, sizeof *found, "particles that leave");
+    int *owner = memory_allocate(n, sizeof *owner, "owners");
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < particles->owned; k++)
+        leaves[k] = places->place[k] == PARTICLE_LEFT;
+    size_t count = scan_marked(leaves, particles->owned, found);
+    assert(count == n);
+    (void)count;
+    memory_free(leaves);
+    for (size_t k = 0; k < n; k++)
+        owner[k] = domain_owner_from(domain, comm->rank, lower, upper, particles->state[found[k]].x);
     groups_make(&leavers->groups, owner, n, comm->size);
     leavers->particle = memory_allocate(n, sizeof *leavers->particle, "particles that leave");
     for (size_t k = 0; k < n; k++) /* sorted by destination */

@@ -20,4 +20,8 @@ size_t scan_sizes(const size_t *counts, size_t n, size_t *offsets);
  * caller that cannot know the total beforehand compares the total with UINT32_MAX. */
 size_t scan_counts_narrow(const uint32_t *counts, size_t n, uint32_t *offsets);
 
+/* Writes the numbers k < n with mark[k] != 0 to `list`, in ascending order, and returns how many there are; list NULL:
+ * only counts. n is below 2^32. Threads as in scan_counts. */
+size_t scan_marked(const uint8_t *mark, size_t n, uint32_t *list);
+
 #endif

@@ -205,6 +205,7 @@ static void walls_reach(struct simulation *s) {
     double lower[3] = {INFINITY, INFINITY, INFINITY}, upper[3] = {-INFINITY, -INFINITY, -INFINITY};
     if (!walls_move(s->grains.walls))
         return;
+#pragma omp parallel for schedule(static) reduction(min : lower) reduction(max : upper)
     for (size_t k = 0; k < s->particles->owned; k++)
         for (int d = 0; d < 3; d++) {
             lower[d] = fmin(lower[d], s->particles->state[k].x[d]);

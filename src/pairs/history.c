@@ -2,6 +2,7 @@
 /* Records of contacts, how they leave a list and enter the next. Read history.h first. */
 #include "pairs/history.h"
 #include "core/memory.h"
+#include "core/scan.h"
 #include <assert.h>
 #include <math.h>
 #include <string.h>
@@ -171,18 +172,6 @@ static void records_scatter(struct record_walk walk, const struct particles *par
     }
 }
 
-/* counts[k] becomes the start of k; returns the total. start has n + 1 entries. */
-static size_t starts_from_counts(size_t *start, size_t n) {
-    size_t sum = 0;
-    for (size_t k = 0; k < n; k++) {
-        size_t count = start[k];
-        start[k] = sum;
-        sum += count;
-    }
-    start[n] = sum;
-    return sum;
-}
-
 void history_detach(const struct history *history, const struct pairlist *list,
                     const struct particles *particles, bool both_ends, struct history_rows *rows) {
     size_t owned = particles->owned;
@@ -196,7 +185,7 @@ void history_detach(const struct history *history, const struct pairlist *list,
     for (int t = 0; t < history->threads; t++)
         records_scatter(record_walk_begin(history, list, owned, NULL, t), particles, both_ends, rows->start,
                         NULL);
-    rows->count = starts_from_counts(rows->start, owned);
+    rows->count = scan_sizes(rows->start, owned, rows->start);
     rows->row = memory_allocate(rows->count, sizeof *rows->row, "history rows");
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
@@ -283,7 +272,7 @@ void history_rows_reorder(struct history_rows *rows, const uint32_t *order, size
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < owned; k++)
         start[k] = rows->start[order[k] + 1] - rows->start[order[k]];
-    starts_from_counts(start, owned);
+    scan_sizes(start, owned, start);
 #pragma omp parallel for schedule(static)
     for (size_t k = 0; k < owned; k++)
         memcpy(row + start[k], rows->row + rows->start[order[k]], (start[k + 1] - start[k]) * sizeof *row);

@@ -70,8 +70,8 @@ static void bounds_find(const struct keeping *keeping, size_t chunk, size_t last
     keeping->bounds[chunk].highest = highest;
 }
 
-/* Counts the links of each lower number from begin to end - 1, or (entries given) writes them, moving the
- * starts on. */
+/* Counts the links of each lower number from begin to end - 1, or (entries given) writes them. The count and the
+ * cursor of a number lie one place on; a cursor ends where the links of the next number start. */
 static void links_sort(const struct keeping *keeping, uint32_t begin, uint32_t end) {
     struct history_kept *kept = keeping->kept;
     size_t count = keeping->count;
@@ -83,7 +83,7 @@ static void links_sort(const struct keeping *keeping, uint32_t begin, uint32_t e
             const struct link link = keeping->link[r];
             if (link.low < begin || link.low >= end)
                 continue;
-            uint32_t at = kept->start[link.low]++;
+            uint32_t at = kept->start[link.low + 1]++;
             if (kept->entry)
                 kept->entry[at] = (struct history_kept_entry){
                     link.high & ~HISTORY_KEPT_TURNED, (uint32_t)r | (link.high & HISTORY_KEPT_TURNED)};
@@ -165,7 +165,7 @@ void history_keep(const struct history *history, const struct pairlist *list,
                   struct history_kept *kept) {
     size_t owned = numbers->owned, loose_count;
     *kept = (struct history_kept){.owned = owned};
-    kept->start = memory_allocate_zero(owned + 1, sizeof *kept->start, "kept history");
+    kept->start = memory_allocate_zero(owned + 2, sizeof *kept->start, "kept history");
     int threads = list->block_count == 0 ? 0 : history->threads;
     for (int t = 0; t < history->threads; t++)
         kept->first[t + 1] = kept->first[t] + (t < threads ? history->part[history->now][t].count : 0);
@@ -177,12 +177,9 @@ void history_keep(const struct history *history, const struct pairlist *list,
     links_make_all(&keeping, loose, loose_count);
     assert(keeping.count < HISTORY_KEPT_TURNED);
     links_sort_all(&keeping);
-    size_t count = scan_counts_narrow(kept->start, owned, kept->start);
+    size_t count = scan_counts_narrow(kept->start + 1, owned, kept->start + 1);
     kept->entry = memory_allocate(count, sizeof *kept->entry, "kept history");
     links_sort_all(&keeping);
-    /* Each start has moved on to the next one's */
-    memmove(kept->start + 1, kept->start, owned * sizeof *kept->start);
-    kept->start[0] = 0;
     memory_free(loose);
     memory_free(keeping.link);
     memory_free(keeping.bounds);

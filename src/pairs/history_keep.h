@@ -19,7 +19,7 @@ struct history_kept_entry {
 /* Entries by the lower of the two new numbers: start[k] ... start[k + 1] - 1. Values stay in the history, and
  * in the loose rows. */
 struct history_kept {
-    uint32_t *start; /* owned + 1 entries; NULL: nothing kept */
+    uint32_t *start; /* owned + 1 entries, and one of scratch; NULL: nothing kept */
     struct history_kept_entry *entry;
     size_t owned;
     size_t first[PAIR_THREADS_MAX + 1]; /* number of each thread's first record; then of the first match */

@@ -2,6 +2,7 @@
 /* The interactions of a scene and the pair lists that they have of their own (interaction.h). */
 #include "pairs/interaction.h"
 #include "core/memory.h"
+#include "core/scan.h"
 #include "pairs/pairlist_build.h"
 #include <assert.h>
 #include <math.h>
@@ -248,14 +249,13 @@ static size_t slot_sum(const struct pairlist *list, const size_t *slot, size_t s
     return sum;
 }
 
-/* Counts (row i at start[i + 2], threads in `slot`) to places: row i begins at start[i + 1]; in the row of a busy
+/* Counts (row i at start[i + 1], threads in `slot`) to places: row i begins at start[i + 1]; in the row of a busy
  * particle the places of the threads follow its own. Returns the number of places. */
 static size_t rows_scan(struct pair_rows *rows, const struct pairlist *list, size_t *slot) {
     for (size_t s = 0; s < list->slot_count; s++)
         if (list->busy[s] < rows->rows)
-            rows->start[list->busy[s] + 2] += slot_sum(list, slot, s);
-    for (size_t i = 0; i < rows->rows; i++)
-        rows->start[i + 2] += rows->start[i + 1];
+            rows->start[list->busy[s] + 1] += slot_sum(list, slot, s);
+    scan_sizes(rows->start + 1, rows->rows, rows->start + 1);
     for (size_t s = 0; s < list->slot_count; s++) {
         if (list->busy[s] >= rows->rows)
             continue;
@@ -282,14 +282,13 @@ void pair_rows_build(struct pair_rows *rows, const struct pairlist *list, size_t
     size_t slots = (size_t)list->threads * list->slot_count;
     size_t *slot = memory_allocate_zero(slots, sizeof *slot, "rows of pairs");
     rows_reserve(rows, owned);
-    struct rows_visit visit = {.list = list, .owned = owned, .next = rows->start + 2, .slot = slot};
+    struct rows_visit visit = {.list = list, .owned = owned, .next = rows->start + 1, .slot = slot};
     rows_visit_all(visit);
     size_t pairs = rows_scan(rows, list, slot);
     if (pairs > rows->capacity) {
         rows->capacity = pairs + pairs / 8;
         rows->partner = memory_resize(rows->partner, rows->capacity, sizeof *rows->partner, "rows of pairs");
     }
-    visit.next = rows->start + 1;
     visit.partner = rows->partner;
     rows_visit_all(visit);
     /* each row now ends where the next one begins, but for the places of threads */

@@ -190,6 +190,7 @@ static uint32_t image_joined(uint32_t i, uint32_t code, size_t owned, const uint
 }
 
 void pairlist_add_images(struct pairlist *list, size_t owned, const uint8_t *image) {
+#pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < list->threads; t++) {
         const struct pair_block *block = &list->blocks[list->thread_block[t + 1] - 1];
         assert(block->kind == PAIR_BLOCK_GHOST);

@@ -30,9 +30,11 @@ static void buffer_put(struct pair_buffer *buffer, uint32_t i, uint32_t j) {
     buffer->count++;
 }
 
-/* Finds the runs of classes among the owned particles: one look at them, whatever the number of threads. */
+/* Finds the runs of classes among the owned particles, and counts the particles of each class: one look at the
+ * particles, whatever the number of threads. */
 static void class_runs_find(struct pairlist_build *build, const struct index_view *view) {
     build->run_count = 0;
+    memset(build->population, 0, sizeof build->population);
     for (size_t first = 0, last; first < view->owned; first = last) {
         last = members_run(view->size_class, first, view->owned);
         if (build->run_count == build->run_capacity) {
@@ -41,6 +43,11 @@ static void class_runs_find(struct pairlist_build *build, const struct index_vie
                 memory_resize(build->run, build->run_capacity, sizeof *build->run, "runs of classes");
         }
         build->run[build->run_count++] = (struct class_run){first, last, view->size_class[first]};
+        build->population[view->size_class[first]] += last - first;
+    }
+    for (size_t first = view->owned, last; first < view->total; first = last) {
+        last = members_run(view->size_class, first, view->total);
+        build->population[view->size_class[first]] += last - first;
     }
 }
 
@@ -393,19 +400,15 @@ static bool regions_suffice(struct pairlist *list) {
 /* Decides which classes are busy from the partners counted; true if the pass assumed the same classes. */
 static bool busy_settled(struct pairlist *list, const struct index_view *view) {
     struct pairlist_build *build = list->build;
-    uint64_t population[CLASS_MAX] = {0}, partners[CLASS_MAX] = {0};
+    uint64_t partners[CLASS_MAX] = {0};
     bool settled = true;
     if (list->threads == 1)
         return true;
-    for (size_t k = 0, next; k < view->total; k = next) {
-        next = members_run(view->size_class, k, view->total);
-        population[view->size_class[k]] += next - k;
-    }
     for (int t = 0; t < list->threads; t++)
         for (int c = 0; c < view->classes; c++)
             partners[c] += build->worker[t].partners[c];
     for (int c = 0; c < view->classes; c++) {
-        double mean = population[c] ? (double)partners[c] / (double)population[c] : 0;
+        double mean = build->population[c] ? (double)partners[c] / (double)build->population[c] : 0;
         bool busy = mean > (build->busy_class[c] ? build->busy_bound / 2 : build->busy_bound);
         settled = settled && busy == build->busy_class[c];
         build->busy_class[c] = busy;
@@ -415,8 +418,11 @@ static bool busy_settled(struct pairlist *list, const struct index_view *view) {
 
 /* Numbers the slots of the particles of busy classes, run by run. */
 static void slots_make(struct pairlist *list, const struct index_view *view) {
+    bool busy = false;
+    for (int c = 0; c < view->classes; c++)
+        busy = busy || list->build->busy_class[c];
     list->slot_count = 0;
-    for (size_t first = 0, last; first < view->total; first = last) {
+    for (size_t first = 0, last; busy && first < view->total; first = last) {
         last = members_run(view->size_class, first, view->total);
         if (!list->build->busy_class[view->size_class[first]])
             continue;

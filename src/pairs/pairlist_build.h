@@ -45,6 +45,7 @@ struct pairlist_build {
     size_t thread_of_capacity;
     struct class_run *run; /* of the last build */
     size_t run_count, run_capacity;
+    uint64_t population[CLASS_MAX]; /* particles of each class, ghosts included */
     bool busy_class[CLASS_MAX];
     double busy_bound;
     size_t block_rows;

@@ -30,6 +30,12 @@ void sweep_destroy(struct sweep **sweep) {
     *sweep = NULL;
 }
 
+/* Several threads may mark one particle; most find the mark, and leave the cache line where it is. */
+static void early_mark_one(struct sweep *sweep, uint32_t k) {
+    if (!__atomic_load_n(&sweep->early[k], __ATOMIC_RELAXED))
+        __atomic_store_n(&sweep->early[k], 1, __ATOMIC_RELAXED);
+}
+
 /* Marks the particles that other threads read in a block of kind MIRROR or GHOST. */
 static void early_mark_block(struct sweep *sweep, const struct pairlist *list, const struct pair_block *block,
                              size_t owned) {
@@ -37,9 +43,9 @@ static void early_mark_block(struct sweep *sweep, const struct pairlist *list, c
     for (size_t k = block->first_pair; k < block->end_pair; k++) {
         uint32_t i = list->i[k], j = pair_partner(list->j[k]);
         if (mirror)
-            sweep->early[i] = sweep->early[j] = 1;
-        else if (i >= owned)
-            sweep->early[j] = 1; /* the mirror image of a pair of another thread */
+            early_mark_one(sweep, i);
+        if (mirror || i >= owned)
+            early_mark_one(sweep, j); /* beside a copy: the mirror image of a pair of another thread */
     }
 }
 
@@ -50,17 +56,26 @@ static void early_mark(struct sweep *sweep, const struct pairlist *list, size_t 
         memory_free(sweep->early);
         sweep->early = memory_allocate(sweep->early_capacity, 1, "early particles");
     }
-    if (owned > 0)
-        memset(sweep->early, 0, owned);
-    for (int b = 0; b < list->block_count; b++)
-        if (list->blocks[b].kind != PAIR_BLOCK_ROWS)
-            early_mark_block(sweep, list, &list->blocks[b], owned);
-    for (size_t s = 0; s < list->slot_count; s++)
-        if (list->busy[s] < owned)
-            sweep->early[list->busy[s]] = 1;
-    for (int n = 0; n < 2; n++)
-        for (size_t k = 0; k < early[n].count; k++)
-            sweep->early[early[n].number[k]] = 1;
+#pragma omp parallel
+    {
+#pragma omp for schedule(static)
+        for (size_t k = 0; k < owned; k++)
+            sweep->early[k] = 0;
+#pragma omp for schedule(static, 1) nowait
+        for (int t = 0; t < list->threads; t++)
+            for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++)
+                if (list->blocks[b].kind != PAIR_BLOCK_ROWS)
+                    early_mark_block(sweep, list, &list->blocks[b], owned);
+#pragma omp for schedule(static) nowait
+        for (size_t s = 0; s < list->slot_count; s++)
+            if (list->busy[s] < owned)
+                early_mark_one(sweep, list->busy[s]);
+        for (int n = 0; n < 2; n++) {
+#pragma omp for schedule(static) nowait
+            for (size_t k = 0; k < early[n].count; k++)
+                early_mark_one(sweep, early[n].number[k]);
+        }
+    }
 }
 
 static void *grown(void *array, size_t *capacity, size_t count, size_t size) {

@@ -2,6 +2,7 @@
 /* The life of a set of particles: room, append, remove, reorder, wrap. Read particles.h first. */
 #include "particles/particles.h"
 #include "core/memory.h"
+#include "core/scan.h"
 #include "core/stream.h"
 #include "particles/kinds.h"
 #include "particles/storage.h"
@@ -99,19 +100,18 @@ size_t particles_remove(struct particles *particles, const uint8_t *remove) {
 }
 
 size_t particles_places(const uint8_t *leaves, size_t owned, uint32_t *place) {
-    size_t stay = 0, last;
-    for (size_t k = 0; k < owned; k++)
-        stay += !leaves[k];
-    last = stay;
+    size_t left = scan_marked(leaves, owned, NULL), stay = owned - left, last = stay;
+    uint32_t *gap = memory_allocate(left, sizeof *gap, "particles that leave");
+    scan_marked(leaves, owned, gap);
+#pragma omp parallel for schedule(static)
     for (size_t k = 0; k < owned; k++)
         place[k] = leaves[k] ? PARTICLE_LEFT : (uint32_t)k;
-    for (size_t k = 0; k < stay; k++) {
-        if (!leaves[k])
-            continue;
+    for (size_t g = 0; g < left && gap[g] < stay; g++) {
         while (leaves[last])
             last++;
-        place[last++] = (uint32_t)k;
+        place[last++] = gap[g];
     }
+    memory_free(gap);
     return stay;
 }
 
