@@ -72,13 +72,15 @@ static void test_vacate_by_all_or_none(void **state) {
     particles_destroy(&p);
 }
 
-/* Reorders n particles twice, by `threads`; their forces are zero where `clear`. */
+/* Reorders n particles twice, by `threads`, in memory that all threads have spread them in; their forces are zero where
+ * `clear`. */
 static void check_reorder(unsigned features, bool clear, int threads, const uint32_t *order, uint32_t n) {
     struct particles *p = sample(features, n), *q = sample(features, n);
     omp_set_num_threads(threads);
     p->force_clear = clear;
     for (size_t k = 0; clear && k < n * (size_t)p->force_stride; k++)
         p->force[k] = q->force[k] = 0;
+    particles_spread(p);
     particles_reorder(p, order);
     particles_reorder(p, order);
     for (int f = 0; f < fields_count(p); f++) {

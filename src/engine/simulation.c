@@ -150,6 +150,8 @@ static bool simulation_fill(struct simulation *s, const char *resume, struct err
         rebuild_rows_free(&rows);
         return false;
     }
+    memory_trim();
+    particles_spread(s->particles);
     bool begun = resume ? run_go_on(s, &rows, error) : run_begin(s, error);
     crossings_begin(s);
     char *echo = scene_echo(s->scene);

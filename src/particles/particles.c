@@ -246,6 +246,20 @@ void particles_reorder(struct particles *particles, const uint32_t *order) {
     particles->revision++;
 }
 
+void particles_spread(struct particles *particles) {
+    struct storage *storage = particles->storage;
+    assert(particles->ghosts == 0);
+    for (int a = 0; a < storage->arrays; a++) {
+        struct storage_array *array = &storage->array[a];
+        char *spread = memory_allocate(particles->capacity, array->stride, "particles");
+        copy(spread, array->base, particles->owned * array->stride);
+        memory_free(array->base);
+        memory_trim();
+        array->base = spread;
+    }
+    storage_publish(particles);
+}
+
 void particles_classify(struct particles *particles, const struct size_classes *classes) {
     particles_classify_from(particles, classes, 0);
 }

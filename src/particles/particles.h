@@ -76,6 +76,11 @@ void particles_vacate(struct particles *particles, const uint32_t *place, size_t
  * own thread team. */
 void particles_reorder(struct particles *particles, const uint32_t *order);
 
+/* Copies each array to fresh memory by all threads, each its part: the system puts a page near the thread that writes to
+ * the page first, and one thread alone makes the particles. Gives kept memory back to the system. Only while
+ * ghosts == 0; opens its own thread team. */
+void particles_spread(struct particles *particles);
+
 /* Sets size_class of the owned particles from their radii and kinds. Opens its own thread team. */
 void particles_classify(struct particles *particles, const struct size_classes *classes);
 
