@@ -144,18 +144,20 @@ double assembly_wall_factor(const struct weights *weights, size_t wall, int comp
     return along + (straight - along) * n * n;
 }
 
-/* Adds -factor w_ij (f_j - f_i) over the fluid neighbours of a row to the cleared values; returns the sum of
- * w_ij. */
+/* Adds -factor w_ij (f_j - f_i) over the fluid neighbours of a row to the cleared values; `k`, if it has values, multiplies each term by
+ * its mean of both particles. */
 static void add_neighbours(struct assembly *assembly, const struct weights *weights, size_t row,
-                           double factor) {
-    double *value = assembly->value, sum = 0;
+                           double factor, struct operators_values k) {
+    double *value = assembly->value, sum = 0, own = k.value ? k.value[(weights->first + row) * k.stride] : 1;
     memset(value + assembly->start[row], 0,
            (size_t)(assembly->start[row + 1] - assembly->start[row]) * sizeof *value);
     for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++) {
-        value[assembly->place[e]] -= factor * weights_scalar(weights, e);
-        sum += weights_scalar(weights, e);
+        double other = k.value ? k.value[pair_partner(weights->partner[e]) * k.stride] : 1;
+        double term = factor * 0.5 * (own + other) * weights_scalar(weights, e);
+        value[assembly->place[e]] -= term;
+        sum += term;
     }
-    value[assembly->diagonal[row]] += factor * sum;
+    value[assembly->diagonal[row]] += sum;
 }
 
 /* Adds the share of the image of a wall entry: -factor w_ij f_m where the value goes on (`even`), else the opposite. */
@@ -172,7 +174,7 @@ void assembly_momentum(struct assembly *assembly, const struct weights *weights,
     for (size_t row = 0; row < weights->rows; row++) {
         double sum = 0;
         size_t e = weights_walls(weights, row);
-        add_neighbours(assembly, weights, row, viscous);
+        add_neighbours(assembly, weights, row, viscous, (struct operators_values){0});
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
             sum += weights_scalar(weights, e) * assembly_wall_factor(weights, k, component);
             add_image(assembly, weights, k, e, viscous, weights_foot_of(weights, k)->pressed);
@@ -182,21 +184,31 @@ void assembly_momentum(struct assembly *assembly, const struct weights *weights,
     timer_leave(assembly->timers, stage);
 }
 
-void assembly_pressure(struct assembly *assembly, const struct weights *weights) {
+/* value = - div k grad, without flux through walls. */
+static void fill_pressure(struct assembly *assembly, const struct weights *weights,
+                          struct operators_values k) {
     timer_enter(assembly->timers, stage);
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++) {
         size_t e = weights_walls(weights, row);
-        add_neighbours(assembly, weights, row, 1);
-        for (size_t k = weights->wall_start[row]; weights->opens > 0 && k < weights->wall_start[row + 1];
-             k++, e++) {
-            bool pressed = weights_foot_of(weights, k)->pressed, image = weights_image_of(weights, k) != NULL;
-            add_image(assembly, weights, k, e, 1, !pressed);
-            assembly->value[assembly->diagonal[row]] +=
-                weights_scalar(weights, e) * (image     ? 1
-                                              : pressed ? 1 + weights->mirror[k]
-                                                        : 0);
+        double own = k.value ? k.value[(weights->first + row) * k.stride] : 1;
+        add_neighbours(assembly, weights, row, 1, k);
+        for (size_t wall = weights->wall_start[row];
+             weights->opens > 0 && wall < weights->wall_start[row + 1]; wall++, e++) {
+            bool pressed = weights_foot_of(weights, wall)->pressed,
+                 image = weights_image_of(weights, wall) != NULL;
+            double part = image ? 1 : pressed ? 1 + weights->mirror[wall] : 0;
+            add_image(assembly, weights, wall, e, own, !pressed);
+            assembly->value[assembly->diagonal[row]] += own * weights_scalar(weights, e) * part;
         }
     }
     timer_leave(assembly->timers, stage);
+}
+
+void assembly_pressure(struct assembly *assembly, const struct weights *weights) {
+    fill_pressure(assembly, weights, (struct operators_values){0});
+}
+
+void assembly_darcy(struct assembly *assembly, const struct weights *weights, struct operators_values k) {
+    fill_pressure(assembly, weights, k);
 }

@@ -55,7 +55,10 @@ static const struct field
     drift_advection = {.name = "fluid_drift_advection", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS,
                        .unit = "m s-2", OF_FLUID, .help = "(drift . grad) u"},
     gradient = {.name = "fluid_gradient", .type = FIELD_DOUBLE, .components = 3, .unit = "Pa m-1", OF_FLUID,
-                .help = "gradient of the pressure within a step"};
+                .help = "gradient of the pressure within a step"},
+    /* of open sides */
+    whole = {.name = "fluid_whole", .type = FIELD_DOUBLE, .components = 9, OF_FLUID,
+             .help = "what makes the gradient of a pressure whole beside walls and grains"};
 /* clang-format on */
 
 void fluid_fields(struct particles *particles) {
@@ -73,6 +76,10 @@ void fluid_fields(struct particles *particles) {
 
 void fluid_fields_volumes(struct particles *particles) {
     fields_register(particles, &volume);
+}
+
+void fluid_fields_open(struct particles *particles) {
+    fields_register(particles, &whole);
 }
 
 void fluid_fields_riding(struct particles *particles) {
@@ -111,7 +118,8 @@ void fluid_fields_moving(struct particles *particles) {
 int fluid_handle(const struct particles *particles, enum flow_array array) {
     static const struct field *const fields[] = {
         [FLOW_PRESSURE] = &pressure, [FLOW_PREDICTED] = &predicted, [FLOW_INCREMENT] = &increment,
-        [FLOW_ROW] = &row,           [FLOW_GRADIENT] = &gradient,   [FLOW_VOLUME] = &volume};
+        [FLOW_ROW] = &row,           [FLOW_GRADIENT] = &gradient,   [FLOW_VOLUME] = &volume,
+        [FLOW_WHOLE] = &whole};
     return array == FLOW_VELOCITY ? FIELD_VELOCITY : fields_handle(particles, fields[array]);
 }
 
@@ -141,6 +149,10 @@ double *fluid_condition(const struct particles *particles) {
 
 double *fluid_volume(const struct particles *particles) {
     return fields_values(particles, &volume);
+}
+
+double (*fluid_whole(const struct particles *particles))[9] {
+    return fields_values(particles, &whole);
 }
 
 double (*fluid_arm(const struct particles *particles))[3] {

@@ -27,6 +27,10 @@ double *fluid_condition(const struct particles *particles);
 void fluid_fields_volumes(struct particles *particles);
 double *fluid_volume(const struct particles *particles);
 
+/* Adds the field of steady flows between open sides: C of whole.h, or NULL. */
+void fluid_fields_open(struct particles *particles);
+double (*fluid_whole(const struct particles *particles))[9];
+
 /* Adds the field of boundary particles that ride on grains; the arm from the grain's centre, NAN where not known yet. */
 void fluid_fields_riding(struct particles *particles);
 double (*fluid_arm(const struct particles *particles))[3];

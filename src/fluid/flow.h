@@ -16,7 +16,8 @@ enum flow_array {
     FLOW_INCREMENT,
     FLOW_ROW,
     FLOW_GRADIENT,
-    FLOW_VOLUME
+    FLOW_VOLUME,
+    FLOW_WHOLE
 };
 
 /* All borrowed. Values of fluid particles alone are used. */

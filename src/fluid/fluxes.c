@@ -21,11 +21,13 @@ static void carry_raw(struct fluxes *fluxes, const struct flow *flow, bool latti
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++) {
         const double *own = flow_velocity_of(flow, row);
-        double sum = 0, difference[3], other[3];
+        double sum = 0, difference[3], other[3], from[3], to[3];
+        weights_whole(weights, weights->first + row, own, from);
         size_t e = weights->start[row];
         for (; e < weights_walls(weights, row); e++) {
-            const double *u = flow->velocity + pair_partner(weights->partner[e]) * flow->velocity_stride;
-            fluxes->carry[e] = along(weights, e, own, lattice ? u : none);
+            size_t j = pair_partner(weights->partner[e]);
+            weights_whole(weights, j, flow->velocity + j * flow->velocity_stride, to);
+            fluxes->carry[e] = along(weights, e, from, lattice ? to : none);
             sum += fluxes->carry[e];
         }
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
@@ -35,7 +37,9 @@ static void carry_raw(struct fluxes *fluxes, const struct flow *flow, bool latti
             operators_mirror(weights, k, flow_velocity(flow), own, difference);
             for (int d = 0; d < 3; d++)
                 other[d] = own[d] + difference[d];
-            fluxes->carry[e] = along(weights, e, own, lattice ? other : none);
+            const struct weights_image *image = weights_image_of(weights, k);
+            weights_whole(weights, image != NULL ? image->particle : weights->first + row, other, to);
+            fluxes->carry[e] = along(weights, e, from, lattice ? to : none);
             sum += fluxes->carry[e];
         }
         fluxes->sum[row] = sum;

@@ -3,7 +3,41 @@
 #include "fluid/forces.h"
 #include "core/memory.h"
 
+#include <math.h>
 #include <string.h>
+
+/* What a gradient of the pressure that is made whole has more than that of the fluid neighbours: `extra`, [rows]. */
+static void extra_make(const struct flow *flow, double (*extra)[3]) {
+    struct weights plain = *flow->weights;
+    double(*part)[3] = memory_allocate(plain.rows, sizeof *part, "forces");
+    plain.whole = NULL;
+    operators_gradient(&plain, flow_pressure(flow), part);
+    operators_gradient(flow->weights, flow_pressure(flow), extra);
+    for (size_t row = 0; row < plain.rows; row++)
+        for (int d = 0; d < 3; d++)
+            extra[row][d] -= part[row][d];
+    memory_free(part);
+}
+
+/* Adds to the bodies of a row the force of `extra`, by their shares of the sum of |b|. */
+static void add_extra(const struct weights *weights, size_t row, const double extra[3],
+                      struct forces_part *part) {
+    double all = 0;
+    for (int pass = 0; pass < 2; pass++) {
+        size_t e = weights_walls(weights, row);
+        for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
+            const double *b = weights_vector(weights, e);
+            double size = 0;
+            for (int d = 0; d < weights->dimension; d++)
+                size += b[d] * b[d];
+            if (weights_foot_of(weights, k)->open)
+                continue;
+            all += pass == 0 ? sqrt(size) : 0;
+            for (int d = 0; d < weights->dimension && pass == 1; d++)
+                part[weights->wall_foot[k]].pressure[d] += weights->volume[row] * extra[d] * sqrt(size) / all;
+        }
+    }
+}
 
 /* Adds the share of one wall entry. */
 static void add_entry(const struct flow *flow, size_t row, size_t entry, size_t wall, double viscosity,
@@ -21,13 +55,21 @@ static void add_entry(const struct flow *flow, size_t row, size_t entry, size_t 
 
 void forces_feet(const struct flow *flow, double viscosity, struct forces_part *part) {
     const struct weights *weights = flow->weights;
+    double(*extra)[3] = NULL;
     memset(part, 0, weights->foot_start[weights->rows] * sizeof *part);
+    if (weights->whole != NULL) {
+        extra = memory_allocate(weights->rows, sizeof *extra, "forces");
+        extra_make(flow, extra);
+    }
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++) {
         size_t e = weights_walls(weights, row);
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++)
             add_entry(flow, row, e, k, viscosity, &part[weights->wall_foot[k]]);
+        if (extra != NULL)
+            add_extra(weights, row, extra[row], part);
     }
+    memory_free(extra);
 }
 
 void forces_free(struct forces *forces) {

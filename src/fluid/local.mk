@@ -91,6 +91,8 @@ libfluid_la_SOURCES = \
 	src/fluid/scalars_fields.h \
 	src/fluid/scalars_rows.c \
 	src/fluid/scalars_rows.h \
+	src/fluid/schur.c \
+	src/fluid/schur.h \
 	src/fluid/shift.c \
 	src/fluid/shift.h \
 	src/fluid/shown.c \
@@ -105,7 +107,9 @@ libfluid_la_SOURCES = \
 	src/fluid/watch.c \
 	src/fluid/watch.h \
 	src/fluid/weights.c \
-	src/fluid/weights.h
+	src/fluid/weights.h \
+	src/fluid/whole.c \
+	src/fluid/whole.h
 libfluid_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)
 PHYSICS_LIBS += libfluid.la libsolve.la
 FLUID_LIBS = libfluid.la $(SOLVE_LIBS)

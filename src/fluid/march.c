@@ -19,6 +19,7 @@
 #include "fluid/scalars.h"
 #include "fluid/state.h"
 #include "fluid/watch.h"
+#include "fluid/whole.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
 #include "walls/wall.h"
@@ -84,6 +85,8 @@ static void weights_of(const struct physics_context *context, struct fluid *flui
     volumes_share(context, fluid);
     weights_weigh(&fluid->weights, &fluid->input, &fluid->weigh);
     fluid->lost = without + mirror_make(&fluid->weights, &mirror);
+    if (fluid_whole(p) != NULL)
+        whole_make(&fluid->weights, &fluid->input, fluid_whole(p));
     timer_leave(context->timers, "operators");
     fluid->rows[0] = (double)fluid->weights.rows;
     fluid->rows[1] = (double)fluid->weights.poor;
@@ -136,6 +139,9 @@ void march_rebuilt(const struct physics_context *context) {
     fluid->flow.pressed = open_pressed(fluid->options);
     flow_forward(&fluid->flow, FLOW_VELOCITY);
     flow_forward(&fluid->flow, FLOW_PRESSURE);
+    fluid->weights.whole = fluid_whole(context->particles);
+    if (fluid->weights.whole != NULL)
+        flow_forward(&fluid->flow, FLOW_WHOLE);
     if (changed)
         flow_number(&fluid->flow);
     else

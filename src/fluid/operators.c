@@ -55,8 +55,10 @@ void operators_gradient(const struct weights *weights, struct operators_values p
                 sum[d] += weights_vector(weights, e)[d] * difference;
             open_part(weights, k, weights_vector(weights, e), difference, sum, share);
         }
+        double whole[3] = {0};
+        weights_whole(weights, weights->first + row, sum, whole);
         for (int d = 0; d < 3; d++)
-            out[row][d] = sum[d] / (1 - share[d]);
+            out[row][d] = whole[d] / (1 - share[d]);
     }
 }
 
@@ -109,29 +111,54 @@ void operators_mirror(const struct weights *weights, size_t wall, struct operato
         difference[d] += weights_turn(weights, wall, d);
 }
 
+/* What a fluid neighbour j adds to a divergence: b . (C_j u_j - C_i u_i), C of whole.h. */
+static inline double inner_flux(const struct weights *weights, size_t entry, const double *own,
+                                const double *other, int dimension) {
+    const double *b = weights_vector(weights, entry);
+    double sum = 0, whole[3] = {0};
+    if (weights->whole != NULL) {
+        weights_whole(weights, pair_partner(weights->partner[entry]), other, whole);
+        other = whole;
+    }
+    for (int d = 0; d < dimension; d++)
+        sum += b[d] * (other[d] - own[d]);
+    return sum;
+}
+
+/* What a wall neighbour adds to a divergence; `difference` is operators_mirror's. With C of whole.h the flux b . (C_i u_i + C_j u_j) of i is
+ * what j loses: a body lets nothing through, and an open side what its image and its velocity say. */
+static double wall_flux(const struct weights *weights, size_t row, size_t entry, size_t wall,
+                        const double *own, const double *difference) {
+    const struct weights_foot *foot = weights_foot_of(weights, wall);
+    const struct weights_image *image = weights_image_of(weights, wall);
+    const double *b = weights_vector(weights, entry);
+    double sum = 0, to[3], from[3], beyond[3], from_whole[3],
+           body = weights->whole != NULL ? 2 : weights_divergence_factor(weights, wall);
+    size_t i = weights->first + row;
+    for (int d = 0; d < weights->dimension; d++) {
+        from[d] = foot->open ? own[d] : 0;
+        to[d] = foot->open ? own[d] + difference[d] : body * (foot->velocity[d] - own[d]);
+    }
+    weights_whole(weights, i, from, from_whole);
+    weights_whole(weights, foot->open && image != NULL ? image->particle : i, to, beyond);
+    for (int d = 0; d < weights->dimension; d++)
+        sum += b[d] * (beyond[d] - from_whole[d] + weights_turn(weights, wall, d));
+    return sum;
+}
+
 void operators_divergence(const struct weights *weights, struct operators_values u, double *out) {
-    size_t dimension = (size_t)weights->dimension;
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++) {
         const double *own = at(u, weights->first + row);
-        double sum = 0;
+        double sum = 0, difference[3], whole[3];
         size_t e = weights->start[row];
-        for (; e < weights_walls(weights, row); e++) {
-            const double *other = partner_at(weights, u, e);
-            for (size_t d = 0; d < dimension; d++)
-                sum += weights_vector(weights, e)[d] * (other[d] - own[d]);
-        }
+        weights_whole(weights, weights->first + row, own, whole);
+        for (; e < weights_walls(weights, row); e++)
+            sum += inner_flux(weights, e, whole, partner_at(weights, u, e), weights->dimension);
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
-            double relative[3], factor = -weights_divergence_factor(weights, k);
-            if (weights->opens > 0 && weights_foot_of(weights, k)->open) {
-                operators_mirror(weights, k, u, own, relative);
-                factor = 1;
-            } else {
-                relative_to_wall(weights, k, own, relative);
-            }
-            for (size_t d = 0; d < dimension; d++)
-                sum +=
-                    weights_vector(weights, e)[d] * (factor * relative[d] + weights_turn(weights, k, (int)d));
+            if (weights_foot_of(weights, k)->open)
+                operators_mirror(weights, k, u, own, difference);
+            sum += wall_flux(weights, row, e, k, own, difference);
         }
         out[row] = sum;
     }
@@ -169,16 +196,17 @@ struct stokes_sums {
 static inline void stokes_inner(const struct weights *weights, size_t row, struct operators_values u,
                                 struct operators_values p, int dimension, struct stokes_sums *sums) {
     const double *own = at(u, weights->first + row), pressure = *at(p, weights->first + row);
+    double whole[3];
+    weights_whole(weights, weights->first + row, own, whole);
     for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++) {
         size_t j = pair_partner(weights->partner[e]);
         const double *other = at(u, j), *b = weights_vector(weights, e);
         double w = weights_scalar(weights, e), step = *at(p, j) - pressure;
         for (int d = 0; d < dimension; d++) {
-            double difference = other[d] - own[d];
-            sums->divergence += b[d] * difference;
-            sums->laplacian[d] += w * difference;
+            sums->laplacian[d] += w * (other[d] - own[d]);
             sums->gradient[d] += b[d] * step;
         }
+        sums->divergence += inner_flux(weights, e, whole, other, dimension);
     }
 }
 
@@ -189,20 +217,12 @@ static void stokes_walls(const struct weights *weights, size_t row, struct opera
     size_t e = weights_walls(weights, row);
     for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
         const double *b = weights_vector(weights, e);
-        double w = weights_scalar(weights, e), difference[3], relative[3],
-               factor = -weights_divergence_factor(weights, k), step = 0;
+        double w = weights_scalar(weights, e), difference[3], step = 0;
         operators_mirror(weights, k, u, own, difference);
-        relative_to_wall(weights, k, own, relative);
-        if (weights->opens > 0) {
+        if (weights->opens > 0)
             step = operators_pressure_step(weights, k, p, pressure);
-            if (weights_foot_of(weights, k)->open) {
-                factor = 1;
-                for (int d = 0; d < 3; d++)
-                    relative[d] = difference[d];
-            }
-        }
+        sums->divergence += wall_flux(weights, row, e, k, own, difference);
         for (int d = 0; d < weights->dimension; d++) {
-            sums->divergence += b[d] * (factor * relative[d] + weights_turn(weights, k, d));
             sums->laplacian[d] += w * difference[d];
             sums->gradient[d] += b[d] * step;
         }
@@ -222,9 +242,11 @@ void operators_stokes(const struct weights *weights, struct operators_values u, 
         else
             stokes_inner(weights, row, u, p, 2, &sums);
         stokes_walls(weights, row, u, p, &sums);
+        double gradient[3];
+        weights_whole(weights, weights->first + row, sums.gradient, gradient);
         for (size_t d = 0; d < dimension; d++)
-            out[d * rows + row] = factor->gradient * sums.gradient[d] / (1 - sums.share[d]) -
-                                  factor->viscous * sums.laplacian[d];
+            out[d * rows + row] =
+                factor->gradient * gradient[d] / (1 - sums.share[d]) - factor->viscous * sums.laplacian[d];
         out[dimension * rows + row] = -factor->divergence * sums.divergence;
     }
 }

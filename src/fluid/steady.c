@@ -6,6 +6,7 @@
 #include "fluid/steady.h"
 #include "core/memory.h"
 #include "fluid/assembly.h"
+#include "fluid/schur.h"
 
 #include <math.h>
 #include <string.h>
@@ -28,6 +29,7 @@ struct steady {
     const struct flow *flow; /* during a solve */
     struct solve_system *velocity[3], *coupled;
     int systems;
+    struct schur schur; /* where a pressure is given */
     size_t rows, unknowns;
     double (*vector)[3],
         *scalar;   /* [rows]: results of operators; in the memory of `product`, of other times */
@@ -98,8 +100,10 @@ static void precondition(void *context, const double *r, double *z) {
     const struct flow *flow = steady->flow;
     size_t n = steady->rows, dimension = (size_t)flow->weights->dimension;
     double *pressure = z + dimension * n;
-    for (size_t row = 0; row < n; row++)
+    for (size_t row = 0; row < n && !flow->pressed; row++)
         pressure[row] = -r[dimension * n + row];
+    if (flow->pressed)
+        schur_apply(&steady->schur, flow, r + dimension * n, pressure);
     subtract_means(flow, pressure);
     for (size_t row = 0; row < n; row++)
         flow->increment[flow->weights->first + row] = pressure[row];
@@ -217,6 +221,9 @@ static bool make_systems(struct steady *steady, struct solve *solve, const struc
         steady->velocity[s] = solve_create(solve, &rows, &options, error);
         good = steady->velocity[s] != NULL;
     }
+    if (good && flow->pressed)
+        good = schur_make(&steady->schur, solve, &assembly, flow, steady->velocity[0], dx * dx,
+                          steady->options.preconditioner, error);
     assembly_free(&assembly);
     struct solve_free work = {(int32_t)steady->unknowns, steady, multiply, precondition, enough, CYCLE};
     options = solve_options_regular("fluid_s_");
@@ -260,6 +267,7 @@ void steady_destroy(struct steady **steady) {
     solve_destroy(&s->coupled);
     for (int k = 0; k < s->systems; k++)
         solve_destroy(&s->velocity[k]);
+    schur_free(&s->schur);
     memory_free(s->still);
     memory_free(s->side);
     memory_free(s->solution);

@@ -90,9 +90,10 @@ struct weights {
     double slip;       /* slip length of the walls, >= 0; INFINITY: no friction */
     size_t opens;      /* feet at open sides (mirror_make) */
     struct weights_image *image; /* by wall entry; NULL without open sides */
-    size_t poor;       /* rows without the operators asked for: singular tensors, or too few neighbours */
-    size_t poor_first; /* the first of them (a row) */
-    size_t behind;     /* rows whose particle lies behind the surface of a body (mirror.h) */
+    double (*whole)[9]; /* by particle number, copies too, borrowed: C of whole.h, row after row; NULL: 1 */
+    size_t poor;        /* rows without the operators asked for: singular tensors, or too few neighbours */
+    size_t poor_first;  /* the first of them (a row) */
+    size_t behind;      /* rows whose particle lies behind the surface of a body (mirror.h) */
     size_t row_room, entry_room, value_room, wall_room, foot_room;
 };
 
@@ -141,6 +142,22 @@ static inline const struct weights_image *weights_image_of(const struct weights 
 static inline double weights_tangential_factor(const struct weights *weights, size_t wall) {
     double d = weights->foot[weights->wall_foot[wall]].distance;
     return (1 + weights->mirror[wall]) * (weights->slip > 0 ? d / (d + weights->slip) : 1);
+}
+
+/* to = C from, C of a particle (whole.h). */
+static inline void weights_whole(const struct weights *weights, size_t particle, const double *from,
+                                 double to[3]) {
+    if (weights->whole == NULL) {
+        for (int d = 0; d < weights->dimension; d++)
+            to[d] = from[d];
+        return;
+    }
+    const double *c = weights->whole[particle];
+    for (int d = 0; d < weights->dimension; d++) {
+        to[d] = 0;
+        for (int e = 0; e < weights->dimension; e++)
+            to[d] += c[3 * d + e] * from[e];
+    }
 }
 
 /* How weights are made. */

@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* What the gradient of a pressure, and the divergence of a flow, lack beside walls and grains, for steady flows between open sides.
+ *
+ * A pressure goes on evenly behind a body, so that a particle beside it sees of a linear pressure the part
+ *
+ *   N = sum over fluid neighbours and open sides of b_ij (x) (x_j - x_i)
+ *
+ * alone, in dense packings two thirds or three quarters. The mean gradient of a periodic flow is a force, and whole; between open sides it is one of the pressure.
+ * There the gradient is C sum b_ij (p_j - p_i), C = 1 / N, and the divergence its adjoint, sum b_ij . (C_i u_i + C_j u_j): a linear pressure pushes as
+ * the force would, what i loses j gains, bodies let nothing through, and the flow through a section is the sum of the velocities of its particles.
+ * A projection in time would not be stable with it, as its Poisson equation has no C.
+ * Eigenvalues of N below WHOLE_LEAST, in pores that hold one particle, count as that. */
+#ifndef SCREE_FLUID_WHOLE_H
+#define SCREE_FLUID_WHOLE_H
+
+#include "fluid/weights.h"
+
+#define WHOLE_LEAST 0.2
+
+/* Puts C of this rank's rows into whole[particle number], row after row. After mirror_make. Opens its own team. */
+void whole_make(const struct weights *weights, const struct weights_input *rows, double (*whole)[9]);
+
+#endif
