@@ -140,7 +140,7 @@ nobase_dist_pkgdata_SCRIPTS += $(scaling)/ghosts.sh $(scaling)/page.sh $(scaling
 
 bead_packing = examples/bead_packing
 nobase_dist_pkgdata_DATA += \
-	$(bead_packing)/README.md $(bead_packing)/close.yaml $(bead_packing)/cut.awk $(bead_packing)/flow.awk $(bead_packing)/flow.sh $(bead_packing)/packing.awk $(bead_packing)/picture.awk \
+	$(bead_packing)/README.md $(bead_packing)/close.yaml $(bead_packing)/cut.awk $(bead_packing)/flow.awk $(bead_packing)/flow.sh $(bead_packing)/open.awk $(bead_packing)/open.sh $(bead_packing)/packing.awk $(bead_packing)/picture.awk \
 	$(bead_packing)/picture.gp $(bead_packing)/pour.sh $(bead_packing)/pour.yaml $(bead_packing)/published.txt $(bead_packing)/scene.yaml \
 	$(bead_packing)/section.awk $(bead_packing)/summary.awk examples/pores.head.md
 nobase_dist_pkgdata_SCRIPTS += \

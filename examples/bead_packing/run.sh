@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Water flows through a packing of beads that scree pours itself: run.sh [--spacing LENGTH] [--quick] [--packing FILE] [DIR]
+# Water flows through a packing of beads that scree pours itself: run.sh [--spacing LENGTH] [--quick] [--open] [--packing FILE] [DIR]
 #
 # --spacing LENGTH   the finest of three spacings; the others are 1.25 and 1.25^2 times as long (64 um)
 # --quick            410 beads in a column of 4.4 mm instead of 6,864 in one of 8.8 mm
+# --open             each flow also between an inlet and an outlet, beside the periodic one
 # --packing FILE     takes these beads (radius x y z a line, metres) instead of pouring; its folder has the pouring's height
 # DIR                the results (out)
 #
@@ -16,13 +17,15 @@ here=$(cd "$(dirname "$0")" && pwd)
 finest=64um
 beads=6864 column=4.4e-3 height=12.8e-3
 packing=
+between=no
 out=
 while [ $# -gt 0 ]; do
     case $1 in
         --spacing) finest=$2; shift ;;
         --quick) beads=410 column=2.2e-3 height=3.2e-3 ;;
+        --open) between=yes ;;
         --packing) packing=$2; shift ;;
-        -*) echo "run.sh: $1: allowed are --spacing LENGTH, --quick, --packing FILE" >&2; exit 2 ;;
+        -*) echo "run.sh: $1: allowed are --spacing LENGTH, --quick, --open, --packing FILE" >&2; exit 2 ;;
         *) out=$1 ;;
     esac
     shift
@@ -40,14 +43,17 @@ core_seconds() {
 }
 . "$here/pour.sh"
 . "$here/flow.sh"
+. "$here/open.sh"
 
 [ -n "$packing" ] || pour
 [ -z "$packing" ] || cp "$packing" "$out/packing.txt"
 awk -v column="$column" -v height="$height" -v profile="$out/profile.txt" -f "$here/packing.awk" "$out/packing.txt" >"$out/packing.json"
 cat "$out/packing.json"
 : >"$out/flows.jsonl"
+: >"$out/open.jsonl"
 for cells in $(awk -v h="$finest" -v height="$height" 'BEGIN { for (k = 2; k >= 0; k--) printf "%d ", int(height / (h * 1.25 ^ k) + 0.5) }'); do
     flow "$cells"
+    [ "$between" = no ] || open "$cells"
 done
 core_seconds
 cat "$out/packing.json" "$out/flows.jsonl" | awk -v seconds="$core" -f "$here/summary.awk" | tee "$out/summary.json"
