@@ -62,8 +62,22 @@ static void test_import(void **state) {
 #ifdef HAVE_ASSIMP
     struct mesh mesh;
     char why[256];
-    assert_false(read_text(&mesh, "v 0 0 0\n", 8, "obj", why));
-    assert_non_null(strstr(why, "OBJ"));
+    static const char *const wrong[][2] = {{"v 0 0 0\n", "OBJ"},
+                                           {"mtllib m\nv 0 0\n", ":2: an OBJ vertex needs three"},
+                                           {"v 0 0 0\nfacet n 0\nf 1 1 2\n", ":3: '2' is no vertex"},
+                                           {"v 0 0 0\nf -1 -2 1\n", ":2: '-2' is no vertex"},
+                                           {"v 0 0 0\nf 1x 1 1\n", ":2: '1x' is no vertex"},
+                                           {"v 0 0 0\nv 1 0 0\nf 1 2\n", ":3: an OBJ face of 2 corners"}};
+    for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
+        assert_false(read_text(&mesh, wrong[k][0], strlen(wrong[k][0]), "obj", why));
+        if (strstr(why, wrong[k][1]) == NULL)
+            fail_msg("%s", why);
+    }
+    static const char slashes[] =
+        "# turned\no a\nv 0 0 0 1\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nusemtl no\nf -3/1/1 -2//1 -1\n";
+    assert_true(read_text(&mesh, slashes, strlen(slashes), "", why));
+    assert_int_equal(mesh.count, 1);
+    mesh_free(&mesh);
 #endif
 }
 

@@ -4,6 +4,7 @@ libwalls_la_SOURCES = \
 	src/walls/mesh.c \
 	src/walls/mesh.h \
 	src/walls/mesh_import.c \
+	src/walls/mesh_obj.c \
 	src/walls/mesh_shape.c \
 	src/walls/mesh_shape.h \
 	src/walls/mesh_stl.c \

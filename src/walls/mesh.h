@@ -36,10 +36,15 @@ bool mesh_stl_ascii(struct mesh *mesh, char *text, const char *path, struct erro
  * "obj" or "ply" if the content, or the end of the path, is that of such a file; else NULL. */
 const char *mesh_import_format(const char *content, const char *path);
 
-/* Reads the content of a file of this format; polygons become triangles, and the parts of a file become one mesh.
+/* The vertices and faces of an OBJ file (the text is changed) as a text of `v` and `f` lines without all else; *size is
+ * its length. NULL with an error (user, with the line) if a vertex has no three finite numbers, or a face no three
+ * corners or a corner that is no vertex of a line before. The caller calls free. One thread. */
+char *mesh_obj_plain(char *text, const char *path, size_t *size, struct error *error);
+
+/* Reads the content of a file of this format (the text is changed); polygons become triangles, and the parts of a file become one mesh.
  * assimp reads numbers as floats (seven digits). Fails (user) if the program was built without assimp, if assimp is
  * not there, or if assimp refuses the file, with assimp's own words. mesh_free releases. One thread. */
-bool mesh_import(struct mesh *mesh, const char *content, size_t size, const char *format, const char *path,
+bool mesh_import(struct mesh *mesh, char *content, size_t size, const char *format, const char *path,
                  struct error *error);
 
 #endif

@@ -4,6 +4,7 @@
 #include "walls/mesh.h"
 #include "core/memory.h"
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
@@ -69,16 +70,22 @@ static bool add_part(struct mesh *mesh, const struct aiMesh *part, const char *p
     return true;
 }
 
-bool mesh_import(struct mesh *mesh, const char *content, size_t size, const char *format, const char *path,
+bool mesh_import(struct mesh *mesh, char *content, size_t size, const char *format, const char *path,
                  struct error *error) {
     struct importer importer = {0};
+    bool object = strcmp(format, "obj") == 0;
     if (!importer_load(&importer, path, error))
         return false;
-    const struct aiScene *scene = importer.import(
-        content, (unsigned)size, aiProcess_Triangulate | aiProcess_PreTransformVertices, format);
+    char *plain = object ? mesh_obj_plain(content, path, &size, error) : NULL;
+    if (object && plain == NULL)
+        return false;
+    const struct aiScene *scene =
+        importer.import(plain ? plain : content, (unsigned)size,
+                        aiProcess_Triangulate | aiProcess_PreTransformVertices, format);
+    free(plain);
     if (scene == NULL)
         return error_set(error, ERROR_USER, "%s: assimp cannot read it as %s: %s", path,
-                         strcmp(format, "obj") == 0 ? "OBJ" : "PLY", importer.why());
+                         object ? "OBJ" : "PLY", importer.why());
     size_t faces = 0;
     bool good = true;
     for (unsigned k = 0; k < scene->mNumMeshes; k++)
@@ -90,7 +97,7 @@ bool mesh_import(struct mesh *mesh, const char *content, size_t size, const char
     return good;
 }
 #else
-bool mesh_import(struct mesh *mesh, const char *content, size_t size, const char *format, const char *path,
+bool mesh_import(struct mesh *mesh, char *content, size_t size, const char *format, const char *path,
                  struct error *error) {
     (void)mesh, (void)content, (void)size;
     return error_set(
