@@ -148,12 +148,38 @@ grows with the threads is the surface between their ranges (second copies of pai
 | 64 | 207.5 million | 7.1 | 0.8 | 0.6 |
 | 64, as it was while each thread looked through the pairs of all | 232.9 million | 30.6 | 3.7 | 0.6 |
 
-In a rebuild one thread alone looks once through the classes of all particles and cuts the rows into blocks, adds up a table of threads x threads
-for the levels, and numbers the slots of particles with very many partners. (In the table above each thread's cuts looked through the classes
-again: with 64 threads 1.2 of the 207.5 million instructions.)
+The next table is of the first thread: 34,097 spheres of radii 1 and 5 in a periodic cube of edge 75, velocities of 1, hgrid, one rank, a rebuild each
+8 steps. "Alone" are the instructions outside of parallel regions. A rebuild includes the plan that the step after it makes. The last columns are as
+it was while one thread marked the particles that move early, added up the starts of histories and looked through the classes four times. (callgrind
+counts each byte that a long memset clears; new arrays that one thread clears, 0.15 million bytes a rebuild, are left out of "alone".)
+
+| threads | a step | alone | a rebuild | alone | a rebuild, as it was | alone |
+|---|---|---|---|---|---|---|
+| 8 | 0.865 million | 0.006 | 5.88 | 0.11 | 6.37 | 0.66 |
+| 32 | 0.265 million | 0.020 | 2.44 | 0.15 | 3.25 | 0.98 |
+| 64 | 0.164 million | 0.036 | 1.48 | 0.20 | 2.32 | 1.05 |
+
+What a thread does alone in a step are sums and largest values over the threads, about 500 instructions a thread. A step in fused order has one parallel
+region with one barrier inside, a step in ring order two regions without one; a step with a rebuild has 20 regions with 11 barriers inside, and the step
+after it three regions more for its plan. With 64 threads the first thread has 1.28 million instructions in the regions of a rebuild, and the mean of
+the others is 0.79 million: a range at a face of the box also searches the images beyond the face, and here a range is a third of a layer of cells.
+
+In a rebuild one thread alone looks once through the classes of all particles (an instruction a particle) and cuts the rows into blocks, adds up a table
+of threads x threads for the levels, and numbers the slots of particles with very many partners. With several kinds of particles it also sorts the
+order of a reorder by class. On several ranks one thread makes the lists of copies and of their originals, which grow with the border of a rank. (In
+the first table each thread's cuts looked through the classes again: with 64 threads 1.2 of the 207.5 million instructions.)
+
+Before the first rebuild all threads copy the arrays of the particles to fresh memory, each thread its part, because the thread that reads or makes the
+particles would otherwise be the first to touch all pages. \`perf record -e page-faults -c 1 -d\` shows the thread of each first touch (711,907 spheres, 4
+threads, huge pages): before, the first thread touched all pages of states and forces; now each of the four threads touches its quarter. The
+same holds for the pair list, the positions of the skin and the second array of a reorder. Histories and the buffers of pairs are allocated by the
+threads that use them. Arrays that are freed and allocated again in a rebuild (keys of the index, kept histories; 4 to 8 bytes a particle) get blocks that
+other threads may have touched. With many size classes of equal numbers the quarters of an array are not the ranges of the threads, which have a part
+of each class.
 
 A rank works best on one NUMA node: each socket, or each die with memory of its own, gets one rank with as many threads as it has cores
-(\`mpirun --map-by ppr:1:numa:pe=CORES --bind-to core\`). Whether pages lie near the threads that use them was not measured on such a machine.
+(\`mpirun --map-by ppr:1:numa:pe=CORES --bind-to core\`). One rank on several nodes has its pages where its threads are only if the threads stay there
+(\`OMP_PROC_BIND=close OMP_PLACES=cores\`). What this gains was not measured on such a machine.
 
 ## Data with the length of the rank count
 
