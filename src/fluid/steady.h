@@ -13,8 +13,8 @@
  * Collocated pressures have nearly invisible modes in dead corners, so the residual stalls long after the flow
  * has converged. Hence the solve ends when the mean flow changes by less than the tolerance over a cycle of LGMRES
  * (16 iterations) and the momentum's residual is below a thousandth of the force. In rolls without a mean flow the root mean
- * square of the velocity takes its place. Between open sides of given pressure at most a hundredth of the flow may get
- * lost, too: there the continuity converges slowly. A part of a cycle would not do: the first iterations after a restart change the
+ * square of the velocity takes its place. Between open sides of given pressure, where the pressure
+ * along the whole way is an unknown, schur.h has a better Schur complement, and at most a hundredth of the flow may get lost, too. A part of a cycle would not do: the first iterations after a restart change the
  * flow little even where it has a percent to go. Cycles of LGMRES take along the corrections of the last two cycles, and
  * so need fewer vectors than those of GMRES: 28 with 4 doubles a particle, not 36. */
 #ifndef SCREE_FLUID_STEADY_H
