@@ -361,6 +361,6 @@ bool steady_solve(struct steady *steady, const struct flow *flow, const double f
         "%.2g of "
         "the flow gets lost; %s may help",
         coupled->iterations, coupled->reason, steady->change, steady->residual, steady->loss,
-        steady->loss > LOSS_ENOUGH ? "a box that is periodic along the flow, or fluid.time: transient,"
+        steady->loss > LOSS_ENOUGH ? "a finer spacing, or a box that is periodic along the flow,"
                                    : "a larger fluid.solver.tolerance or a finer spacing");
 }
