@@ -38,7 +38,7 @@ const char *mesh_import_format(const char *content, const char *path);
 
 /* The vertices and faces of an OBJ file (the text is changed) as a text of `v` and `f` lines without all else; *size is
  * its length. NULL with an error (user, with the line) if a vertex has no three finite numbers, or a face no three
- * corners or a corner that is no vertex of a line before. The caller calls free. One thread. */
+ * corners or a corner that is no vertex of a line before, or if there is no face. The caller calls free. One thread. */
 char *mesh_obj_plain(char *text, const char *path, size_t *size, struct error *error);
 
 /* Reads the content of a file of this format (the text is changed); polygons become triangles, and the parts of a file become one mesh.

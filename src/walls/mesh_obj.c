@@ -13,8 +13,8 @@
 /* The reader between two lines. */
 struct obj_text {
     const char *path;
-    size_t number; /* of the line, from 1 */
-    long vertices; /* so far */
+    size_t number;        /* of the line, from 1 */
+    long vertices, faces; /* so far */
     FILE *out;
 };
 
@@ -49,6 +49,7 @@ static bool obj_face(struct obj_text *t, char *at, struct error *error) {
         corners++;
     }
     fprintf(t->out, "\n");
+    t->faces++;
     return corners >= 3 ||
            error_set(error, ERROR_USER, "%s:%zu: an OBJ face of %d corners, not of three or more", t->path,
                      t->number, corners);
@@ -66,6 +67,7 @@ char *mesh_obj_plain(char *text, const char *path, size_t *size, struct error *e
             continue;
         good = vertex ? obj_vertex(&t, line + 2, error) : obj_face(&t, line + 2, error);
     }
+    good = good && (t.faces > 0 || error_set(error, ERROR_USER, "%s: no face in the OBJ file", path));
     if (t.out != NULL)
         fclose(t.out);
     if (good)
