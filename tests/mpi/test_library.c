@@ -257,8 +257,8 @@ static void stages_follow_each_other_on_all_ranks_alike(void **test) {
     int calls[2] = {0, 0};
     const char *set[] = {
         "step.count=~", "step.force=true",
-        "stages=[{name: fall, every: 10, until: [{name: particles, at_least: 3}]}, {name: rise, duration: "
-        "0.02, set: {gravity: [0, 0, 1]}}, {name: rest, duration: 0.01, set: {\"walls[floor]\": ~}}]"};
+        ("stages=[{name: fall, every: 10, until: [{name: particles, at_least: 3}]}, {name: rise, duration: "
+         "0.02, set: {gravity: [0, 0, 1]}}, {name: rest, duration: 0.01, set: {\"walls[floor]\": ~}}]")};
     struct scree_options both = {.communicator = &team->comm.handle,
                                  .set = set,
                                  .sets = 3,
