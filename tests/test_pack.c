@@ -306,13 +306,38 @@ static void too_dense(void **state) {
     assert_non_null(strstr(error.text, "fewer than 134217728"));
 }
 
+/* A simple cubic bed of spheres in a box twice as high: its solid fraction is pi / 6, and three quarters of it lie below three quarters of
+ * its height. */
+static void test_bed(void **state) {
+    enum { SIDE = 8 };
+    (void)state;
+    const struct pack_options options = {
+        .shape = PACK_BOX, .edges = {2 * SIDE, 2 * SIDE, 4 * SIDE}, .walls = PACK_HARD};
+    struct error error = {0};
+    struct pack_bed bed;
+    struct rows rows;
+    rows_create(&rows, SIDE * SIDE * SIDE, ROWS_POSITION | ROWS_RADIUS);
+    for (int k = 0; k < SIDE * SIDE * SIDE; k++) {
+        rows.radius[k] = 1;
+        rows.position[k][0] = 1 + 2 * (k % SIDE);
+        rows.position[k][1] = 1 + 2 * (k / SIDE % SIDE);
+        rows.position[k][2] = 1 + 2 * (k / (SIDE * SIDE));
+    }
+    for (int c = 0; c < 3; c++)
+        rows.upper[c] = options.edges[c];
+    assert_true(bed_measure(&bed, &options, &rows, &error));
+    assert_float_equal(bed.height, 1.5 * SIDE, 1e-9);
+    assert_float_equal(bed.fraction, M_PI / 6, 0.005 * M_PI / 6);
+    rows_free(&rows);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(nothing_overlaps),   cmocka_unit_test(fills_containers),
         cmocka_unit_test(overlap_bound),      cmocka_unit_test(bidisperse),
         cmocka_unit_test(bidisperse_removed), cmocka_unit_test(seeds_differ),
         cmocka_unit_test(velocities),         cmocka_unit_test(same_for_any_threads),
-        cmocka_unit_test(too_dense),
+        cmocka_unit_test(too_dense),          cmocka_unit_test(test_bed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

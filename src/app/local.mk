@@ -25,6 +25,8 @@ libapp_la_SOURCES = \
 	src/app/manual.h \
 	src/app/pack.c \
 	src/app/pack.h \
+	src/app/pack_settle.c \
+	src/app/pack_settle.h \
 	src/app/page.c \
 	src/app/page.h \
 	src/app/picture.c \

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* scree pack: makes a packing and writes it. One rank works, with threads; others wait. */
 #include "app/pack.h"
+#include "app/pack_settle.h"
 #include "core/memory.h"
 #include "core/timer.h"
 #include "files/file.h"
@@ -32,21 +33,40 @@ struct progress_line {
     const char *what;
 };
 
-static void show_sweep(void *context, const char *what, const struct relax_state *state) {
-    struct progress_line *line = context;
-    char text[PROGRESS_COLUMNS_MAX + 1];
+/* True if the next line is due. */
+static bool show_due(struct progress_line *line) {
     double now = timer_now();
     if (now - line->shown < (line->terminal ? 0.2 : line_seconds))
-        return;
+        return false;
     line->shown = now;
+    return true;
+}
+
+static void show_text(struct progress_line *line, const char *text) {
     line->drawn = true;
-    snprintf(text, sizeof text, "%s: sweep %d, largest overlap %.3g of the smaller radius", what,
-             state->sweep, state->overlap);
     if (line->terminal)
         fprintf(stderr, "\r\033[K%.*s", progress_columns(stderr), text);
     else
         fprintf(stderr, "%s\n", text);
     fflush(stderr);
+}
+
+static void show_sweep(void *context, const char *what, const struct relax_state *state) {
+    char text[PROGRESS_COLUMNS_MAX + 1];
+    if (!show_due(context))
+        return;
+    snprintf(text, sizeof text, "%s: sweep %d, largest overlap %.3g of the smaller radius", what,
+             state->sweep, state->overlap);
+    show_text(context, text);
+}
+
+static void show_settling(void *context, const struct settle_state *state) {
+    char text[PROGRESS_COLUMNS_MAX + 1];
+    if (!show_due(context))
+        return;
+    snprintf(text, sizeof text, "settling: %.2f fall times, speed %.3g, unbalanced force %.3g", state->time,
+             state->speed, state->unbalanced);
+    show_text(context, text);
 }
 
 static void end_progress(const struct progress_line *line) {
@@ -141,6 +161,17 @@ static bool write_files(const struct comm *comm, const struct request *request, 
     return true;
 }
 
+static void print_settled(const struct pack_report *report, const struct settle_state *state) {
+    printf("settled in %" PRIu64
+           " steps, %.1f times the fall through the container%s: unbalanced force %.2g, %.2f "
+           "contacts a sphere\n",
+           state->steps, state->time, state->rests ? "" : ", and NOT YET AT REST", state->unbalanced,
+           state->coordination);
+    printf("bed: three quarters of the spheres' volume lie below a height of %.6g, at a solid fraction of "
+           "%.4f\n",
+           report->bed.height, report->bed.fraction);
+}
+
 static void print_report(const struct request *request, const struct pack_report *report, size_t count,
                          double seconds) {
     const struct pack_options *o = &request->options;
@@ -168,17 +199,23 @@ static bool make(const struct comm *comm, const struct request *request, struct 
                  struct error *error) {
     struct progress_line line = {.terminal = isatty(STDERR_FILENO), .shown = timer_now()};
     struct pack_hook hook = {.show = show_sweep, .context = &line};
+    struct settle_hook settling = {.show = show_settling, .context = &line};
+    struct settle_state settled = {0};
     struct pack_report report;
-    bool quiet = request->line->quiet;
+    bool quiet = request->line->quiet, settle = request->options.settle == PACK_SETTLED;
     if (comm->rank > 0)
         return true;
     if (comm->size > 1 && !quiet)
         fprintf(stderr, "scree: pack works on one rank, with threads; the other %d wait\n", comm->size - 1);
     double began = timer_now();
-    bool good = pack_make(&request->options, quiet ? NULL : &hook, rows, &report, error);
+    bool good =
+        pack_make(&request->options, quiet ? NULL : &hook, rows, &report, error) &&
+        (!settle || pack_settle(&request->options, quiet ? NULL : &settling, rows, &report, &settled, error));
     end_progress(&line);
     if (good && !quiet)
         print_report(request, &report, rows->count, timer_now() - began);
+    if (good && !quiet && settle)
+        print_settled(&report, &settled);
     fflush(stdout);
     return good;
 }

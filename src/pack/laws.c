@@ -9,6 +9,7 @@ enum { VALUE_MAX = 64 };
 static const char *const by_names[] = {"number", "mass", NULL};
 static const char *const wall_names[] = {"periodic", "hard", NULL};
 static const char *const shape_names[] = {"cube", "box", "cylinder", "sphere", "mesh", NULL};
+static const char *const settle_names[] = {"no", "yes", NULL};
 static const char *const number_names[] = {"table", "recipe", NULL};
 
 #define AT(member) .offset = offsetof(struct pack_options, member)
@@ -73,6 +74,20 @@ static const struct law_key keys[] = {
      .least = 1e-12,
      .most = 1e12,
      .help = "coordinates of the mesh's file x this"},
+    {.name = "settle",
+     .type = LAW_NAME,
+     AT(settle),
+     .names = settle_names,
+     .help =
+         "yes: the spheres then fall along -z in the container, between hard walls, until they rest on each "
+         "other"},
+    {.name = "friction",
+     .type = LAW_REAL,
+     AT(friction),
+     .least = 0,
+     .most = 10,
+     .help = "of the spheres while they settle, among themselves and with the walls: the less, the denser "
+             "the bed"},
     {.name = "broad",
      .type = LAW_REAL,
      AT(broad),
@@ -154,7 +169,7 @@ static const struct law_key keys[] = {
 enum { KEYS = sizeof keys / sizeof keys[0] };
 
 static const char *const common = "gap=0.001 overlap=0 sweeps=20000 velocity=0 density=1 seed=1 threads=0";
-static const char *const container = "shape=cube edges radius length file scaled=1";
+static const char *const container = "shape=cube edges radius length file scaled=1 settle=no friction=0.5";
 
 static const struct laws_row laws[] = {
     [PACK_BIDISPERSE] = {.name = "bidisperse",

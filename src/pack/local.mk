@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libpack.la
 libpack_la_SOURCES = \
+	src/pack/bed.c src/pack/bed.h \
 	src/pack/bidisperse.c src/pack/bidisperse.h \
 	src/pack/container.c src/pack/container.h \
 	src/pack/draw.c src/pack/draw.h \

@@ -18,6 +18,7 @@ enum pack_law {
 enum pack_by { PACK_BY_NUMBER, PACK_BY_MASS };
 enum pack_sides { PACK_PERIODIC, PACK_HARD };
 enum pack_shape { PACK_CUBE, PACK_BOX, PACK_CYLINDER, PACK_SPHERE, PACK_MESH };
+enum pack_rest { PACK_FLOATING, PACK_SETTLED };
 enum pack_numbers { PACK_TABLE, PACK_RECIPE };
 
 /* Lengths in the unit of the law, see pack_help. Zero counts, box and fraction: not given. */
@@ -45,6 +46,8 @@ struct pack_options {
     /* SIEVE, DISCRETE, instead of the file: lists, "1,2,4"; borrowed */
     const char *radii, *diameters, *passing, *weights;
     double gap, overlap, sweeps; /* see relax.h; overlap is its bound */
+    enum pack_rest settle;       /* SETTLED: the spheres then fall along -z and come to rest on each other */
+    double friction;             /* SETTLED: of the spheres while they fall */
     double velocity;             /* standard deviation of each component */
     double density;
     double seed, threads; /* whole numbers; threads 0: all of OpenMP */

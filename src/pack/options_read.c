@@ -195,12 +195,25 @@ static bool check_shape(const struct pack_options *o, const struct given *given,
            error_set(error, ERROR_USER, "command line: walls=periodic goes with shape=cube and shape=box");
 }
 
+/* Spheres settle between walls. */
+static bool check_settle(struct pack_options *o, const struct given *given, struct error *error) {
+    if (o->settle == PACK_FLOATING)
+        return !is_given(given, "friction") ||
+               error_set(error, ERROR_USER, "command line: friction= goes with settle=yes");
+    if (is_given(given, "walls") && o->walls == PACK_PERIODIC)
+        return error_set(
+            error, ERROR_USER,
+            "command line: settle=yes needs walls that spheres rest on, and walls=periodic has none");
+    o->walls = PACK_HARD;
+    return true;
+}
+
 /* Of size, count and fraction two decide the third. */
 static bool finish_shape(struct pack_options *o, const struct given *given, struct error *error) {
     bool count = is_given(given, "count"), fraction = is_given(given, "fraction");
     bool box = is_given(given, "box");
     const char *name = shapes[o->shape].name;
-    if (!check_shape(o, given, error))
+    if (!check_shape(o, given, error) || !check_settle(o, given, error))
         return false;
     if (o->shape > PACK_BOX)
         o->walls = PACK_HARD;

@@ -3,6 +3,7 @@
 #ifndef SCREE_PACK_REPORT_H
 #define SCREE_PACK_REPORT_H
 
+#include "pack/bed.h"
 #include "pack/relax.h"
 
 /* Called after each sweep with the name of the relaxed set ("spheres", "large", "small"). */
@@ -18,6 +19,7 @@ struct pack_report {
     double smallest, largest; /* radii */
     double overlap;           /* the largest in the final packing, as part of the smaller radius; 0: none */
     int sweeps;
+    struct pack_bed bed; /* SETTLED; else all 0 */
     /* BIDISPERSE: */
     double started_fraction; /* solid fraction of the small spheres before any was removed */
     uint64_t large, small, removed,

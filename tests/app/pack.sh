@@ -98,6 +98,49 @@ EOF
     check "with the same particles" same_numbers first.dump sieved/dump.lammpstrj
 done
 
+# Spheres that settle. number WORD: the number before this word of what the program printed
+number() {
+    sed -n "s/.* \\([0-9.e+-]*\\) $1.*/\\1/p; s/.*$1 \\([0-9.e+-]*[0-9]\\).*/\\1/p" said | head -n 1
+}
+between() {
+    awk -v least="$1" -v value="$2" -v most="$3" 'BEGIN { if (value == "" || !(value + 0 >= least && value + 0 <= most)) {
+        print "  " value " is not in " least " ... " most; exit 1 } }'
+}
+# lowered FILE FILE PART: the mean height of the spheres of the first is below this part of that of the second
+lowered() {
+    awk 'FNR == 1 { on = 0 } /^Atoms/ { on = 1; file++; next } on && NF >= 7 { sum[file] += $7; n[file]++ }
+        END { exit !(n[1] == n[2] && n[1] > 30 && sum[1] < part * sum[2]) }' part="$3" "$1" "$2"
+}
+# inside FILE RADIUS LENGTH: no sphere leaves the cylinder by more than a hundredth of its radius
+inside() {
+    awk -v R="$2" -v L="$3" '/^Atoms/ { on = 1; next } on && NF >= 7 { r = $3 / 2; d = sqrt($5 ^ 2 + $6 ^ 2) + r - R
+        if (d > 0.01 * r || $7 < 0.99 * r || $7 > L - 0.99 * r) { print "  " $0; bad = 1 } n++ } END { exit bad || n < 30 }' "$1"
+}
+settled="shape=cylinder radius=4 length=9 min=0.8 max=1.2 fraction=0.3"
+# shellcheck disable=SC2086
+{
+check "a cylinder of spheres in the air" packed 1 power air.data $settled
+check "that settle" packed 1 power bed.data $settled settle=yes threads=2
+check "they come to rest" holds said "settled in "
+check "at rest indeed" sh -c '! grep -q "NOT YET" said'
+check "each with the contacts of a bed" between 3.5 "$(number 'contacts a sphere')" 7
+check "as dense as a bed" between 0.4 "$(number "solid fraction of")" 0.68
+check "lower than before" lowered bed.data air.data 0.9
+check "inside the cylinder" inside bed.data 4 9
+check "on three ranks and one thread" packed 3 power bed3.data $settled settle=yes threads=1
+check "the bed is the same" same_numbers bed.data bed3.data
+check "without friction" packed 1 power smooth.data $settled settle=yes friction=0
+check "the bed is lower" lowered smooth.data bed.data 0.98
+check "a ball" packed 1 power ball.data shape=sphere radius=4 min=0.8 max=1.2 fraction=0.3 settle=yes
+check "settles" holds said "settled in "
+printf '%s\n' '0 0 0 0 12 0 12 0 0' '12 0 0 0 12 0 12 12 0' '0 0 12 12 0 12 0 12 12' '12 0 12 12 12 12 0 12 12' \
+    '0 0 0 12 0 0 0 0 12' '12 0 0 12 0 12 0 0 12' '0 12 0 0 12 12 12 12 0' '12 12 0 0 12 12 12 12 12' \
+    '0 0 0 0 0 12 0 12 0' '0 12 0 0 0 12 0 12 12' '12 0 0 12 12 0 12 0 12' '12 12 0 12 12 12 12 0 12' >"a box.txt"
+check "a mesh" packed 1 power mesh.data shape=mesh "file=a box.txt" min=1.5 max=2 fraction=0.35 settle=yes
+check "settles, too" between 0.4 "$(number "solid fraction of")" 0.68
+check "no file is left" sh -c '! ls "${TMPDIR:-/tmp}"/scree-settle-* >/dev/null 2>&1'
+}
+
 # refused WORDS ARGUMENTS...: status 2, one line with these words, and no file
 refused() {
     local words=$1
@@ -122,6 +165,9 @@ check "another container's key" refused "edges= does not go with shape=sphere" p
 check "two edges" refused "three lengths" power new.data shape=box edges=1,2
 check "periodic and round" refused "walls=periodic goes with" power new.data shape=sphere radius=9 walls=periodic
 check "count, fraction and size" refused "two decide the third" power new.data shape=sphere radius=9 count=9 fraction=0.3
+check "settling without walls" refused "settle=yes needs walls" power new.data box=20 fraction=0.3 settle=yes walls=periodic
+check "friction of spheres that do not settle" refused "friction= goes with settle=yes" power new.data friction=0.3
+check "published systems do not settle" refused "no key of the law" bidisperse new.data settle=yes
 check "too many for it" refused "times that of the container" power new.data shape=sphere radius=20 count=5000
 check "too large a container" refused "more than 134 million" power new.data shape=sphere radius=1e6
 check "a mesh that is not there" refused "nix.stl" power new.data shape=mesh file=nix.stl
