@@ -6,6 +6,7 @@
  * spheres, (d/r)^(3/2) = 6 p / (0.94 E*), with E* = E / (2 (1 - nu^2)). */
 #include "app/pack_settle.h"
 #include "formats/lammps_data.h"
+#include "particles/particles.h"
 #include "scree.h"
 #include <math.h>
 #include <stdio.h>
@@ -15,7 +16,7 @@
 
 static const double overlap_wanted = 5e-3, poisson = 0.3, most_falls = 100;
 /* At rest: */
-static const double speed_most = 0.02, unbalanced_most = 0.01;
+static const double speed_most = 0.01, unbalanced_most = 0.01;
 
 enum { PATH = 1024, SPHERE_TURNS = 128 };
 
@@ -109,14 +110,17 @@ static void write_scene(FILE *out, const struct pack_options *o, const struct ro
     fprintf(out, "units: none\nreproducible: true\nthreads: %.0f\ngravity: [0, 0, -1]\n", o->threads);
     fprintf(out, "box: {lower: [%.17g, %.17g, %.17g], upper: [%.17g, %.17g, %.17g], periodic: false}\n",
             rows->lower[0], rows->lower[1], rows->lower[2], rows->upper[0], rows->upper[1], rows->upper[2]);
-    fprintf(out, "step: {fraction: 0.5}\nduration: .inf\ncontact: {law: hertz, tangential: history}\n");
+    fprintf(out, "step: {fraction: 0.5}\nduration: .inf\ncontact: {law: hertz, tangential: history, rolling: "
+                 "spring}\n");
     fprintf(out, "materials: [{name: grain, density: 1, young: %.17g, poisson: %.17g}]\n", young, poisson);
-    fprintf(out, "material_pairs: [{restitution: 0.2, friction: %.17g}]\n", o->friction);
+    fprintf(out, "material_pairs: [{restitution: 0.2, friction: %.17g, rolling_friction: %g}]\n", o->friction,
+            o->friction > 0 ? 0.01 : 0.0);
     write_walls(out, o, rows, files);
     fputs("particles: {file: ", out);
     write_path(out, files->spheres);
     fputs(", format: lammps-data, density: 1, material: grain}\n", out);
-    fputs("observables: {list: [{name: speed_max}, {name: unbalanced_force}, {name: coordination}, {name: "
+    fputs("observables: {list: [{name: energy_kinetic_mean}, {name: unbalanced_force}, {name: coordination}, "
+          "{name: "
           "overlap_max}]}\n",
           out);
 }
@@ -126,16 +130,30 @@ static bool failed(const struct scree_error *from, struct error *error) {
     return error_set(error, (enum error_kind)from->status, "the spheres settle: %s", from->text);
 }
 
+/* The units of a state. */
+struct scale {
+    double fall;       /* time of a free fall over the height of the container */
+    double fall_speed; /* after a fall by the smallest diameter */
+    double mass;       /* mean of the spheres */
+};
+
+static struct scale scale_of(const struct rows *rows, double radius_min) {
+    struct scale scale = {sqrt(2 * height_of(rows)), sqrt(4 * radius_min), 0};
+    for (size_t k = 0; k < rows->count; k++)
+        scale.mass += particles_sphere_mass(rows->radius[k], 1) / (double)rows->count;
+    return scale;
+}
+
 /* Looks at the spheres. */
-static bool look(struct scree_simulation *simulation, double fall, double fall_speed,
-                 struct settle_state *state, struct error *error) {
+static bool look(struct scree_simulation *simulation, const struct scale *scale, struct settle_state *state,
+                 struct error *error) {
     struct scree_error told = {0};
     double value[4];
     if (!scree_observe(simulation, value, &told))
         return failed(&told, error);
-    state->time = scree_time(simulation) / fall;
+    state->time = scree_time(simulation) / scale->fall;
     state->steps = scree_step_number(simulation);
-    state->speed = value[0] / fall_speed;
+    state->speed = sqrt(2 * value[0] / scale->mass) / scale->fall_speed;
     state->unbalanced = value[1];
     state->coordination = value[2];
     state->overlap = value[3];
@@ -144,15 +162,14 @@ static bool look(struct scree_simulation *simulation, double fall, double fall_s
 }
 
 /* Steps until the spheres rest, or for too long. */
-static bool fall(struct scree_simulation *simulation, const struct settle_hook *hook, double height,
-                 double radius_min, struct settle_state *state, struct error *error) {
-    double fall = sqrt(2 * height), fall_speed = sqrt(4 * radius_min);
-    uint64_t some = (uint64_t)fmax(0.02 * fall / scree_time_step(simulation), 1);
+static bool fall(struct scree_simulation *simulation, const struct settle_hook *hook,
+                 const struct scale *scale, struct settle_state *state, struct error *error) {
+    uint64_t some = (uint64_t)fmax(0.02 * scale->fall / scree_time_step(simulation), 1);
     struct scree_error told = {0};
     while (!state->rests && state->time < most_falls) {
         if (!scree_step(simulation, some, &told))
             return failed(&told, error);
-        if (!look(simulation, fall, fall_speed, state, error))
+        if (!look(simulation, scale, state, error))
             return false;
         if (hook)
             hook->show(hook->context, state);
@@ -218,7 +235,8 @@ bool pack_settle(const struct pack_options *options, const struct settle_hook *h
             unlink(*at);
     if (!simulation)
         return false;
-    bool good = fall(simulation, hook, height_of(rows), report->smallest, state, error);
+    struct scale scale = scale_of(rows, report->smallest);
+    bool good = fall(simulation, hook, &scale, state, error);
     if (good)
         take_places(simulation, rows);
     scree_destroy(&simulation);

@@ -11,7 +11,7 @@
 /* The state of spheres that settle; `unbalanced` is nan without contacts. */
 struct settle_state {
     double time;         /* in fall times: of a free fall over the height of the container */
-    double speed;        /* the largest, over that of a fall by the smallest diameter */
+    double speed;        /* speed of the mean kinetic energy, over that of a fall by the smallest diameter */
     double unbalanced;   /* mean force on a sphere over that of a contact */
     double coordination; /* contacts a sphere, walls included */
     double overlap;      /* the largest, over the smaller radius */
@@ -25,8 +25,8 @@ struct settle_hook {
 };
 
 /* Runs a scene of these rows under gravity along -z between the walls of the container, with Hertz's law, a restitution of
- * 0.2, the options' friction, and a stiffness at which the weight of a full container presses spheres into each other by
- * about half a percent of a radius; ends when the largest speed and the unbalanced force are small, or after 100 fall
+ * 0.2, the options' friction, a rolling friction of 0.01, and a stiffness at which the weight of a full container presses spheres into each other by
+ * about half a percent of a radius; ends when the speed and the unbalanced force are small, or after 100 fall
  * times. Changes the positions, and fills the report's overlap and bed. `hook` NULL: nobody is told. The spheres pass to the
  * scene by a temporary file in $TMPDIR or /tmp. Fails (system) if that file cannot be written. One process, with the threads
  * of the options; the same bits for any number of them. */
