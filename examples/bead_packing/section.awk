@@ -18,7 +18,7 @@ function trim(text) { gsub(/^ +| +$/, "", text); return text }
     n++
     run_of[n] = runs; spacing[n] = of("spacing_um"); across[n] = of("spacings_a_diameter"); fluid[n] = of("fluid_particles"); drop[n] = of("pressure_drop_pa")
     iterations[n] = of("iterations"); core[n] = of("core_seconds"); memory[n] = of("memory_bytes"); each[n] = of("bytes_a_fluid_particle"); balance[n] = of("force_balance")
-    ranks[n] = of("ranks"); all[n] = of("particles")
+    ranks[n] = of("ranks"); all[n] = of("particles"); wall[n] = of("seconds")
 }
 /"richardson_pa"/ {
     limit[runs] = of("richardson_pa"); reference[runs] = of("eisfeld_schnitzlein_pa"); order[runs] = of("observed_order"); away[runs] = of("from_reference")
@@ -50,8 +50,8 @@ END {
     }
     for (k = 1; k <= n; k++) { gap = balance[k] < 1 ? 1 - balance[k] : balance[k] - 1; worst = gap > worst ? gap : worst }
     printf "\nSeconds and memory are those of the whole flow: set-up, search, operators, multigrid, solve; memory that of the program, about 60 MB, included. The drag on beads and column is\nthe force that drives the water, to %.1g; nodes in closed pockets, which belong to no bead, are not counted.\n\n", worst
-    for (k = 1; k <= n; k++) old += iterations[k] % 16 > 0
-    if (old) print "Solves whose iterations are no multiple of 16 are by GMRES with 30 vectors, before LGMRES took its place ([fluid.md](fluid.md#time)): they took about a quarter more memory, and their drops\nmay be some tenths of a percent low.\n"
+    for (k = 1; k <= n; k++) if (fluid[k] > fluid[most]) most = k
+    printf "The largest flow, %.1f million fluid particles, took %.1f minutes on %d rank%s of one thread.\n\n", fluid[most] / 1e6, wall[most] / 60, ranks[most], (ranks[most] > 1 ? "s" : "")
     print "| packing | limit, Pa | observed order | Eisfeld and Schnitzlein, Pa | difference | permeability, m2 | Kozeny and Carman, m2 |"
     print "|---|---|---|---|---|---|---|"
     for (r = 1; r <= runs; r++)
