@@ -26,6 +26,7 @@ struct cloud {
     struct index *index;
     struct index_view view;
     struct pairlist *list;
+    double near; /* pairs hold records up to this distance of their surfaces; 0: at any */
 };
 
 static void cloud_fill(struct cloud *c, size_t n, size_t ghosts) {
@@ -186,7 +187,12 @@ static double expected(const struct cloud *c, size_t k, int component) {
 
 static bool holds_record(const struct cloud *c, size_t k) {
     uint32_t i = c->list->i[k], j = pair_partner(c->list->j[k]);
-    return (c->particles->id[i] + c->particles->id[j]) % 3 != 0;
+    const struct particle_state *state = c->particles->state;
+    const double *shift = c->list->shift[pair_image(c->list->j[k])];
+    double square = 0, reach = state[i].radius + state[j].radius + c->near;
+    for (int d = 0; d < 3; d++)
+        square += pow(state[j].x[d] - state[i].x[d] + shift[d], 2);
+    return (c->particles->id[i] + c->particles->id[j]) % 3 != 0 && (c->near == 0 || square < reach * reach);
 }
 
 static void history_fill(const struct cloud *c, struct history *history) {
@@ -328,6 +334,63 @@ static void test_kept_history_equals_detached(void **state) {
     }
 }
 
+/* Exchanges two pairs of the first thread that hold records, the first one and the next of the same block. */
+static void swap_pairs(struct cloud *c) {
+    size_t k = c->list->blocks[0].first_pair, other;
+    while (!holds_record(c, k))
+        k++;
+    for (other = k + 1; !holds_record(c, other);)
+        other++;
+    assert_true(other < c->list->blocks[0].one_sided);
+    uint32_t i = c->list->i[k], j = c->list->j[k];
+    c->list->i[k] = c->list->i[other];
+    c->list->j[k] = c->list->j[other];
+    c->list->i[other] = i;
+    c->list->j[other] = j;
+}
+
+/* Particles keep their numbers, and the second list has another skin. Records stay in place, if the second list has
+ * the pairs of all of them in their order. */
+static void check_still(int threads, double skin, bool swapped, bool in_place) {
+    struct cloud c = {.near = 0.05};
+    struct history_kept kept;
+    cloud_fill(&c, PLACES, 0);
+    for (size_t k = 0; k < PLACES; k++)
+        c.particles->state[k].radius = fmin(c.particles->state[k].radius, 1.5);
+    cloud_search(&c, threads, true);
+    size_t pairs = c.list->pair_count;
+    struct history *history = history_create(3, threads);
+    history_fill(&c, history);
+    int now = history->now;
+    history_keep(history, c.list, &(struct history_numbers){.owned = PLACES, .before = PLACES}, NULL, &kept);
+    cloud_free(&c);
+    for (int a = 0; a < 2; a++)
+        for (int b = 0; b < 2; b++)
+            c.classes.margin[a][b] = skin;
+    cloud_search(&c, threads, true);
+    assert_true((c.list->pair_count > pairs) == (skin > 0.1) && (c.list->pair_count < pairs) == (skin < 0.1));
+    if (swapped)
+        swap_pairs(&c);
+    history_restore(history, &kept, &(struct history_twins){0}, c.list);
+    history_compare(&c, history);
+    assert_int_equal(history->now == now, in_place);
+    history_kept_free(&kept);
+    history_destroy(&history);
+    cloud_free(&c);
+    particles_destroy(&c.particles);
+}
+
+static void test_history_of_still_particles_stays_in_place(void **state) {
+    (void)state;
+    for (int threads = 1; threads <= 4; threads++) {
+        check_still(threads, 0.1, false, true);
+        check_still(threads, 0.3, false, true);
+        check_still(threads, 0.07, false, true);
+        check_still(threads, 0.3, true, false);   /* two pairs have changed places */
+        check_still(threads, 0.02, false, false); /* pairs with records are gone */
+    }
+}
+
 static void test_rows_follow_removed_particles(void **state) {
     (void)state;
     struct history_row row[4] = {{.id = 1}, {.id = 1}, {.id = 3}, {.id = 4}};
@@ -379,6 +442,7 @@ int main(void) {
         cmocka_unit_test(test_threads_own_what_they_write),
         cmocka_unit_test(test_history_survives_reorder_and_another_thread_count),
         cmocka_unit_test(test_kept_history_equals_detached),
+        cmocka_unit_test(test_history_of_still_particles_stays_in_place),
         cmocka_unit_test(test_rows_follow_removed_particles),
         cmocka_unit_test(test_skin_is_due_by_class_pairs),
     };

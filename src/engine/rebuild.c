@@ -91,7 +91,7 @@ static void springs_restore(struct simulation *s, struct rebuild_rows *rows) {
 }
 
 static void attach(struct simulation *s, struct rebuild_rows *rows) {
-    if (rows->kept.start)
+    if (rows->keep)
         springs_restore(s, rows);
     else if (rows->pairs.start)
         history_attach(s->grains.history, &rows->pairs, s->grains.list, s->particles, images_apart(s));

@@ -2,7 +2,11 @@
 /* Nearly all particles keep their places, so both lists run through memory in nearly the same way, and so do
  * the records. No thread writes data that another thread reads or writes: every thread first turns its own
  * records into pairs of new numbers, and then sorts the records, of any thread, whose lower number lies in
- * its share of the particles. */
+ * its share of the particles.
+ *
+ * Where all particles keep their numbers, both lists have the pairs with records in the same order as a rule. Each
+ * thread then meets its records one after another in the new list, and only notes the new numbers of the pairs: no
+ * value moves, and nothing is sorted. If a thread ends with records that it has not met, all go the other way. */
 #include "pairs/history_keep.h"
 #include "core/memory.h"
 #include "core/scan.h"
@@ -11,12 +15,6 @@
 
 enum { CHUNK = 4096, BATCH = 1024 };
 
-/* A record between new numbers. */
-struct link {
-    uint32_t low; /* PARTICLE_LEFT: not kept */
-    uint32_t high;
-};
-
 /* Data of history_keep. */
 struct keeping {
     const struct history *history;
@@ -24,8 +22,7 @@ struct keeping {
     const uint32_t *now; /* new number of each old one, or PARTICLE_LEFT; NULL: the old one */
     size_t before;       /* entries of now */
     struct history_kept *kept;
-    struct link
-        *link; /* of each record and loose row; HISTORY_KEPT_TURNED is added to `high` as in an entry */
+    struct history_link *link; /* of each record and loose row */
     size_t count;
     struct {
         uint32_t lowest, highest;
@@ -48,21 +45,34 @@ static void links_make(const struct keeping *keeping, int t) {
     const struct history_part *part = &keeping->history->part[keeping->history->now][t];
     const struct pair_block *mirror = &list->blocks[list->thread_block[t + 1] - 2];
     size_t first = pairlist_thread_first(list, t);
-    struct link *link = keeping->link + keeping->kept->first[t];
+    struct history_link *link = keeping->link + keeping->kept->first[t];
     assert(mirror->kind == PAIR_BLOCK_MIRROR);
     for (size_t r = 0; r < part->count; r++) {
         size_t k = first + part->pair[r];
-        uint32_t i = number_now(keeping, list->i[k]), j = number_now(keeping, pair_partner(list->j[k]));
-        bool kept = !mirrored(mirror, k) && i != PARTICLE_LEFT && j != PARTICLE_LEFT;
-        link[r].low = !kept ? PARTICLE_LEFT : i < j ? i : j;
-        link[r].high = i < j ? j : i | HISTORY_KEPT_TURNED;
+        link[r].i = number_now(keeping, list->i[k]);
+        link[r].j =
+            number_now(keeping, pair_partner(list->j[k])) | (mirrored(mirror, k) ? HISTORY_LINK_COPY : 0);
     }
 }
 
-static void bounds_find(const struct keeping *keeping, size_t chunk, size_t last) {
+/* The link as it is sorted: `i` is the lower number, or PARTICLE_LEFT if the record is not kept; HISTORY_KEPT_TURNED is
+ * added to `j` as in an entry. */
+static inline struct history_link link_sorted(struct history_link link) {
+    const bool gone =
+        link.i == PARTICLE_LEFT || (link.j & HISTORY_LINK_COPY) != 0; /* or j is PARTICLE_LEFT */
+    const bool forward = link.i < link.j;
+    return (struct history_link){.i = gone      ? PARTICLE_LEFT
+                                      : forward ? link.i
+                                                : link.j,
+                                 .j = forward ? link.j : link.i | HISTORY_KEPT_TURNED};
+}
+
+/* Turns the links of a chunk into those that are sorted, and notes the bounds of their lower numbers. */
+static void chunk_turn(const struct keeping *keeping, size_t chunk, size_t last) {
     uint32_t lowest = UINT32_MAX, highest = 0;
     for (size_t r = chunk * CHUNK; r < last; r++) {
-        uint32_t low = keeping->link[r].low;
+        keeping->link[r] = link_sorted(keeping->link[r]);
+        uint32_t low = keeping->link[r].i;
         lowest = low < lowest ? low : lowest;
         highest = low > highest && low != PARTICLE_LEFT ? low : highest;
     }
@@ -80,13 +90,13 @@ static void links_sort(const struct keeping *keeping, uint32_t begin, uint32_t e
             continue;
         size_t last = (chunk + 1) * CHUNK < count ? (chunk + 1) * CHUNK : count;
         for (size_t r = chunk * CHUNK; r < last; r++) {
-            const struct link link = keeping->link[r];
-            if (link.low < begin || link.low >= end)
+            const struct history_link link = keeping->link[r];
+            if (link.i < begin || link.i >= end)
                 continue;
-            uint32_t at = kept->start[link.low + 1]++;
+            uint32_t at = kept->start[link.i + 1]++;
             if (kept->entry)
-                kept->entry[at] = (struct history_kept_entry){
-                    link.high & ~HISTORY_KEPT_TURNED, (uint32_t)r | (link.high & HISTORY_KEPT_TURNED)};
+                kept->entry[at] = (struct history_kept_entry){link.j & ~HISTORY_KEPT_TURNED,
+                                                              (uint32_t)r | (link.j & HISTORY_KEPT_TURNED)};
         }
     }
 }
@@ -123,66 +133,74 @@ static uint32_t *numbers_before(const struct history_numbers *numbers, uint32_t 
 }
 
 /* The links of the loose rows: their carriers and partners; a row is oriented from the lower id. */
-static struct link *links_follow(const struct history_followers *followers, const uint32_t *after,
-                                 struct history_kept *kept, size_t *count) {
+static struct history_link *links_follow(const struct history_followers *followers, const uint32_t *after,
+                                         struct history_kept *kept, size_t *count) {
     *count = 0;
     if (followers == NULL)
         return NULL;
     const struct history_loose *loose = followers->loose;
     kept->row = loose->row;
     kept->match = history_follow(followers, after, count);
-    struct link *link = memory_allocate(*count, sizeof *link, "kept history");
+    struct history_link *link = memory_allocate(*count, sizeof *link, "kept history");
 #pragma omp parallel for schedule(static)
     for (size_t m = 0; m < *count; m++) {
         uint32_t row = kept->match[m].row, i = after[loose->carrier[row]], j = kept->match[m].number;
-        bool forward = (loose->row[row].id < loose->row[row].partner) == (i < j);
-        link[m].low = i < j ? i : j;
-        link[m].high = (i < j ? j : i) | (forward ? 0 : HISTORY_KEPT_TURNED);
+        bool forward = loose->row[row].id < loose->row[row].partner;
+        link[m] = (struct history_link){forward ? i : j, forward ? j : i};
     }
     return link;
 }
 
 /* All links: of the records and, behind, of the loose rows. */
-static void links_make_all(struct keeping *keeping, const struct link *loose, size_t loose_count) {
-    const struct history_kept *kept = keeping->kept;
-    const size_t records = kept->first[keeping->history->threads], count = records + loose_count;
-    const size_t chunks = (count + CHUNK - 1) / CHUNK;
-    keeping->link = memory_allocate(count, sizeof *keeping->link, "kept history");
-    keeping->bounds = memory_allocate(chunks, sizeof *keeping->bounds, "kept history");
-    keeping->count = count;
+static void links_make_all(struct keeping *keeping, const struct history_link *loose, size_t loose_count) {
+    const size_t records = keeping->kept->first[keeping->history->threads];
+    keeping->count = records + loose_count;
+    keeping->link = memory_allocate(keeping->count, sizeof *keeping->link, "kept history");
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < keeping->history->threads; t++)
         links_make(keeping, t);
     if (loose_count > 0)
         memcpy(keeping->link + records, loose, loose_count * sizeof *loose);
+}
+
+/* Makes the entries from the links, which are freed. */
+static void entries_make(struct keeping *keeping) {
+    struct history_kept *kept = keeping->kept;
+    const size_t owned = kept->owned, chunks = (keeping->count + CHUNK - 1) / CHUNK;
+    keeping->bounds = memory_allocate(chunks, sizeof *keeping->bounds, "kept history");
+    kept->start = memory_allocate_zero(owned + 2, sizeof *kept->start, "kept history");
+    assert(keeping->count < HISTORY_KEPT_TURNED);
 #pragma omp parallel for schedule(static)
     for (size_t chunk = 0; chunk < chunks; chunk++)
-        bounds_find(keeping, chunk, (chunk + 1) * CHUNK < count ? (chunk + 1) * CHUNK : count);
+        chunk_turn(keeping, chunk,
+                   (chunk + 1) * CHUNK < keeping->count ? (chunk + 1) * CHUNK : keeping->count);
+    links_sort_all(keeping);
+    size_t count = scan_counts_narrow(kept->start + 1, owned, kept->start + 1);
+    kept->entry = memory_allocate(count, sizeof *kept->entry, "kept history");
+    links_sort_all(keeping);
+    memory_free(keeping->link);
+    memory_free(keeping->bounds);
 }
 
 void history_keep(const struct history *history, const struct pairlist *list,
                   const struct history_numbers *numbers, const struct history_followers *followers,
                   struct history_kept *kept) {
-    size_t owned = numbers->owned, loose_count;
-    *kept = (struct history_kept){.owned = owned};
-    kept->start = memory_allocate_zero(owned + 2, sizeof *kept->start, "kept history");
+    size_t loose_count;
+    *kept = (struct history_kept){.owned = numbers->owned};
     int threads = list->block_count == 0 ? 0 : history->threads;
     for (int t = 0; t < history->threads; t++)
         kept->first[t + 1] = kept->first[t] + (t < threads ? history->part[history->now][t].count : 0);
     uint32_t *now = numbers_after(numbers);
-    struct link *loose = links_follow(followers, now, kept, &loose_count);
+    struct history_link *loose = links_follow(followers, now, kept, &loose_count);
     now = numbers_before(numbers, now);
     struct keeping keeping = {
         .history = history, .list = list, .now = now, .before = numbers->before, .kept = kept};
     links_make_all(&keeping, loose, loose_count);
-    assert(keeping.count < HISTORY_KEPT_TURNED);
-    links_sort_all(&keeping);
-    size_t count = scan_counts_narrow(kept->start + 1, owned, kept->start + 1);
-    kept->entry = memory_allocate(count, sizeof *kept->entry, "kept history");
-    links_sort_all(&keeping);
+    if (now == NULL && followers == NULL)
+        kept->link = keeping.link;
+    else
+        entries_make(&keeping);
     memory_free(loose);
-    memory_free(keeping.link);
-    memory_free(keeping.bounds);
     memory_free(now);
 }
 
@@ -190,6 +208,7 @@ void history_kept_free(struct history_kept *kept) {
     memory_free(kept->start);
     memory_free(kept->entry);
     memory_free(kept->match);
+    memory_free(kept->link);
     *kept = (struct history_kept){0};
 }
 
@@ -294,9 +313,55 @@ static void restore_thread(struct history *history, const struct restoring *r, i
     part->count = count;
 }
 
-void history_restore(struct history *history, const struct history_kept *kept,
-                     const struct history_twins *twins, const struct pairlist *list) {
+/* True if pair k of the list is that of the link. */
+static inline bool is_pair(const struct pairlist *list, size_t k, struct history_link link) {
+    return list->i[k] == link.i && pair_partner(list->j[k]) == (link.j & ~HISTORY_LINK_COPY);
+}
+
+/* Gives the records of one thread the new numbers of their pairs, if the thread meets all of them in their order.
+ * Few pairs come or go between two records, so a pair mostly lies as far from its old number as the one before. */
+static bool renumber_thread(struct history *history, const struct restoring *r, int t) {
+    const struct pairlist *list = r->list;
+    const struct history_link *link = r->kept->link + r->kept->first[t];
+    struct history_part *part = &history->part[history->now][t];
+    const size_t first = pairlist_thread_first(list, t), records = r->kept->first[t + 1] - r->kept->first[t];
+    const size_t end = records > 0 ? list->blocks[list->thread_block[t + 1] - 1].end_pair : first;
+    size_t next = first, moved = 0; /* modulo 2^64: numbers may fall, too */
+    part->count = records;
+    for (size_t m = 0; m < records; m++) {
+        size_t k = first + part->pair[m] + moved;
+        if (k < next || k >= end || !is_pair(list, k, link[m])) {
+            for (k = next; k < end && !is_pair(list, k, link[m]); k++)
+                ;
+            if (k == end)
+                return false;
+            moved = k - first - part->pair[m];
+        }
+        part->pair[m] = (uint32_t)(k - first);
+        next = k + 1;
+    }
+    return true;
+}
+
+static bool renumber(struct history *history, const struct restoring *restoring) {
+    bool all = restoring->list->threads == history->threads;
+#pragma omp parallel for schedule(static, 1) reduction(&& : all)
+    for (int t = 0; t < history->threads; t++)
+        all = all && renumber_thread(history, restoring, t);
+    return all;
+}
+
+void history_restore(struct history *history, struct history_kept *kept, const struct history_twins *twins,
+                     const struct pairlist *list) {
     struct restoring restoring = {kept, twins, list};
+    if (kept->link) {
+        if (renumber(history, &restoring))
+            return;
+        struct keeping keeping = {
+            .history = history, .kept = kept, .link = kept->link, .count = kept->first[history->threads]};
+        kept->link = NULL;
+        entries_make(&keeping);
+    }
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < history->threads; t++)
         restore_thread(history, &restoring, t);

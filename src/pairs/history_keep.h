@@ -16,15 +16,25 @@ struct history_kept_entry {
 
 #define HISTORY_KEPT_TURNED (UINT32_C(1) << 31)
 
+/* The pair of a record, from which to which it is oriented; PARTICLE_LEFT: not a particle of this rank. */
+struct history_link {
+    uint32_t i, j; /* HISTORY_LINK_COPY is added to j if another thread holds the record, too */
+};
+
+#define HISTORY_LINK_COPY (UINT32_C(1) << 31)
+
 /* Entries by the lower of the two new numbers: start[k] ... start[k + 1] - 1. Values stay in the history, and
  * in the loose rows. */
 struct history_kept {
-    uint32_t *start; /* owned + 1 entries, and one of scratch; NULL: nothing kept */
+    uint32_t *start; /* owned + 1 entries, and one of scratch; NULL while there are links */
     struct history_kept_entry *entry;
     size_t owned;
     size_t first[PAIR_THREADS_MAX + 1]; /* number of each thread's first record; then of the first match */
     const struct history_row *row;      /* the loose rows; borrowed */
     struct history_match *match;        /* record first[threads] + m is row[match[m].row] */
+    struct history_link
+        *link; /* of each record, where all particles keep their numbers and there are no loose rows;
+                                  entries are made only if the new list has the pairs in another order */
 };
 
 /* The numbers of particles before and after a rebuild. */
@@ -53,8 +63,8 @@ struct history_twins {
 };
 
 /* Hands the records and the loose rows to the pairs of the new list. Opens its own thread team. */
-void history_restore(struct history *history, const struct history_kept *kept,
-                     const struct history_twins *twins, const struct pairlist *list);
+void history_restore(struct history *history, struct history_kept *kept, const struct history_twins *twins,
+                     const struct pairlist *list);
 
 void history_kept_free(struct history_kept *kept);
 
