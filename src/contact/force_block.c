@@ -9,11 +9,30 @@
 #include "contact/law_user.h"
 #include "contact/material.h"
 
-/* Coefficients of each contact, where they differ between materials. */
-static inline void force_mix(const struct law *law, const uint8_t *material, struct force_batch *restrict b) {
-    for (int k = 0; k < b->walk.padded; k++)
-        force_set_coefficients(
-            b, k, &law->pair[material_of(material, b->walk.i[k])][material_of(material, b->walk.j[k])]);
+/* True if all contacts of the batch are between the same two materials, in the same order. */
+static inline bool force_alike(const uint8_t *material, const struct walk_batch *restrict b) {
+    const int p = material_of(material, b->i[0]), q = material_of(material, b->j[0]);
+    int other = 0;
+    for (int k = 0; k < b->padded; k++)
+        other |= (material_of(material, b->i[k]) ^ p) | (material_of(material, b->j[k]) ^ q);
+    return other == 0;
+}
+
+/* Coefficients of each contact, where they differ between materials; a batch whose contacts are all alike has those of
+ * the batch before, if these were of the same materials. */
+static inline void force_mix(const struct law *law, struct force_thread *thread) {
+    const uint8_t *material = thread->material;
+    struct force_batch *b = &thread->batch;
+    const int p = material_of(material, b->walk.i[0]), q = material_of(material, b->walk.j[0]);
+    const int alike = force_alike(material, &b->walk) ? p * LAW_MATERIALS_MAX + q : FORCE_UNLIKE;
+    if (alike == FORCE_UNLIKE)
+        for (int k = 0; k < b->walk.padded; k++)
+            force_set_coefficients(
+                b, k, &law->pair[material_of(material, b->walk.i[k])][material_of(material, b->walk.j[k])]);
+    else if (alike != thread->alike)
+        for (int k = 0; k < FORCE_BATCH; k++)
+            force_set_coefficients(b, k, &law->pair[p][q]);
+    thread->alike = alike;
 }
 
 /* What contact k of a law with parts takes of the materials p and q. */
@@ -73,6 +92,7 @@ static void force_begin(struct force_thread *thread, const struct force_context 
     thread->kernel = &FORCE_KERNEL;
     thread->rubs = !context->want_sums && law_general_rubs(context->law);
     thread->material = material_numbers(context->particles);
+    thread->alike = FORCE_UNLIKE;
     thread->grip = thread->rubs ? force_grip_find(options) : NULL;
     thread->measure = force_measure_find(options);
     if (context->law->uniform)
@@ -88,7 +108,7 @@ static void force_compute(const struct walk_task *task, struct walk_batch *batch
     const struct force_context *context = task->work->context;
     struct force_thread *thread = (struct force_thread *)batch;
     if (!context->law->uniform)
-        force_mix(context->law, thread->material, &thread->batch);
+        force_mix(context->law, thread);
     thread->measure(&thread->batch, thread->step);
     const struct law_user *user = context->law->options.user;
     for (int k = 0; user && !context->law->uniform && k < batch->padded; k++)

@@ -125,6 +125,8 @@ static inline void force_put_work(const struct walk_task *task, const struct for
 /* Adds a thread's sums to the total; largest overlaps are compared. */
 void force_sums_add(struct force_sums *total, const struct force_sums *part);
 
+enum { FORCE_UNLIKE = -1 };
+
 /* A thread's batch, with data for the law and the sums. */
 struct force_thread {
     struct force_batch batch;
@@ -135,7 +137,8 @@ struct force_thread {
     bool rubs;                         /* such a law goes through force_general_rub */
     force_gripper *grip;               /* the loop of such a law; NULL: one contact after another */
     bool energies;
-    const uint8_t *material;          /* NULL if all particles are of one material */
+    const uint8_t *material; /* NULL if all particles are of one material */
+    int alike; /* the materials of all contacts of the batch before, as one number; FORCE_UNLIKE: they differ */
     force_physics *measure, *respond; /* the loops of this law */
 };
 

@@ -157,5 +157,9 @@ void walk_run(struct walk *walk, const struct walk_work *work) {
 
 void walk_weigh(const struct walk_batch *batch, double *weight) {
     for (int k = 0; k < WALK_BATCH; k++)
-        weight[k] = k >= batch->count ? 0.0 : k >= batch->both && k < batch->one ? 0.5 : 1.0;
+        weight[k] = 1.0;
+    for (int k = batch->both; k < batch->one; k++)
+        weight[k] = 0.5;
+    for (int k = batch->count; k < batch->padded; k++)
+        weight[k] = 0.0;
 }
