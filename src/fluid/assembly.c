@@ -144,16 +144,30 @@ double assembly_wall_factor(const struct weights *weights, size_t wall, int comp
     return along + (straight - along) * n * n;
 }
 
-/* Adds -factor w_ij (f_j - f_i) over the fluid neighbours of a row to the cleared values; `k`, if it has values, multiplies each term by
- * its mean of both particles. */
+/* What a gradient of the pressure multiplies: a factor of each particle, C of whole.h, or 1. */
+struct share {
+    struct operators_values k; /* without values: 1 */
+    bool whole;
+};
+
+/* The mean share of the particles i and j of an entry, along the line between them. */
+static double share_of(const struct share *share, const struct weights *weights, size_t i, size_t j,
+                       size_t entry) {
+    const double *k = share->k.value;
+    if (share->whole)
+        return 0.5 * (weights_whole_along(weights, i, entry) + weights_whole_along(weights, j, entry));
+    return k != NULL ? 0.5 * (k[i * share->k.stride] + k[j * share->k.stride]) : 1;
+}
+
+/* Adds -factor share w_ij (f_j - f_i) over the fluid neighbours of a row to the cleared values. */
 static void add_neighbours(struct assembly *assembly, const struct weights *weights, size_t row,
-                           double factor, struct operators_values k) {
-    double *value = assembly->value, sum = 0, own = k.value ? k.value[(weights->first + row) * k.stride] : 1;
+                           double factor, const struct share *share) {
+    double *value = assembly->value, sum = 0;
     memset(value + assembly->start[row], 0,
            (size_t)(assembly->start[row + 1] - assembly->start[row]) * sizeof *value);
     for (size_t e = weights->start[row]; e < weights_walls(weights, row); e++) {
-        double other = k.value ? k.value[pair_partner(weights->partner[e]) * k.stride] : 1;
-        double term = factor * 0.5 * (own + other) * weights_scalar(weights, e);
+        double part = share_of(share, weights, weights->first + row, pair_partner(weights->partner[e]), e);
+        double term = factor * part * weights_scalar(weights, e);
         value[assembly->place[e]] -= term;
         sum += term;
     }
@@ -174,7 +188,7 @@ void assembly_momentum(struct assembly *assembly, const struct weights *weights,
     for (size_t row = 0; row < weights->rows; row++) {
         double sum = 0;
         size_t e = weights_walls(weights, row);
-        add_neighbours(assembly, weights, row, viscous, (struct operators_values){0});
+        add_neighbours(assembly, weights, row, viscous, &(struct share){0});
         for (size_t k = weights->wall_start[row]; k < weights->wall_start[row + 1]; k++, e++) {
             sum += weights_scalar(weights, e) * assembly_wall_factor(weights, k, component);
             add_image(assembly, weights, k, e, viscous, weights_foot_of(weights, k)->pressed);
@@ -184,20 +198,22 @@ void assembly_momentum(struct assembly *assembly, const struct weights *weights,
     timer_leave(assembly->timers, stage);
 }
 
-/* value = - div k grad, without flux through walls. */
+/* value = - div share grad, without flux through walls. */
 static void fill_pressure(struct assembly *assembly, const struct weights *weights,
-                          struct operators_values k) {
+                          const struct share *share) {
     timer_enter(assembly->timers, stage);
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++) {
-        size_t e = weights_walls(weights, row);
-        double own = k.value ? k.value[(weights->first + row) * k.stride] : 1;
-        add_neighbours(assembly, weights, row, 1, k);
+        size_t e = weights_walls(weights, row), i = weights->first + row;
+        add_neighbours(assembly, weights, row, 1, share);
         for (size_t wall = weights->wall_start[row];
              weights->opens > 0 && wall < weights->wall_start[row + 1]; wall++, e++) {
-            bool pressed = weights_foot_of(weights, wall)->pressed,
-                 image = weights_image_of(weights, wall) != NULL;
-            double part = image ? 1 : pressed ? 1 + weights->mirror[wall] : 0;
+            bool pressed = weights_foot_of(weights, wall)->pressed;
+            const struct weights_image *image = weights_image_of(weights, wall);
+            double part = image     ? 1
+                          : pressed ? 1 + weights->mirror[wall]
+                                    : 0,
+                   own = share_of(share, weights, i, image ? image->particle : i, e);
             add_image(assembly, weights, wall, e, own, !pressed);
             assembly->value[assembly->diagonal[row]] += own * weights_scalar(weights, e) * part;
         }
@@ -205,10 +221,10 @@ static void fill_pressure(struct assembly *assembly, const struct weights *weigh
     timer_leave(assembly->timers, stage);
 }
 
-void assembly_pressure(struct assembly *assembly, const struct weights *weights) {
-    fill_pressure(assembly, weights, (struct operators_values){0});
+void assembly_pressure(struct assembly *assembly, const struct weights *weights, bool whole) {
+    fill_pressure(assembly, weights, &(struct share){.whole = whole && weights->whole != NULL});
 }
 
 void assembly_darcy(struct assembly *assembly, const struct weights *weights, struct operators_values k) {
-    fill_pressure(assembly, weights, k);
+    fill_pressure(assembly, weights, &(struct share){.k = k});
 }

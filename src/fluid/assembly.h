@@ -29,8 +29,9 @@ void assembly_free(struct assembly *assembly);
 void assembly_momentum(struct assembly *assembly, const struct weights *weights, double inertia,
                        double viscous, int component);
 
-/* value = - div grad, no flux through walls; regular if a pressure is given at open sides. */
-void assembly_pressure(struct assembly *assembly, const struct weights *weights);
+/* value = - div grad, no flux through walls; regular if a pressure is given at open sides. `whole`: - div c grad, c of whole.h
+ * where the weights have it. */
+void assembly_pressure(struct assembly *assembly, const struct weights *weights, bool whole);
 
 /* value = - div k grad, the same with a factor k > 0 of each particle, copies included. */
 void assembly_darcy(struct assembly *assembly, const struct weights *weights, struct operators_values k);

@@ -51,6 +51,8 @@ libfluid_la_SOURCES = \
 	src/fluid/links.h \
 	src/fluid/look.c \
 	src/fluid/look.h \
+	src/fluid/loss.c \
+	src/fluid/loss.h \
 	src/fluid/march.c \
 	src/fluid/march.h \
 	src/fluid/marks.c \

@@ -12,6 +12,7 @@
 #include "fluid/fields.h"
 #include "fluid/flow_fields.h"
 #include "fluid/look.h"
+#include "fluid/loss.h"
 #include "fluid/mirror.h"
 #include "fluid/motion.h"
 #include "fluid/path.h"
@@ -91,7 +92,10 @@ static void weights_of(const struct physics_context *context, struct fluid *flui
     fluid->rows[0] = (double)fluid->weights.rows;
     fluid->rows[1] = (double)fluid->weights.poor;
     fluid->rows[2] = (double)fluid->weights.behind;
-    comm_sum(context->comm, fluid->rows, 3);
+    fluid->rows[3] = 0;
+    for (size_t k = 0; k < fluid->weights.foot_start[fluid->weights.rows]; k++)
+        fluid->rows[3] += fluid->weights.foot[k].body > BODY_NONE;
+    comm_sum(context->comm, fluid->rows, 4);
     fluid->placed = context->clock->step;
 }
 
@@ -114,6 +118,12 @@ static int regions_of(const struct physics_context *context, const struct fluid 
         most = region[fluid->weights.first + row] > most ? region[fluid->weights.first + row] : most;
     comm_max_int(context->comm, &most, 1);
     return (int)most + 1;
+}
+
+/* True if the operators are those of whole.h: in a steady flow, and in time between grains (walls alone are large against the
+ * spacing, and plain operators more accurate there). */
+static bool whole_wanted(const struct fluid *fluid) {
+    return fluid->options->time == FLUID_STEADY || fluid->rows[3] > 0;
 }
 
 void march_rebuilt(const struct physics_context *context) {
@@ -139,7 +149,7 @@ void march_rebuilt(const struct physics_context *context) {
     fluid->flow.pressed = open_pressed(fluid->options);
     flow_forward(&fluid->flow, FLOW_VELOCITY);
     flow_forward(&fluid->flow, FLOW_PRESSURE);
-    fluid->weights.whole = fluid_whole(context->particles);
+    fluid->weights.whole = whole_wanted(fluid) ? fluid_whole(context->particles) : NULL;
     if (fluid->weights.whole != NULL)
         flow_forward(&fluid->flow, FLOW_WHOLE);
     if (changed)
@@ -304,6 +314,9 @@ static void step_run(const struct physics_context *context, struct fluid *fluid)
     if (fluid->error.kind == ERROR_NONE && fluid->scalars != NULL)
         scalars_step(context, fluid->options->time == FLUID_TRANSIENT);
     watch_step(context);
+    if (fluid->error.kind == ERROR_NONE && fluid->options->time == FLUID_TRANSIENT &&
+        fluid->options->opens > 0)
+        loss_watch(context);
     if (fluid->error.kind == ERROR_NONE && fluid->options->equations == FLUID_NAVIER_STOKES)
         check_speed(context, fluid);
     if (fluid->error.kind == ERROR_NONE && couple_free(fluid->options))

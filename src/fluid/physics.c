@@ -43,7 +43,7 @@ static void *create(const struct physics_context *context) {
         fluid_fields_volumes(context->particles);
     else
         fluid->volume = fluid->lattice.volume;
-    if (fluid->options->opens > 0 && fluid->options->time == FLUID_STEADY)
+    if (fluid->options->opens > 0)
         fluid_fields_open(context->particles);
     if (motion_moves(fluid->options))
         fluid_fields_moving(context->particles);

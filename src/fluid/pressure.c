@@ -9,7 +9,7 @@ bool pressure_make(struct pressure *pressure, struct solve *solve, struct assemb
     const struct weights *weights = flow->weights;
     struct solve_options own = *options;
     own.pin = flow->pressed ? 0 : own.pin;
-    assembly_pressure(assembly, weights);
+    assembly_pressure(assembly, weights, pressure->whole);
     struct solve_rows rows = assembly_rows(assembly);
     pressure->side = memory_allocate(weights->rows, sizeof(double), "pressure");
     pressure->solution = memory_allocate_zero(weights->rows, sizeof(double), "pressure");
@@ -29,7 +29,7 @@ void pressure_free(struct pressure *pressure) {
     solve_destroy(&pressure->system);
     memory_free(pressure->side);
     memory_free(pressure->solution);
-    *pressure = (struct pressure){0};
+    *pressure = (struct pressure){.whole = pressure->whole};
 }
 
 bool pressure_solve(struct pressure *pressure, const struct flow *flow, const double *divergence,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The Poisson equation of the pressure, div grad phi = d, without flux through walls. Its matrix is singular:
+/* The Poisson equation of the pressure, div grad phi = d (div c grad phi, c of whole.h), without flux through walls. Its matrix is singular:
  * the pressure of each connected region has a free constant. */
 #ifndef SCREE_FLUID_PRESSURE_H
 #define SCREE_FLUID_PRESSURE_H
@@ -7,6 +7,7 @@
 #include "fluid/assembly.h"
 
 struct pressure {
+    bool whole; /* with c of whole.h where the weights have it; set before pressure_make, and kept */
     struct solve_system *system;
     double *side, *solution; /* [rows] */
 };

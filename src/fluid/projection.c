@@ -32,6 +32,7 @@ struct projection *projection_create(struct solve *solve, const struct flow *flo
     struct projection *projection = memory_allocate_zero(1, sizeof *projection, "projection");
     size_t rows = flow->weights->rows;
     projection->options = *options;
+    projection->pressure.whole = true;
     projection->side = memory_allocate(rows, sizeof *projection->side, "projection");
     projection->viscous = memory_allocate(rows, sizeof *projection->viscous, "projection");
     projection->gradient = memory_allocate(rows, sizeof *projection->gradient, "projection");
@@ -61,7 +62,7 @@ void projection_destroy(struct projection **projection) {
 }
 
 void projection_refill(struct projection *projection, const struct flow *flow) {
-    assembly_pressure(&projection->assembly, flow->weights);
+    assembly_pressure(&projection->assembly, flow->weights, true);
     solve_values(projection->pressure.system, projection->assembly.value);
     momentum_refill(&projection->momentum);
 }

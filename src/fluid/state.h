@@ -24,9 +24,10 @@ struct fluid {
     struct pair_rows pairs;       /* of the last rebuild; kept where particles move */
     bool riding;                  /* boundary particles follow grains that move (ride.h) */
     uint64_t placed;              /* the step for whose places the weights are */
-    double rows
-        [3]; /* of all ranks: fluid particles, those without the operators asked for, those behind a body */
-    size_t lost;     /* wall neighbours without a body */
+    double
+        rows[4]; /* of all ranks: fluid particles, those without the operators asked for, those behind a body;
+                       feet of particles on grains */
+    size_t lost; /* wall neighbours without a body */
     uint64_t layout; /* checksum of the particles for which the matrices were made; 0: none */
     int regions;     /* connected regions */
     struct flow flow;
@@ -35,6 +36,8 @@ struct fluid {
     const struct log *log;         /* of warnings; borrowed */
     bool renew;                    /* a checkpoint was written since the last step */
     int64_t doubtful;              /* solves so far with a residual far above the tolerance */
+    int leaking;                   /* steps up to now in which water got lost (loss.h) */
+    bool leaked;                   /* that was told */
     struct projection *projection; /* NULL: no matrices yet */
     struct projection_past past;
     struct drive drive;

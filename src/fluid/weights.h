@@ -160,6 +160,18 @@ static inline void weights_whole(const struct weights *weights, size_t particle,
     }
 }
 
+/* |C b| / |b|, C of a particle, b of an entry: by so much the gradient of whole.h sees more of what changes along b; 1 without C. */
+static inline double weights_whole_along(const struct weights *weights, size_t particle, size_t entry) {
+    const double *b = weights_vector(weights, entry);
+    double to[3] = {0}, square = 0, size = 0;
+    weights_whole(weights, particle, b, to);
+    for (int d = 0; d < weights->dimension; d++) {
+        square += to[d] * to[d];
+        size += b[d] * b[d];
+    }
+    return size > 0 ? sqrt(square / size) : 1;
+}
+
 /* How weights are made. */
 struct weights_options {
     struct kernel kernel;
