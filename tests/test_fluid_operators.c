@@ -165,41 +165,56 @@ static void plane(const void *context, int64_t wall, const double x[3], struct w
     *foot = (struct weights_foot){.distance = x[2] - 0.31, .normal = {0, 0, 1}, .velocity = {0.25, 0, 0}};
 }
 
-static void test_mirror(void **state) {
-    struct fluid_cloud c;
-    (void)state;
-    fluid_cloud_make(&c, 3, 10, 2.2, 0, 2);
-    /* Particles below the plane, and above 0.8, where nothing looks, are boundary particles: at the end. */
-    size_t n = c.particles->owned, fluid = 0;
+/* A cloud with a plane: particles below it, and above z = 0.8, where nothing looks, are boundary particles, at the end. Returns how many are fluid. */
+static size_t plane_make(struct fluid_cloud *c, uint8_t **kinds, int64_t **bodies) {
+    fluid_cloud_make(c, 3, 10, 2.2, 0, 2);
+    size_t n = c->particles->owned, fluid = 0, at = 0;
     uint8_t *kind = memory_allocate(n, 1, "test");
     int64_t *body = memory_allocate(n, sizeof *body, "test");
     uint32_t *order = memory_allocate(n, sizeof *order, "test");
-    size_t at = 0;
     for (int pass = 0; pass < 2; pass++)
         for (size_t k = 0; k < n; k++)
-            if ((c.particles->state[k].x[2] < 0.31 || c.particles->state[k].x[2] > 0.8) == (pass == 1))
+            if ((c->particles->state[k].x[2] < 0.31 || c->particles->state[k].x[2] > 0.8) == (pass == 1))
                 order[at++] = (uint32_t)k;
-    particles_reorder(c.particles, order);
+    particles_reorder(c->particles, order);
     for (size_t k = 0; k < n; k++) {
-        kind[k] = c.particles->state[k].x[2] < 0.31 || c.particles->state[k].x[2] > 0.8 ? KIND_BOUNDARY
-                                                                                        : KIND_FLUID;
-        fluid += kind[k] == KIND_FLUID;
+        bool outside = c->particles->state[k].x[2] < 0.31 || c->particles->state[k].x[2] > 0.8;
+        kind[k] = outside ? KIND_BOUNDARY : KIND_FLUID;
+        fluid += !outside;
         body[k] = body_of_wall(0);
+    }
+    fluid_cloud_pair(c);
+    c->input.kind = kind;
+    c->input.end = fluid;
+    memory_free(order);
+    *kinds = kind;
+    *bodies = body;
+    return fluid;
+}
+
+static struct operators_values velocity_of(const struct fluid_cloud *c) {
+    return (struct operators_values){.value = c->particles->state[0].v,
+                                     .stride = sizeof *c->particles->state / sizeof(double)};
+}
+
+static void test_mirror(void **state) {
+    struct fluid_cloud c;
+    uint8_t *kind;
+    int64_t *body;
+    (void)state;
+    size_t fluid = plane_make(&c, &kind, &body);
+    for (size_t k = 0; k < c.particles->owned; k++) {
         double v[3] = {0.25 + 3 * (c.particles->state[k].x[2] - 0.31), 0,
                        2 * (c.particles->state[k].x[2] - 0.31)};
         memcpy(c.particles->state[k].v, v, sizeof v);
     }
-    fluid_cloud_pair(&c);
-    c.input.kind = kind;
-    c.input.end = fluid;
     struct weights w = fluid_cloud_weigh(&c, KERNEL_WENDLAND_C2, WEIGHTS_CORRECTED, true);
     struct mirror_input input = {.rows = &c.input, .body = body, .spacing = c.spacing, .wall = plane};
     assert_int_equal(mirror_make(&w, &input), 0);
     assert_true(w.wall_start[w.rows] > 1000);
     double *divergence = memory_allocate(fluid, sizeof *divergence, "test");
     double(*laplacian)[3] = memory_allocate(fluid, sizeof *laplacian, "test");
-    struct operators_values u = {.value = c.particles->state[0].v,
-                                 .stride = sizeof *c.particles->state / sizeof(double)};
+    struct operators_values u = velocity_of(&c);
     operators_divergence(&w, u, divergence);
     operators_laplacian_velocity(&w, u, laplacian);
     int near = 0, far = 0;
@@ -222,15 +237,106 @@ static void test_mirror(void **state) {
     memory_free(laplacian);
     memory_free(kind);
     memory_free(body);
-    memory_free(order);
     weights_free(&w);
     fluid_cloud_free(&c);
 }
 
+/* Sums of u . inertia and of its size, over all rows. */
+static void work_of(const struct fluid_cloud *c, const struct weights *w, double viscosity, double sum[2]) {
+    double(*out)[3] = memory_allocate(w->rows, sizeof *out, "test");
+    operators_inertia(w, velocity_of(c), viscosity, out);
+    sum[0] = sum[1] = 0;
+    for (size_t i = 0; i < w->rows; i++)
+        for (int d = 0; d < 3; d++) {
+            double work = c->particles->state[i].v[d] * out[i][d];
+            sum[0] += work;
+            sum[1] += fabs(work);
+        }
+    memory_free(out);
+}
+
+/* Velocities at random, which are anything but free of divergence. */
+static void stir(struct fluid_cloud *c) {
+    for (size_t k = 0; k < c->particles->owned; k++)
+        for (int d = 0; d < 3; d++)
+            c->particles->state[k].v[d] =
+                d < c->dimension ? sin(12.9898 * (double)(3 * k + (size_t)d + 1) * (double)(k + 2)) : 0;
+}
+
+static void rest(const void *context, int64_t wall, const double x[3], struct weights_foot *foot) {
+    plane(context, wall, x, foot);
+    memset(foot->velocity, 0, sizeof foot->velocity);
+}
+
+/* Inertia makes no kinetic energy of any velocity, on lattices and beside a wall at rest; without viscosity it takes some beside the wall. */
+static void test_energy(void **state) {
+    struct fluid_cloud c;
+    uint8_t *kind;
+    int64_t *body;
+    double sum[2];
+    (void)state;
+    for (int dimension = 2; dimension <= 3; dimension++) {
+        fluid_cloud_make(&c, dimension, 12, 2.3, 0, 2);
+        stir(&c);
+        struct weights w = fluid_cloud_weigh(&c, KERNEL_WENDLAND_C2, WEIGHTS_CORRECTED, true);
+        work_of(&c, &w, 0, sum);
+        assert_true(fabs(sum[0]) < 1e-12 * sum[1] && sum[1] > 10);
+        weights_free(&w);
+        fluid_cloud_free(&c);
+    }
+    plane_make(&c, &kind, &body);
+    stir(&c);
+    struct weights w = fluid_cloud_weigh(&c, KERNEL_WENDLAND_C2, WEIGHTS_CORRECTED, true);
+    struct mirror_input input = {.rows = &c.input, .body = body, .spacing = c.spacing, .wall = rest};
+    assert_int_equal(mirror_make(&w, &input), 0);
+    work_of(&c, &w, 1e6, sum);
+    assert_true(fabs(sum[0]) < 1e-12 * sum[1] && sum[1] > 10);
+    work_of(&c, &w, 0, sum);
+    assert_true(sum[0] > 1e-2 * sum[1]);
+    memory_free(kind);
+    memory_free(body);
+    weights_free(&w);
+    fluid_cloud_free(&c);
+}
+
+/* Relative error of the inertia of Taylor and Green's vortices, -grad p = pi (sin 4 pi x, sin 4 pi y). */
+static double inertia_error(int side, double chi) {
+    struct fluid_cloud c;
+    double gap = 0, size = 0;
+    fluid_cloud_make(&c, 2, side, 3.1, chi, 2);
+    for (size_t k = 0; k < c.particles->owned; k++) {
+        const double *x = c.particles->state[k].x;
+        double v[3] = {sin(2 * M_PI * x[0]) * cos(2 * M_PI * x[1]),
+                       -cos(2 * M_PI * x[0]) * sin(2 * M_PI * x[1]), 0};
+        memcpy(c.particles->state[k].v, v, sizeof v);
+    }
+    struct weights w = fluid_cloud_weigh(&c, KERNEL_WENDLAND_C2, WEIGHTS_CORRECTED, chi == 0);
+    double(*out)[3] = memory_allocate(w.rows, sizeof *out, "test");
+    operators_inertia(&w, velocity_of(&c), 0, out);
+    for (size_t i = 0; i < w.rows; i++)
+        for (int d = 0; d < 2; d++) {
+            double exact = M_PI * sin(4 * M_PI * c.particles->state[i].x[d]);
+            gap += pow(out[i][d] - exact, 2);
+            size += exact * exact;
+        }
+    memory_free(out);
+    weights_free(&w);
+    fluid_cloud_free(&c);
+    return sqrt(gap / size);
+}
+
+static void test_inertia(void **state) {
+    (void)state;
+    double coarse = inertia_error(32, 0), fine = inertia_error(128, 0), displaced = inertia_error(128, 0.2);
+    print_message("inertia: %.3g, %.3g, displaced %.3g\n", coarse, fine, displaced);
+    assert_true(log2(coarse / fine) / 2 >= 1.95 && fine < 1e-2);
+    assert_true(displaced < 2 * fine);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_kernels),     cmocka_unit_test(test_identities),
-                                       cmocka_unit_test(test_rows),        cmocka_unit_test(test_eight),
-                                       cmocka_unit_test(test_convergence), cmocka_unit_test(test_lattices),
-                                       cmocka_unit_test(test_mirror)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_kernels), cmocka_unit_test(test_identities),  cmocka_unit_test(test_rows),
+        cmocka_unit_test(test_eight),   cmocka_unit_test(test_convergence), cmocka_unit_test(test_lattices),
+        cmocka_unit_test(test_mirror),  cmocka_unit_test(test_energy),      cmocka_unit_test(test_inertia)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -266,8 +266,18 @@ void operators_divergence_inner(const struct weights *weights, struct operators_
     }
 }
 
+/* u_j - u_i of a wall entry as operators_mirror has it, with `part` of what the flow there is relative to its body. */
+static void mirror_part(const struct weights *weights, size_t wall, struct operators_values u,
+                        const double *own, double part, double difference[3]) {
+    operators_mirror(weights, wall, u, own, difference);
+    for (int d = 0; d < 3; d++) {
+        double turn = weights_turn(weights, wall, d);
+        difference[d] = turn + part * (difference[d] - turn);
+    }
+}
+
 void operators_advection(const struct weights *weights, struct operators_values carrier,
-                         struct operators_values u, double most, double (*out)[3]) {
+                         struct operators_values u, double (*out)[3]) {
     size_t dimension = (size_t)weights->dimension;
 #pragma omp parallel for schedule(static)
     for (size_t row = 0; row < weights->rows; row++) {
@@ -279,16 +289,58 @@ void operators_advection(const struct weights *weights, struct operators_values 
             for (size_t d = 0; d < dimension; d++)
                 along += way[d] * weights_vector(weights, e)[d];
             if (e >= walls) {
-                operators_mirror(weights, wall, u, own, difference);
-                double part = fmin(1, (1 + most) / (1 + weights->mirror[wall]));
-                for (int d = 0; d < 3; d++) {
-                    double turn = weights_turn(weights, wall, d);
-                    difference[d] = turn + part * (difference[d] - turn);
-                }
-                wall++;
+                double part = weights_divergence_factor(weights, wall) / (1 + weights->mirror[wall]);
+                mirror_part(weights, wall++, u, own, part, difference);
             }
             for (int d = 0; d < 3; d++)
                 sum[d] += along * (e >= walls ? difference[d] : partner_at(weights, u, e)[d] - own[d]);
+        }
+        for (int d = 0; d < 3; d++)
+            out[row][d] = sum[d];
+    }
+}
+
+/* True if a row has a wall or a grain within its support. */
+static bool beside_body(const struct weights *weights, size_t row) {
+    bool beside = false;
+    for (size_t k = weights->foot_start[row]; k < weights->foot_start[row + 1]; k++)
+        beside = beside || !weights->foot[k].open;
+    return beside;
+}
+
+/* Adds to a sum what an entry brings to the inertia of i: 1/2 b . (u_i + u_j) (u_j - u_i) + 1/2 b . (u_j - u_i) u_i, less what diffusion its
+ * link lacks: `diffusion` is that which it has, INFINITY where it wants no more. */
+static inline void add_inertia(const double *b, int dimension, double diffusion, const double *own,
+                               const double difference[3], double sum[3]) {
+    double carry = 0, spread = 0;
+    for (int d = 0; d < dimension; d++) {
+        carry += 0.5 * b[d] * (2 * own[d] + difference[d]);
+        spread += 0.5 * b[d] * difference[d];
+    }
+    carry -= fmax(0, fabs(carry) / OPERATORS_LINK_PECLET - diffusion);
+    for (int d = 0; d < 3; d++)
+        sum[d] += carry * difference[d] + spread * own[d];
+}
+
+void operators_inertia(const struct weights *weights, struct operators_values u, double viscosity,
+                       double (*out)[3]) {
+#pragma omp parallel for schedule(static)
+    for (size_t row = 0; row < weights->rows; row++) {
+        const double *own = at(u, weights->first + row);
+        double sum[3] = {0}, difference[3];
+        size_t e = weights->start[row], wall = weights->wall_start[row];
+        double enough = beside_body(weights, row) ? 0 : INFINITY;
+        for (; e < weights_walls(weights, row); e++) {
+            const double *other = partner_at(weights, u, e);
+            for (int d = 0; d < 3; d++)
+                difference[d] = other[d] - own[d];
+            add_inertia(weights_vector(weights, e), weights->dimension,
+                        enough + viscosity * weights_scalar(weights, e), own, difference, sum);
+        }
+        for (; wall < weights->wall_start[row + 1]; e++, wall++) {
+            double part = weights_image_of(weights, wall) != NULL ? 1 : 2 / (1 + weights->mirror[wall]);
+            mirror_part(weights, wall, u, own, part, difference);
+            add_inertia(weights_vector(weights, e), weights->dimension, INFINITY, own, difference, sum);
         }
         for (int d = 0; d < 3; d++)
             out[row][d] = sum[d];

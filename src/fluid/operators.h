@@ -41,10 +41,26 @@ struct operators_stokes {
 void operators_stokes(const struct weights *weights, struct operators_values u, struct operators_values p,
                       const struct operators_stokes *factor, double *out);
 
-/* out[row] = (carrier . grad) u, mirrored with a beta of `most` at the most; of the carrier the values of owned particles
+/* out[row] = (carrier . grad) u, mirrored at the walls with the capped coefficient; of the carrier the values of owned particles
  * alone are read. */
 void operators_advection(const struct weights *weights, struct operators_values carrier,
-                         struct operators_values u, double most, double (*out)[3]);
+                         struct operators_values u, double (*out)[3]);
+
+/* out[row] = the inertia of a flow without divergence, (u . grad) u + 1/2 (div u) u:
+ *
+ *   sum over j of (a_ij - k_ij) (u_j - u_i) + 1/2 b_ij . (u_j - u_i) u_i,   a_ij = 1/2 b_ij . (u_i + u_j)
+ *
+ * Without k, and on a lattice, where b_ij = -b_ji and the b_ij of a row add up to 0, that is sum over j of a_ij u_j with a_ij = -a_ji: the sum of
+ * u . out over all particles is 0 for any u, so that inertia makes no kinetic energy, even where the lattice hardly resolves the flow and leaves a divergence in it
+ * (the skew-symmetric form: Morinishi, Lund, Vasilyev, Moin, J. Comput. Phys. 143 (1998) 90). For bodies at rest to let nothing through in this sum,
+ * too, they mirror the velocity as if j lay as deep as i lies high (beta = 1): u_j = -u_i, a_ij = 0.
+ *
+ * The projection of a flow beside bodies keeps no energy: its divergence mirrors with beta, its gradient sees fluid neighbours alone. In throats that hold a node or two,
+ * pressure then feeds eddies of their size. So rows beside walls and grains have the diffusion k_ij = max(0, |a_ij| / OPERATORS_LINK_PECLET - viscosity w_ij): none
+ * up to a speed of 2 OPERATORS_LINK_PECLET viscosities (kinematic) over the spacing. */
+#define OPERATORS_LINK_PECLET 5.0
+void operators_inertia(const struct weights *weights, struct operators_values u, double viscosity,
+                       double (*out)[3]);
 
 /* out[row] = div g over fluid neighbours alone, without walls: of a gradient of the pressure. */
 void operators_divergence_inner(const struct weights *weights, struct operators_values g, double *out);

@@ -64,6 +64,6 @@ void path_drift_advect(const struct flow *flow) {
     size_t first = 3 * flow->weights->first, doubles = 3 * flow->weights->rows;
     memcpy(flow->advection_before + first, flow->drift_advection + first,
            doubles * sizeof *flow->drift_advection);
-    operators_advection(flow->weights, flow_drift(flow), flow_velocity(flow), WEIGHTS_MIRROR_CAP,
+    operators_advection(flow->weights, flow_drift(flow), flow_velocity(flow),
                         (double(*)[3])(flow->drift_advection + first));
 }

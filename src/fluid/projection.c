@@ -79,7 +79,8 @@ static void extrapolate_advection(struct projection *projection, const struct fl
     double ahead = past->steps > 0 ? 0.5 * dt / past->dt : 0;
     if (!projection->options.advection)
         return;
-    operators_advection(weights, flow_velocity(flow), flow_velocity(flow), INFINITY, projection->advection);
+    operators_inertia(weights, flow_velocity(flow),
+                      projection->options.viscosity / projection->options.density, projection->advection);
     for (size_t row = 0; row < weights->rows; row++)
         for (size_t d = 0; d < 3; d++) {
             double *before = &flow->advection_before[3 * (weights->first + row) + d],
