@@ -2,6 +2,7 @@
 /* The load of the fluid on grains, and their motion under it. Read couple.h first. */
 #include "fluid/couple.h"
 #include "contact/spin.h"
+#include "core/memory.h"
 #include "fluid/drag.h"
 #include "fluid/dust.h"
 #include "fluid/fields.h"
@@ -41,9 +42,10 @@ double couple_dt(const struct physics_context *context) {
     return (double)couple_every(context) * context->clock->dt;
 }
 
-static bool is_free(const struct physics_context *context, const uint8_t *kind, size_t i) {
+bool couple_moves(const struct physics_context *context, size_t i) {
     const struct particle_state *state = &context->particles->state[i];
-    return kind[i] == KIND_GRAIN && state->inverse_mass > 0 && !dust_is(context->options, state->radius);
+    return kinds_of(context->particles)[i] == KIND_GRAIN && state->inverse_mass > 0 &&
+           !dust_is(context->options, state->radius);
 }
 
 /* Adds the force and the torque of each foot to its grain, which may be a copy. */
@@ -67,26 +69,15 @@ static void feet_add(const struct fluid *fluid, struct particles *p) {
     }
 }
 
-/* The volume that a grain displaces, in two dimensions an area. */
-static double displaced(const struct physics_context *context, double radius) {
+double couple_displaced(const struct physics_context *context, double radius) {
     return context->box->dimension == 2 ? M_PI * radius * radius
                                         : 4.0 / 3.0 * M_PI * radius * radius * radius;
-}
-
-/* The mean rate of change of a vector since the last step of the fluid: past[0..2] is the vector then, past[3..5] the rate. */
-static void past_take(double past[6], const double now[3], bool first, double dt) {
-    for (int d = 0; d < 3; d++) {
-        past[3 + d] = first ? 0 : (now[d] - past[d]) / dt;
-        past[d] = now[d];
-    }
 }
 
 void couple_load(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     struct particles *p = context->particles;
-    const uint8_t *kind = kinds_of(p);
-    double(*load)[6] = fluid_load(p), (*past)[12] = fluid_grain_past(p), (*spin)[4] = spin_of(p);
-    bool first = fluid->past.steps <= 1;
+    double(*load)[6] = fluid_load(p);
     drag_look(&fluid->forces, context, &fluid->flow, fluid->options->viscosity);
     memset(load, 0, (p->owned + p->ghosts) * sizeof *load);
     feet_add(fluid, p);
@@ -94,77 +85,61 @@ void couple_load(const struct physics_context *context) {
         struct field_list list = fields_one(fluid_load_handle(p));
         ghosts_sum(context->ghosts, p, &list);
     }
-    for (size_t i = 0; i < p->owned; i++) {
-        if (!is_free(context, kind, i))
-            continue;
-        past_take(past[i], p->state[i].v, first, couple_dt(context));
-        if (spin != NULL)
-            past_take(past[i] + 6, spin[i], first, couple_dt(context));
-    }
 }
 
-/* The way of diffusion in a step of the fluid, squared. */
-static double diffused(const struct physics_context *context) {
-    const struct fluid_options *options = context->options;
-    return options->viscosity / options->density * couple_dt(context);
-}
-
-/* The force on grain i beside that of its contacts, as load, buoyancy and virtual mass want it. */
-static void push_of(const struct physics_context *context, size_t i, const double contact[3],
-                    double push[3]) {
+void couple_push(const struct physics_context *context, size_t i, double push[3]) {
     const struct fluid *fluid = context->self;
-    const struct fluid_options *options = fluid->options;
-    const struct particle_state *state = &context->particles->state[i];
-    const double *load = fluid_load(context->particles)[i], *past = fluid_grain_past(context->particles)[i];
-    const double *gravity = context->motion->gravity, wide = 2 * state->radius;
-    double volume = displaced(context, state->radius), mass = 1 / state->inverse_mass;
-    double virtual = options->density * volume *
-                     (options->grains.virtual_mass +
-                      diffused(context) * (18 / (wide * wide) + 4 / (wide * options->spacing)));
-    for (int d = 0; d < 3; d++) {
-        double own = load[d] + volume * (fluid->drive.force[d] - options->density * gravity[d]);
-        double force = own + contact[d] + mass * gravity[d];
-        double acceleration = (force + virtual * past[3 + d]) / (mass + virtual);
-        push[d] = d < context->box->dimension ? mass * (acceleration - gravity[d]) - contact[d] : 0;
-    }
-}
-
-/* The same for the torque on a grain, by a virtual moment of inertia. */
-static void twist_of(const struct physics_context *context, size_t i, const double contact[3],
-                     double twist[3]) {
-    const struct fluid_options *options = context->options;
-    const struct particle_state *state = &context->particles->state[i];
-    const double *load = fluid_load(context->particles)[i], *past = fluid_grain_past(context->particles)[i];
-    double r2 = state->radius * state->radius, inertia = 0.4 * r2 / state->inverse_mass;
-    double virtual = options->density * displaced(context, state->radius) *
-                     (0.25 * options->grains.virtual_mass * r2 + 6 * diffused(context));
+    double volume = couple_displaced(context, context->particles->state[i].radius);
     for (int d = 0; d < 3; d++)
-        twist[d] =
-            inertia * (load[3 + d] + contact[d] + virtual * past[9 + d]) / (inertia + virtual) - contact[d];
+        push[d] =
+            d < context->box->dimension
+                ? volume * (fluid->drive.force[d] - fluid->options->density * context->motion->gravity[d])
+                : 0;
 }
 
 /* The work of a force is the mean of its powers at the velocities of half a step before and after: the first half is counted
- * now, the second one when the next force is known. That of the torque is counted at once. */
+ * now, the second one when the next force is known. That of the torque is counted at once, and that of a jump of the velocity as
+ * the change of the energy of the full step. */
+static double work_of(const struct physics_context *context, size_t i, const double push[3],
+                      const double last[3]) {
+    const struct fluid *fluid = context->self;
+    const struct particles *p = context->particles;
+    const struct particle_state *state = &p->state[i];
+    const double *force = p->force + i * (size_t)p->force_stride, *load = fluid_load(p)[i], none[6] = {0},
+                 *jump = fluid->jump != NULL ? fluid->jump[i] : none;
+    double(*spin)[4] = spin_of(p), half = 0.5 * context->clock->dt, mass = 1 / state->inverse_mass, sum = 0,
+    inertia = 0.4 * mass * state->radius * state->radius;
+    for (int d = 0; d < 3; d++) {
+        double before = state->v[d] - jump[d], all = force[d] + push[d] + mass * context->motion->gravity[d];
+        sum += half * (push[d] + (context->clock->step > 0 ? last[d] : 0)) * before +
+               jump[d] * (mass * (before + 0.5 * jump[d]) + half * all);
+        if (spin != NULL)
+            sum += 2 * half * load[3 + d] * (spin[i][d] - jump[3 + d]) +
+                   inertia * jump[3 + d] * (spin[i][d] - 0.5 * jump[3 + d]);
+    }
+    return sum;
+}
+
 void couple_apply(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     struct particles *p = context->particles;
-    const uint8_t *kind = kinds_of(p);
-    double(*last)[3] = fluid_push(p), (*spin)[4] = spin_of(p), half = 0.5 * context->clock->dt;
+    const double(*load)[6] = (const double(*)[6])fluid_load(p);
+    double(*last)[3] = fluid_push(p), (*spin)[4] = spin_of(p);
     for (size_t i = 0; i < p->owned; i++) {
-        double push[3], twist[3] = {0}, *force = p->force + i * (size_t)p->force_stride;
-        if (!is_free(context, kind, i))
+        double push[3], *force = p->force + i * (size_t)p->force_stride;
+        if (!couple_moves(context, i))
             continue;
-        push_of(context, i, force, push);
-        if (spin)
-            twist_of(context, i, force + 4, twist);
+        couple_push(context, i, push);
+        for (int d = 0; d < context->box->dimension; d++)
+            push[d] += load[i][d];
+        fluid->work += work_of(context, i, push, last[i]);
         for (int d = 0; d < 3; d++) {
-            fluid->work += half * (push[d] + (context->clock->step > 0 ? last[i][d] : 0)) * p->state[i].v[d];
             last[i][d] = push[d];
             force[d] += push[d];
-            if (spin) {
-                force[4 + d] += twist[d];
-                fluid->work += 2 * half * twist[d] * spin[i][d];
-            }
+            if (spin)
+                force[4 + d] += load[i][3 + d];
         }
     }
+    memory_free(fluid->jump);
+    fluid->jump = NULL;
 }

@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Feet on walls and open sides. Read feet.h first. */
 #include "fluid/feet.h"
+#include "contact/spin.h"
+#include "fluid/fields.h"
+#include "fluid/mirror.h"
 #include <string.h>
 
 double feet_reach(const struct fluid_options *options, const struct box *box) {
@@ -19,4 +22,16 @@ void feet_on(const void *context, int64_t body, const double x[3], struct weight
     foot->distance = found.distance;
     memcpy(foot->normal, found.normal, sizeof foot->normal);
     memcpy(foot->velocity, found.velocity, sizeof foot->velocity);
+}
+
+size_t feet_mirror(const struct physics_context *context, struct fluid *fluid) {
+    const struct feet feet = {context->walls, fluid->options, context->box};
+    const struct mirror_input mirror = {.rows = &fluid->input,
+                                        .body = fluid_body(context->particles),
+                                        .spin = (const double(*)[4])spin_of(context->particles),
+                                        .spacing = fluid->options->spacing,
+                                        .support = fluid->support,
+                                        .wall = feet_on,
+                                        .context = &feet};
+    return mirror_make(&fluid->weights, &mirror);
 }

@@ -4,6 +4,7 @@
 #define SCREE_FLUID_FEET_H
 
 #include "fluid/open.h"
+#include "fluid/state.h"
 
 /* All borrowed. */
 struct feet {
@@ -17,5 +18,8 @@ double feet_reach(const struct fluid_options *options, const struct box *box);
 
 /* As `wall` of struct mirror_input; `context` is a struct feet. Any thread. */
 void feet_on(const void *context, int64_t body, const double x[3], struct weights_foot *foot);
+
+/* Mirrors of the fluid's weights for the present places and velocities of grains and walls. Returns the number of wall neighbours without a body. */
+size_t feet_mirror(const struct physics_context *context, struct fluid *fluid);
 
 #endif

@@ -42,12 +42,9 @@ static const struct field
            .kinds = 1u << KIND_BOUNDARY, .needed_for = "fluid", .help = "of a boundary particle: its place in its grain"},
     load = {.name = "fluid_load", .type = FIELD_DOUBLE, .components = 6, .use = FIELD_TRAVELS,
             .kinds = 1u << KIND_GRAIN, .needed_for = "fluid.grains: free", .help = "force (N) and torque (N m) of the fluid on a grain in its last step"},
-    grain_past = {.name = "fluid_grain_past", .type = FIELD_DOUBLE, .components = 12, .use = FIELD_TRAVELS,
-                  .kinds = 1u << KIND_GRAIN, .needed_for = "fluid.grains: free",
-                  .help = "of a grain: velocity (m/s) at the last step of the fluid, mean acceleration (m/s2) in it, and both of the spin (s-1, s-2)"},
     push = {.name = "fluid_push", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS, .unit = "N",
             .kinds = 1u << KIND_GRAIN, .needed_for = "fluid.grains: free",
-            .help = "force on a grain by fluid, buoyancy and virtual mass in the last step"},
+            .help = "force on a grain by fluid and buoyancy in the last step"},
     velocity_before = {.name = "fluid_velocity_before", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS,
                        .unit = "m s-1", OF_FLUID, .help = "velocity of the step before"},
     drift = {.name = "fluid_drift", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS, .unit = "m s-1",
@@ -88,7 +85,6 @@ void fluid_fields_riding(struct particles *particles) {
 
 void fluid_fields_free(struct particles *particles) {
     fields_register(particles, &load);
-    fields_register(particles, &grain_past);
     fields_register(particles, &push);
 }
 
@@ -98,10 +94,6 @@ double (*fluid_load(const struct particles *particles))[6] {
 
 int fluid_load_handle(const struct particles *particles) {
     return fields_handle(particles, &load);
-}
-
-double (*fluid_grain_past(const struct particles *particles))[12] {
-    return fields_values(particles, &grain_past);
 }
 
 double (*fluid_push(const struct particles *particles))[3] {

@@ -82,9 +82,8 @@ struct fluid_motion {
 enum fluid_grains_motion { FLUID_GRAINS_GIVEN, FLUID_GRAINS_FREE };
 struct fluid_grains {
     enum fluid_grains_motion motion;
-    int every;           /* steps of the grains in a step of the fluid */
-    double virtual_mass; /* FREE: in masses of the fluid that the grain displaces */
-    double unresolved;   /* radius up to which grains are not resolved (dust.h), length; NAN: all are */
+    int every;         /* steps of the grains in a step of the fluid */
+    double unresolved; /* radius up to which grains are not resolved (dust.h), length; NAN: all are */
 };
 
 struct fluid_operators {

@@ -79,8 +79,6 @@ static const struct schema_row grains_rows[] = {
      .help = "the motion of grains in the fluid"},
     {.key = "every", .type = SCHEMA_INT, .range = "[1, 1000000]", .fallback = "1",
      AT(struct fluid_grains, every), .help = "steps of grains that the fluid moves in one of the fluid, whose force or velocity is held meanwhile", .example = "20"},
-    {.key = "virtual_mass", .type = SCHEMA_REAL, .range = "[0, 100]", .fallback = "2", .when = "motion=free",
-     AT(struct fluid_grains, virtual_mass), .help = "keeps light grains stable: inertia, in masses of the displaced fluid, that acts on changes of the acceleration alone"},
     {.key = "unresolved", .type = SCHEMA_REAL, .unit = "m", .range = "(0, inf)", AT(struct fluid_grains, unresolved),
      .help = "radius up to which grains are not resolved: the law of the section drag moves them, and the fluid loses what they gain; left out: none",
      .example = "50 um"},

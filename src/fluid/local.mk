@@ -45,6 +45,7 @@ libfluid_la_SOURCES = \
 	src/fluid/gaps.h \
 	src/fluid/given.c \
 	src/fluid/given.h \
+	src/fluid/joint.c src/fluid/joint.h \
 	src/fluid/kernel.c \
 	src/fluid/kernel.h \
 	src/fluid/links.c \

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* From rebuilds and steps of the engine to the flow: weights, matrices, steps. Read march.h and flow.h first. */
 #include "fluid/march.h"
-#include "contact/spin.h"
 #include "core/checksum.h"
 #include "core/memory.h"
 #include "fluid/couple.h"
@@ -11,9 +10,9 @@
 #include "fluid/feet.h"
 #include "fluid/fields.h"
 #include "fluid/flow_fields.h"
+#include "fluid/joint.h"
 #include "fluid/look.h"
 #include "fluid/loss.h"
-#include "fluid/mirror.h"
 #include "fluid/motion.h"
 #include "fluid/path.h"
 #include "fluid/ride.h"
@@ -72,20 +71,12 @@ static void volumes_share(const struct physics_context *context, const struct fl
 /* Weights and mirrors for the present places of the particles. */
 static void weights_of(const struct physics_context *context, struct fluid *fluid) {
     struct particles *p = context->particles;
-    const struct feet feet = {context->walls, fluid->options, context->box};
-    const struct mirror_input mirror = {.rows = &fluid->input,
-                                        .body = fluid_body(p),
-                                        .spin = (const double(*)[4])spin_of(p),
-                                        .spacing = fluid->options->spacing,
-                                        .support = fluid->support,
-                                        .wall = feet_on,
-                                        .context = &feet};
     timer_enter(context->timers, "operators");
     size_t without = fluid->riding ? ride_settle(context, fluid) : 0;
     weights_rows(&fluid->weights, &fluid->input, &fluid->weigh);
     volumes_share(context, fluid);
     weights_weigh(&fluid->weights, &fluid->input, &fluid->weigh);
-    fluid->lost = without + mirror_make(&fluid->weights, &mirror);
+    fluid->lost = without + feet_mirror(context, fluid);
     if (fluid_whole(p) != NULL)
         whole_make(&fluid->weights, &fluid->input, fluid_whole(p));
     timer_leave(context->timers, "operators");
@@ -183,6 +174,17 @@ static double speed_largest(const struct physics_context *context) {
     return sqrt(square);
 }
 
+/* A step of particles that move, which their matrices fit. */
+static void step_path(const struct physics_context *context, struct fluid *fluid, double dt) {
+    const struct path_push push = {fluid->drive.force, fluid->options->motion.filter};
+    const struct path path = path_begin(fluid->projection, &fluid->flow, &fluid->past, dt, &push);
+    if (couple_free(fluid->options) ? !joint_step(context, &path, &fluid->error)
+                                    : !path_try(&path, &fluid->error))
+        return;
+    fluid->past = (struct projection_past){fluid->past.steps + 1, dt};
+    motion_drift(context, speed_largest(context));
+}
+
 /* A step in time; matrices and solvers are made where there are none. */
 static void step_transient(const struct physics_context *context, struct fluid *fluid) {
     const struct fluid_options *options = fluid->options;
@@ -209,9 +211,8 @@ static void step_transient(const struct physics_context *context, struct fluid *
     drive_adjust(&fluid->drive, options, context->box, &fluid->flow, dt);
     if (!moves)
         projection_step(fluid->projection, &fluid->flow, &fluid->past, dt, fluid->drive.force, &fluid->error);
-    else if (path_step(fluid->projection, &fluid->flow, &fluid->past, dt, options->motion.filter,
-                       fluid->drive.force, &fluid->error))
-        motion_drift(context, speed_largest(context));
+    else
+        step_path(context, fluid, dt);
 }
 
 /* The steady flow at once, in the first step; the steps after it leave it as it is. */
@@ -319,8 +320,6 @@ static void step_run(const struct physics_context *context, struct fluid *fluid)
         loss_watch(context);
     if (fluid->error.kind == ERROR_NONE && fluid->options->equations == FLUID_NAVIER_STOKES)
         check_speed(context, fluid);
-    if (fluid->error.kind == ERROR_NONE && couple_free(fluid->options))
-        couple_load(context);
 }
 
 void march_step(const struct physics_context *context) {
@@ -366,6 +365,7 @@ void march_end(void *self) {
     pair_rows_free(&fluid->pairs);
     forces_free(&fluid->forces);
     memory_free(fluid->given);
+    memory_free(fluid->jump);
     memory_free(fluid->gaps);
     memory_free(fluid);
 }

@@ -26,10 +26,11 @@ static void fill_side(struct projection *projection, const struct flow *flow, do
     }
 }
 
-/* Adds tau / rho (div grad p - lap p) to the divergence away from walls; projection->gradient is grad p. */
+/* projection->filter = tau / rho (div grad p - lap p) away from walls; projection->gradient is grad p. */
 static void filter_pressure(struct projection *projection, const struct flow *flow, double share) {
     const struct weights *weights = flow->weights;
     double *sum = (double *)projection->viscous, *laplacian = sum + weights->rows;
+    memset(projection->filter, 0, weights->rows * sizeof *projection->filter);
     if (share == 0)
         return;
     memcpy(flow->gradient + 3 * weights->first, projection->gradient,
@@ -39,24 +40,33 @@ static void filter_pressure(struct projection *projection, const struct flow *fl
     operators_laplacian(weights, flow_pressure(flow), laplacian);
     for (size_t row = 0; row < weights->rows; row++)
         if (weights->wall_start[row + 1] == weights->wall_start[row])
-            projection->source[row] = projection->divergence[row] + share * (sum[row] - laplacian[row]);
+            projection->filter[row] = share * (sum[row] - laplacian[row]);
 }
 
-bool path_step(struct projection *projection, const struct flow *flow, struct projection_past *past,
-               double dt, double filter, const double force[3], struct error *error) {
-    double r = past->steps > 0 ? dt / past->dt : 0, g = (1 + r) / (1 + 2 * r);
+struct path path_begin(struct projection *projection, const struct flow *flow,
+                       const struct projection_past *past, double dt, const struct path_push *push) {
+    double r = past->steps > 0 ? dt / past->dt : 0, density = projection->options.density;
+    const struct path path = {projection, flow, dt, (1 + r) / (1 + 2 * r)};
+    fill_side(projection, flow, r, dt, push->force);
+    filter_pressure(projection, flow, push->filter * dt / density);
+    projection_keep(projection, flow);
+    return path;
+}
+
+bool path_try(const struct path *path, struct error *error) {
+    struct projection *projection = path->projection;
     double density = projection->options.density, viscosity = projection->options.viscosity;
-    fill_side(projection, flow, r, dt, force);
-    if (!momentum_solve(&projection->momentum, &projection->assembly, flow, g * dt * viscosity / density,
+    double share = path->implicit * path->dt / density;
+    projection_restore(path->flow);
+    if (!momentum_solve(&projection->momentum, &projection->assembly, path->flow, share * viscosity,
                         (const double(*)[3])projection->side, error))
         return false;
-    projection_diverge(projection, flow);
-    memcpy(projection->source, projection->divergence, flow->weights->rows * sizeof *projection->source);
-    filter_pressure(projection, flow, filter * dt / density);
-    if (!pressure_solve(&projection->pressure, flow, projection->source, density / (g * dt), error))
+    projection_diverge(projection, path->flow);
+    for (size_t row = 0; row < path->flow->weights->rows; row++)
+        projection->source[row] = projection->divergence[row] + projection->filter[row];
+    if (!pressure_solve(&projection->pressure, path->flow, projection->source, 1 / share, error))
         return false;
-    projection_correct(projection, flow, viscosity, g * dt / density);
-    *past = (struct projection_past){past->steps + 1, dt};
+    projection_correct(projection, path->flow, viscosity, share);
     return true;
 }
 

@@ -20,11 +20,28 @@
 
 #include "fluid/projection.h"
 
-/* Makes a step at the new places, to which projection_create or projection_refill has brought the matrices. `filter`
- * = tau / dt. Then flow->velocity_before is u^n; drift and its advection are still those of the step before. As
- * projection_step else. */
-bool path_step(struct projection *projection, const struct flow *flow, struct projection_past *past,
-               double dt, double filter, const double force[3], struct error *error);
+/* A step that has begun: how far it goes, and the factor g of its implicit part. Borrows all. */
+struct path {
+    struct projection *projection;
+    const struct flow *flow;
+    double dt, implicit;
+};
+
+/* What pushes the fluid in a step: a force per volume; tau / dt of the filter. */
+struct path_push {
+    const double *force;
+    double filter;
+};
+
+/* Begins a step at the new places, to which projection_create or projection_refill has brought the matrices: all that does not
+ * depend on the velocities of the walls. flow->velocity_before becomes u^n; drift and its advection are still those of the step
+ * before. Collective. */
+struct path path_begin(struct projection *projection, const struct flow *flow,
+                       const struct projection_past *past, double dt, const struct path_push *push);
+
+/* Makes the step with the present velocities of the feet: velocity and pressure, of copies too, become those at its end. May be
+ * called again, with other velocities. False with an error (ERROR_PHYSICS) if a solver failed. Collective. */
+bool path_try(const struct path *path, struct error *error);
 
 /* u + (r/2) (u - u of the step before) + s: the velocity of a particle from this step to the next, by particle
  * number; `ahead` = r/2, 0 before the first step. */

@@ -39,6 +39,8 @@ struct projection *projection_create(struct solve *solve, const struct flow *flo
     projection->advection = memory_allocate_zero(rows, sizeof *projection->advection, "projection");
     projection->divergence = memory_allocate(rows, sizeof *projection->divergence, "projection");
     projection->source = memory_allocate(rows, sizeof *projection->source, "projection");
+    projection->filter = memory_allocate(rows, sizeof *projection->filter, "projection");
+    projection->pressed = memory_allocate(rows, sizeof *projection->pressed, "projection");
     if (!make_systems(projection, solve, flow, error))
         projection_destroy(&projection);
     return projection;
@@ -57,6 +59,8 @@ void projection_destroy(struct projection **projection) {
     memory_free(p->advection);
     memory_free(p->divergence);
     memory_free(p->source);
+    memory_free(p->filter);
+    memory_free(p->pressed);
     memory_free(p);
     *projection = NULL;
 }
@@ -119,6 +123,21 @@ void projection_diverge(struct projection *projection, const struct flow *flow) 
     projection->divergence_size = sqrt(sum[0] / fmax(sum[1], 1));
 }
 
+void projection_keep(struct projection *projection, const struct flow *flow) {
+    const struct weights *weights = flow->weights;
+    memcpy(projection->pressed, flow->pressure + weights->first, weights->rows * sizeof *projection->pressed);
+    for (size_t row = 0; row < weights->rows && flow->velocity_before != NULL; row++)
+        memcpy(&flow->velocity_before[3 * (weights->first + row)], flow_velocity_of(flow, row),
+               3 * sizeof *flow->velocity_before);
+}
+
+void projection_restore(const struct flow *flow) {
+    const struct weights *weights = flow->weights;
+    for (size_t row = 0; row < weights->rows; row++)
+        memcpy(flow_velocity_of(flow, row), &flow->velocity_before[3 * (weights->first + row)],
+               3 * sizeof *flow->velocity_before);
+}
+
 void projection_correct(struct projection *projection, const struct flow *flow, double rotational,
                         double share) {
     const struct weights *weights = flow->weights;
@@ -128,11 +147,10 @@ void projection_correct(struct projection *projection, const struct flow *flow, 
     for (size_t row = 0; row < weights->rows; row++) {
         size_t i = weights->first + row;
         double *u = flow_velocity_of(flow, row);
-        if (flow->velocity_before != NULL)
-            memcpy(&flow->velocity_before[3 * i], u, 3 * sizeof *u);
         for (int d = 0; d < weights->dimension; d++)
             u[d] = flow->predicted[3 * i + (size_t)d] - share * projection->gradient[row][d];
-        flow->pressure[i] += flow->increment[i] - rotational * projection->divergence[row];
+        flow->pressure[i] =
+            projection->pressed[row] + flow->increment[i] - rotational * projection->divergence[row];
     }
     flow_forward(flow, FLOW_VELOCITY);
     flow_forward(flow, FLOW_PRESSURE);
@@ -144,6 +162,7 @@ bool projection_step(struct projection *projection, const struct flow *flow, str
     double implicit = theta * dt * projection->options.viscosity / projection->options.density;
     extrapolate_advection(projection, flow, past, dt);
     fill_side(projection, flow, theta, dt, force);
+    projection_keep(projection, flow);
     if (!momentum_solve(&projection->momentum, &projection->assembly, flow, implicit,
                         (const double(*)[3])projection->side, error))
         return false;

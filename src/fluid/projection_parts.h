@@ -15,13 +15,21 @@ struct projection {
     /* by row */
     double (*side)[3], (*viscous)[3], (*gradient)[3], (*advection)[3];
     double *divergence, *source; /* div u*; the right-hand side that the pressure gets */
+    double *filter;              /* what is added to div u* against pressures that alternate (path.h) */
+    double *pressed;             /* p^n */
     double divergence_size;
 };
 
 /* Fills projection->divergence with div u*, and its size. Collective. */
 void projection_diverge(struct projection *projection, const struct flow *flow);
 
-/* u^(n+1) = u* - share grad phi; p -> p + phi - rotational div u*; flow->velocity_before gets u^n, if there. Collective. */
+/* Keeps what a step begins with: p^n, and u^n in flow->velocity_before, if there. */
+void projection_keep(struct projection *projection, const struct flow *flow);
+
+/* The velocity becomes u^n, of particles that move: the first guess of another try. */
+void projection_restore(const struct flow *flow);
+
+/* u^(n+1) = u* - share grad phi; p^(n+1) = p^n + phi - rotational div u*. Collective. */
 void projection_correct(struct projection *projection, const struct flow *flow, double rotational,
                         double share);
 

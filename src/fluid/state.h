@@ -50,6 +50,8 @@ struct fluid {
     uint64_t done;                   /* the last step that was made */
     struct gaps *gaps;               /* gaps.h; NULL: not looked for */
     double (*given)[3]; /* by row: force/volume of grains that are not resolved (dust.h); NULL: none yet */
+    double (*jump)
+        [6]; /* by particle number: by how much the fluid has changed velocity and spin of grains in this step; NULL: not */
     double work;        /* on grains that the fluid moves, since the start; energy */
     struct error error; /* until the guard takes it */
 };

@@ -409,6 +409,32 @@ falls() {
         END { printf "  largest velocity %g, at the end %g, drag %g of weight 4.357\n", most, v, last; exit !(!bad && most < -0.5 && v > most && last > 4.3 && last < 6) }' fallen/observables.csv
 }
 check "a sphere that falls in a fluid: forces make sense" falls
+# Discs that are put on each other under water, a bit apart: they come to rest, with their weight less buoyancy on the floor (9 x 981 x (0.0783 - 0.03135))
+{
+    cat <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [0.8, 0.8, 0], periodic: [true, false, false], dimension: 2}
+gravity: [0, -981, 0]
+walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}, {name: lid, shape: plane, point: [0, 0.8, 0], normal: [0, -1, 0]}]
+contact: {law: hooke}
+materials: [{name: disc, density: 18.75}]
+material_pairs: [{k_n: 100000, restitution: 0.5, friction: 0.2}]
+fluid: {spacing: 0.025, density: 1, viscosity: 0.1, motion: lagrangian, grains: {motion: free, every: 10}}
+step: {dt: 1e-4, count: 1000}
+observables: {every: 1000, list: [{name: energy_kinetic}, {name: centre, components: y}, {name: wall_force, target: floor, components: y}]}
+output: {checkpoint: {at_end: false}}
+particles:
+  sources:
+YAML
+    for place in '0.1, 0.0998' '0.3, 0.0998' '0.5, 0.0998' '0.7, 0.0998' '0.2, 0.2729' '0.4, 0.2729' '0.6, 0.2729' '0.3, 0.4459' '0.5, 0.4459'; do
+        echo "    - {from: single, position: [$place, 0], radius: 0.0999}"
+    done
+} >pile.yaml
+pile() {
+    run_scene 1 pile.yaml pile --set threads=1 && tail -n 1 pile/observables.csv | awk -F , '{ part = $4 / (9 * 981 * (0.0783 - 0.03135))
+        printf "  kinetic energy %g, height %g, on the floor %g of the weight\n", $2, $3, -part; exit !($2 < 1e-5 && $3 > 0.2325 && $3 < 0.2335 && part < -0.98 && part > -1.02) }'
+}
+check "discs that rest on each other in a fluid" pile
 # Discs that move by a fifth of a spacing between two steps of the fluid: rows keep pairs from beyond the support, whose grain is no neighbour
 check "grains that move between two steps of the fluid" run_scene 1 "$top_srcdir/examples/tumbling/scene.yaml" tumbling --set threads=1 --set step.count=230 --set output.dump=~
 # A sphere without torque between walls that slide, four of its diameters apart, turns at half of the rate of shear
