@@ -93,7 +93,8 @@ nobase_dist_pkgdata_SCRIPTS += $(two_sizes)/check $(two_sizes)/run.sh
 
 bed_erosion = examples/bed_erosion
 nobase_dist_pkgdata_DATA += \
-	$(bed_erosion)/README.md $(bed_erosion)/bed.txt $(bed_erosion)/picture.gp $(bed_erosion)/scene.yaml
+	$(bed_erosion)/README.md $(bed_erosion)/bed.txt $(bed_erosion)/discs.txt $(bed_erosion)/fixed.txt $(bed_erosion)/picture.gp \
+	$(bed_erosion)/resolved.yaml $(bed_erosion)/scene.yaml
 nobase_dist_pkgdata_SCRIPTS += $(bed_erosion)/check $(bed_erosion)/run.sh $(bed_erosion)/section.sh
 
 fluidised = examples/fluidised_bed
