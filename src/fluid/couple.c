@@ -120,6 +120,17 @@ static double work_of(const struct physics_context *context, size_t i, const dou
     return sum;
 }
 
+/* The load before the first step of the fluid: that of the added mass of a sphere that is let go. */
+static void load_guess(const struct physics_context *context, size_t i, const double push[3]) {
+    const struct particle_state *state = &context->particles->state[i];
+    const struct fluid_options *options = context->options;
+    double added = 0.5 * options->density * couple_displaced(context, state->radius),
+           mass = 1 / state->inverse_mass;
+    for (int d = 0; d < context->box->dimension; d++)
+        fluid_load(context->particles)[i][d] =
+            -added * (mass * context->motion->gravity[d] + push[d]) / (mass + added);
+}
+
 void couple_apply(const struct physics_context *context) {
     struct fluid *fluid = context->self;
     struct particles *p = context->particles;
@@ -130,6 +141,8 @@ void couple_apply(const struct physics_context *context) {
         if (!couple_moves(context, i))
             continue;
         couple_push(context, i, push);
+        if (fluid->past.steps == 0)
+            load_guess(context, i, push);
         for (int d = 0; d < context->box->dimension; d++)
             push[d] += load[i][d];
         fluid->work += work_of(context, i, push, last[i]);

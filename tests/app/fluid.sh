@@ -435,6 +435,18 @@ pile() {
         printf "  kinetic energy %g, height %g, on the floor %g of the weight\n", $2, $3, -part; exit !($2 < 1e-5 && $3 > 0.2325 && $3 < 0.2335 && part < -0.98 && part > -1.02) }'
 }
 check "discs that rest on each other in a fluid" pile
+# One disc of a fiftieth of the fluid's density: it rises the same way in long and short steps of the fluid
+light() {
+    local every
+    for every in 10 2; do
+        run_scene 1 light.yaml "light-$every" --set threads=1 --set fluid.grains.every=$every || return 1
+    done
+    paste -d , <(tail -n 1 light-10/observables.csv) <(tail -n 1 light-2/observables.csv) |
+        awk -F , '{ printf "  heights %g %g, velocities %g %g\n", $2, $5, $3, $6; exit !($2 > 0.56 && $2 < 0.61 && $2 - $5 < 2e-3 && $5 - $2 < 2e-3 && $3 > 5 && $3 / $6 > 0.98 && $3 / $6 < 1.02) }'
+}
+sed '/position: /d; s/density: 18.75/density: 0.15/; s/k_n: 100000/k_n: 3000/; s/count: 1000/count: 300/; s/every: 1000, list.*/every: 300, list: [{name: position, id: 1, components: y}, {name: velocity, id: 1, components: y}]}/' pile.yaml >light.yaml
+echo '    - {from: single, position: [0.3, 0.4459, 0], radius: 0.0999}' >>light.yaml
+check "a light disc rises" light
 # Discs that move by a fifth of a spacing between two steps of the fluid: rows keep pairs from beyond the support, whose grain is no neighbour
 check "grains that move between two steps of the fluid" run_scene 1 "$top_srcdir/examples/tumbling/scene.yaml" tumbling --set threads=1 --set step.count=230 --set output.dump=~
 # A sphere without torque between walls that slide, four of its diameters apart, turns at half of the rate of shear
