@@ -192,6 +192,21 @@ static void jumps_keep(const struct joint *joint) {
             fluid->jump[joint->grain[k]][d] = joint->now[k][d] - joint->start[k][d];
 }
 
+/* Tells once of equations that are far from solved: `lack` and `wanted` are squares. */
+static void doubt(const struct joint *joint, double lack, double wanted) {
+    struct fluid *fluid = joint->fluid;
+    if (!(lack > 100 * wanted) || fluid->apart)
+        return;
+    fluid->apart = true;
+    if (fluid->first)
+        log_tell(
+            fluid->log,
+            "warning: fluid.grains: after %d iterations force and motion of grains differ by %.2g of the "
+            "forces at step %llu, t = %.9g: a shorter step or a finer spacing may help (said once)",
+            ITERATIONS, TOLERANCE * sqrt(lack / wanted), (unsigned long long)joint->context->clock->step,
+            joint->context->clock->time);
+}
+
 bool joint_step(const struct physics_context *context, const struct path *path, struct error *error) {
     struct joint joint = joint_make(context, path);
     bool good = try_at(&joint, joint.now, joint.lack, error);
@@ -206,6 +221,8 @@ bool joint_step(const struct physics_context *context, const struct path *path, 
         grains_set(&joint, joint.now);
         good = try_at(&joint, joint.now, joint.lack, error);
     }
+    if (good)
+        doubt(&joint, product(&joint, joint.lack, joint.lack, joint.heavy), wanted);
     jumps_keep(&joint);
     joint_free(&joint);
     return good;

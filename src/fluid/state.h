@@ -52,6 +52,7 @@ struct fluid {
     double (*given)[3]; /* by row: force/volume of grains that are not resolved (dust.h); NULL: none yet */
     double (*jump)
         [6]; /* by particle number: by how much the fluid has changed velocity and spin of grains in this step; NULL: not */
+    bool apart;         /* it was told that forces and velocities of grains do not agree (joint.h) */
     double work;        /* on grains that the fluid moves, since the start; energy */
     struct error error; /* until the guard takes it */
 };
