@@ -327,7 +327,7 @@ static void test_bed(void **state) {
         rows.upper[c] = options.edges[c];
     assert_true(bed_measure(&bed, &options, &rows, &error));
     assert_float_equal(bed.height, 1.5 * SIDE, 1e-9);
-    assert_float_equal(bed.fraction, M_PI / 6, 0.005 * M_PI / 6);
+    assert_float_equal(bed.fraction, M_PI / 6, 1e-9);
     rows_free(&rows);
 }
 

@@ -391,6 +391,60 @@ static void test_history_of_still_particles_stays_in_place(void **state) {
     }
 }
 
+/* A ball with 50 small spheres around it, of which ten touch it; the other small ones are far away. */
+static void ball_fill(struct cloud *c, size_t n) {
+    cloud_fill(c, n, 0);
+    for (size_t k = 0; k < n; k++) {
+        bool ball = k == n - 1;
+        double z = k < 10 ? cos(0.3 + 0.2 * (double)k) : 1 - 2 * ((double)(k % 50) + 0.5) / 50;
+        double r = ball     ? 0
+                   : k < 10 ? 1.11
+                   : k < 50 ? 1.6
+                            : 3,
+               across = sqrt(1 - z * z), angle = 2.399963 * (double)(k % 50);
+        const double x[3] = {4 + r * across * cos(angle), 4 + r * across * sin(angle), 4 + r * z};
+        c->particles->state[k].radius = ball ? 1 : 0.1;
+        c->particles->size_class[k] = ball;
+        memcpy(c->particles->state[k].x, x, sizeof x);
+    }
+    for (int a = 0; a < 2; a++) {
+        c->classes.radius_min[a] = c->classes.radius_max[a] = a ? 1 : 0.1;
+        c->classes.margin[a][0] = c->classes.margin[a][1] = 0.6;
+    }
+}
+
+/* The ball's class has slots while many small spheres are its partners, and has none when few are left: pairs of two threads
+ * then need a record in each, although no thread misses one. */
+static void test_history_where_slots_end(void **state) {
+    (void)state;
+    enum { COUNT = 101 };
+    struct cloud c = {.near = 0.05};
+    struct history_kept kept;
+    ball_fill(&c, COUNT);
+    cloud_search(&c, 2, true);
+    pairlist_destroy(&c.list);
+    c.list = pairlist_create(&(struct pairlist_options){.threads = 2, .block_rows = 100, .busy_bound = 40});
+    pairlist_build(c.list, c.index, &c.view, &c.box);
+    assert_int_equal(c.list->slot_count, 1);
+    struct history *history = history_create(3, 2);
+    history_fill(&c, history);
+    history_keep(history, c.list, &(struct history_numbers){.owned = COUNT, .before = COUNT}, NULL, &kept);
+    for (int a = 0; a < 2; a++)
+        c.classes.margin[a][0] = c.classes.margin[a][1] = 0.06;
+    pairlist_view(&c.view, c.particles, &c.classes, &c.box, (const bool[]){true, true, true});
+    c.view.newton = true;
+    c.view.threads = 2;
+    index_build(c.index, &c.view);
+    pairlist_build(c.list, c.index, &c.view, &c.box);
+    assert_int_equal(c.list->slot_count, 0);
+    history_restore(history, &kept, &(struct history_twins){0}, c.list);
+    history_compare(&c, history);
+    history_kept_free(&kept);
+    history_destroy(&history);
+    cloud_free(&c);
+    particles_destroy(&c.particles);
+}
+
 static void test_rows_follow_removed_particles(void **state) {
     (void)state;
     struct history_row row[4] = {{.id = 1}, {.id = 1}, {.id = 3}, {.id = 4}};
@@ -443,6 +497,7 @@ int main(void) {
         cmocka_unit_test(test_history_survives_reorder_and_another_thread_count),
         cmocka_unit_test(test_kept_history_equals_detached),
         cmocka_unit_test(test_history_of_still_particles_stays_in_place),
+        cmocka_unit_test(test_history_where_slots_end),
         cmocka_unit_test(test_rows_follow_removed_particles),
         cmocka_unit_test(test_skin_is_due_by_class_pairs),
     };

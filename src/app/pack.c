@@ -163,10 +163,9 @@ static bool write_files(const struct comm *comm, const struct request *request, 
 
 static void print_settled(const struct pack_report *report, const struct settle_state *state) {
     printf("settled in %" PRIu64
-           " steps, %.1f times the fall through the container%s: unbalanced force %.2g, %.2f "
+           " steps, %.1f times the fall through the container: unbalanced force %.2g, %.2f "
            "contacts a sphere\n",
-           state->steps, state->time, state->rests ? "" : ", and NOT YET AT REST", state->unbalanced,
-           state->coordination);
+           state->steps, state->time, state->unbalanced, state->coordination);
     printf("bed: three quarters of the spheres' volume lie below a height of %.6g, at a solid fraction of "
            "%.4f\n",
            report->bed.height, report->bed.fraction);
@@ -216,6 +215,11 @@ static bool make(const struct comm *comm, const struct request *request, struct 
         print_report(request, &report, rows->count, timer_now() - began);
     if (good && !quiet && settle)
         print_settled(&report, &settled);
+    if (good && settle && !settled.rests)
+        fprintf(stderr,
+                "scree: warning: the spheres are not at rest after %.0f falls through the container; the "
+                "files have their present places\n",
+                settled.time);
     fflush(stdout);
     return good;
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* A packing settles: a scene of its spheres and its container, run by the library. Read pack_settle.h first.
  *
- * The spheres have density 1 and gravity is 1: neither density nor gravity changes where rigid spheres come to rest. The weight of a
- * full container, p = 0.6 H, presses a sphere of radius r with about 6 p r^2; Hertz's law then gives the overlap d of two such
+ * The spheres have density 1 and gravity is 1: neither density nor gravity changes where rigid spheres come to rest. The weight of the
+ * bed, p, presses a sphere of radius r with about 6 p r^2; Hertz's law then gives the overlap d of two such
  * spheres, (d/r)^(3/2) = 6 p / (0.94 E*), with E* = E / (2 (1 - nu^2)). */
 #include "app/pack_settle.h"
 #include "formats/lammps_data.h"
@@ -45,9 +45,10 @@ static void write_corner(FILE *out, double radius, int i, int j) {
             -radius * cos(up));
 }
 
-/* Writes a ball around the origin as triangles whose corners lie on it. */
+/* Writes a ball around the origin as triangles that touch it from outside, or nearly. */
 static bool write_ball(const char *path, double radius, struct error *error) {
     FILE *out = fopen(path, "w");
+    radius *= 1 + 6e-4; /* as far as the facets lie inside of their corners */
     if (!out)
         return error_set(error, ERROR_SYSTEM, "%s: cannot be written", path);
     for (int j = 0; j < SPHERE_TURNS / 2; j++)
@@ -103,9 +104,14 @@ static double height_of(const struct rows *rows) {
     return rows->upper[2] - rows->lower[2];
 }
 
+/* The weight of the bed, over density and gravity; of a shallow one more, so that spheres that fall on it do not go deeper than a tenth of a radius. */
+static double weight_of(const struct rows *rows, double fraction) {
+    return height_of(rows) * fmin(fmax(fraction, 0.15), 0.6);
+}
+
 static void write_scene(FILE *out, const struct pack_options *o, const struct rows *rows,
-                        const struct files *files) {
-    double effective = 6 * 0.6 * height_of(rows) / (0.94 * pow(overlap_wanted, 1.5));
+                        const struct files *files, double weight) {
+    double effective = 6 * weight / (0.94 * pow(overlap_wanted, 1.5));
     double young = 2 * (1 - poisson * poisson) * effective;
     fprintf(out, "units: none\nreproducible: true\nthreads: %.0f\ngravity: [0, 0, -1]\n", o->threads);
     fprintf(out, "box: {lower: [%.17g, %.17g, %.17g], upper: [%.17g, %.17g, %.17g], periodic: false}\n",
@@ -119,9 +125,9 @@ static void write_scene(FILE *out, const struct pack_options *o, const struct ro
     fputs("particles: {file: ", out);
     write_path(out, files->spheres);
     fputs(", format: lammps-data, density: 1, material: grain}\n", out);
-    fputs("observables: {list: [{name: energy_kinetic_mean}, {name: unbalanced_force}, {name: coordination}, "
-          "{name: "
-          "overlap_max}]}\n",
+    fputs("observables:\n  list: [{name: energy_kinetic_mean}, {name: unbalanced_force}, {name: "
+          "coordination},\n"
+          "    {name: overlap_max}]\n",
           out);
 }
 
@@ -178,17 +184,18 @@ static bool fall(struct scree_simulation *simulation, const struct settle_hook *
 }
 
 /* Takes the places of the spheres, whose ids are those of the rows. */
-static void take_places(const struct scree_simulation *simulation, struct rows *rows) {
+static bool take_places(const struct scree_simulation *simulation, struct rows *rows, struct error *error) {
     struct scree_box box = scree_box(simulation);
     struct scree_field place, id;
     if (!scree_field(simulation, "position", &place) || !scree_field(simulation, "id", &id))
-        return;
+        return error_set(error, ERROR_SYSTEM, "the spheres settle: the scene has no places");
     for (size_t k = 0; k < place.count; k++) {
         const double *x = (const double *)((const char *)place.data + k * place.stride);
         int64_t row = *(const int64_t *)((const char *)id.data + k * id.stride) - 1;
         for (int c = 0; c < 3; c++)
             rows->position[row][c] = box.origin[c] + x[c];
     }
+    return true;
 }
 
 /* Writes the files of the scene. */
@@ -204,7 +211,7 @@ static bool write_files(struct files *files, const struct pack_options *options,
 
 /* The simulation of the scene; NULL on failure. */
 static struct scree_simulation *create(const struct pack_options *options, const struct rows *rows,
-                                       const struct files *files, struct error *error) {
+                                       const struct files *files, double weight, struct error *error) {
     struct scree_simulation *simulation = NULL;
     struct scree_error told = {0};
     char *text = NULL;
@@ -214,7 +221,7 @@ static struct scree_simulation *create(const struct pack_options *options, const
         error_set(error, ERROR_SYSTEM, "no memory for the scene in which spheres settle");
         return NULL;
     }
-    write_scene(out, options, rows, files);
+    write_scene(out, options, rows, files, weight);
     fclose(out);
     simulation = scree_create(NULL, text, NULL, &told);
     if (!simulation)
@@ -229,16 +236,14 @@ bool pack_settle(const struct pack_options *options, const struct settle_hook *h
     struct scree_simulation *simulation = NULL;
     *state = (struct settle_state){0};
     if (write_files(&files, options, rows, error))
-        simulation = create(options, rows, &files, error);
+        simulation = create(options, rows, &files, weight_of(rows, report->fraction), error);
     for (char *path[] = {files.spheres, files.ball, NULL}, **at = path; *at; at++)
         if (**at)
             unlink(*at);
     if (!simulation)
         return false;
     struct scale scale = scale_of(rows, report->smallest);
-    bool good = fall(simulation, hook, &scale, state, error);
-    if (good)
-        take_places(simulation, rows);
+    bool good = fall(simulation, hook, &scale, state, error) && take_places(simulation, rows, error);
     scree_destroy(&simulation);
     report->overlap = state->overlap;
     return good && bed_measure(&report->bed, options, rows, error);

@@ -12,6 +12,10 @@
 /* True if all contacts of the batch are between the same two materials, in the same order. */
 static inline bool force_alike(const uint8_t *material, const struct walk_batch *restrict b) {
     const int p = material_of(material, b->i[0]), q = material_of(material, b->j[0]);
+    const int middle = b->count / 2, last = b->count - 1;
+    if (material_of(material, b->i[middle]) != p || material_of(material, b->j[middle]) != q ||
+        material_of(material, b->i[last]) != p || material_of(material, b->j[last]) != q)
+        return false; /* mixed materials mostly end here */
     int other = 0;
     for (int k = 0; k < b->padded; k++)
         other |= (material_of(material, b->i[k]) ^ p) | (material_of(material, b->j[k]) ^ q);

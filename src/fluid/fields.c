@@ -2,6 +2,7 @@
 /* The fields of a fluid, and its observables. Read fields.h first. */
 #include "fluid/fields.h"
 #include "fluid/shown.h"
+#include "fluid/state.h"
 #include "observe/observables_kinds.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
@@ -19,7 +20,7 @@ static const struct field
             .kinds = 1u << KIND_GRAIN | 1u << KIND_FLUID, .needed_for = "fluid",
             .help = "force of the fluid on a grain; of a fluid particle, that of viscosity on its cell of the lattice"},
     advection = {.name = "fluid_advection", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS, .unit = "m s-2",
-                 OF_FLUID, .help = "(u . grad) u of the step before"},
+                 OF_FLUID, .help = "inertia of the step before, (u . grad) u + 1/2 (div u) u"},
     /* within a step, the velocity before the pressure makes it free of divergence */
     predicted = {.name = "vorticity", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_OUTPUT | FIELD_ASKED,
                  .unit = "s-1", OF_FLUID, .help = "curl of the velocity"},
@@ -182,10 +183,8 @@ static bool known(const struct output_view *view) {
 /* The volume of a fluid particle of the lattice; 0 of other particles. */
 static double volume_of(const struct output_view *view, size_t i) {
     const uint8_t *kind = kinds_of(view->particles);
-    double edge = 2 * view->particles->state[i].radius;
-    if (kind == NULL || kind[i] != KIND_FLUID)
-        return 0;
-    return view->box->dimension == 2 ? edge * edge : edge * edge * edge;
+    const struct fluid *fluid = view->own[PHYSICS_fluid];
+    return fluid != NULL && kind != NULL && kind[i] == KIND_FLUID ? fluid->lattice.volume : 0;
 }
 
 static double box_volume(const struct output_view *view) {

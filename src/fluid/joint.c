@@ -6,6 +6,7 @@
 #include "fluid/couple.h"
 #include "fluid/feet.h"
 #include "fluid/fields.h"
+#include "fluid/ride.h"
 #include "particles/fields.h"
 #include <math.h>
 #include <string.h>
@@ -169,13 +170,13 @@ static bool improve(const struct joint *joint, int n, struct error *error) {
         for (int d = 0; d < 6; d++)
             change[k][d] = joint->lack[k][d] - change[k][d];
     for (int k = 0; k < n; k++) {
-        double part = product(joint, change, joint->change[k], joint->heavy) /
-                      product(joint, joint->change[k], joint->change[k], joint->heavy);
+        double square = product(joint, joint->change[k], joint->change[k], joint->heavy);
+        double part = square > 0 ? product(joint, change, joint->change[k], joint->heavy) / square : 0;
         add(joint, change, -part, joint->change[k]);
         add(joint, way, -part, joint->way[k]);
     }
-    double part =
-        product(joint, joint->lack, change, joint->heavy) / product(joint, change, change, joint->heavy);
+    double square = product(joint, change, change, joint->heavy);
+    double part = square > 0 ? product(joint, joint->lack, change, joint->heavy) / square : 0;
     add(joint, joint->now, part, way);
     add(joint, joint->lack, -part, change);
     return true;
@@ -192,10 +193,10 @@ static void jumps_keep(const struct joint *joint) {
             fluid->jump[joint->grain[k]][d] = joint->now[k][d] - joint->start[k][d];
 }
 
-/* Tells once of equations that are far from solved: `lack` and `wanted` are squares. */
-static void doubt(const struct joint *joint, double lack, double wanted) {
+/* Tells once of equations that are far from solved after n iterations: `lack` and `wanted` are squares. */
+static void doubt(const struct joint *joint, int n, double lack, double wanted) {
     struct fluid *fluid = joint->fluid;
-    if (!(lack > 100 * wanted) || fluid->apart)
+    if (!(lack > 100 * wanted) || wanted == 0 || fluid->apart)
         return;
     fluid->apart = true;
     if (fluid->first)
@@ -203,7 +204,7 @@ static void doubt(const struct joint *joint, double lack, double wanted) {
             fluid->log,
             "warning: fluid.grains: after %d iterations force and motion of grains differ by %.2g of the "
             "forces at step %llu, t = %.9g: a shorter step or a finer spacing may help (said once)",
-            ITERATIONS, TOLERANCE * sqrt(lack / wanted), (unsigned long long)joint->context->clock->step,
+            n, TOLERANCE * sqrt(lack / wanted), (unsigned long long)joint->context->clock->step,
             joint->context->clock->time);
 }
 
@@ -222,8 +223,12 @@ bool joint_step(const struct physics_context *context, const struct path *path, 
         good = try_at(&joint, joint.now, joint.lack, error);
     }
     if (good)
-        doubt(&joint, product(&joint, joint.lack, joint.lack, joint.heavy), wanted);
+        doubt(&joint, n, product(&joint, joint.lack, joint.lack, joint.heavy), wanted);
     jumps_keep(&joint);
+    if (joint.fluid->riding)
+        ride_settle(
+            context,
+            joint.fluid); /* boundary particles have the velocities of their grains, as after a resume */
     joint_free(&joint);
     return good;
 }

@@ -2,12 +2,17 @@
 /* Measures what flows through open sides and through the box. Read loss.h first. */
 #include "fluid/loss.h"
 #include "fluid/body.h"
+#include "fluid/couple.h"
 #include "fluid/state.h"
 
 #include <math.h>
 
-/* Sums over particles: inflow, outflow less inflow, and what the mean flow has more than the sides say, component by component. */
-enum { INFLOW, NET, EXCESS, SUMS = EXCESS + 3 };
+/* Sums over particles: inflow, outflow less inflow, the open area, and what the mean flow has more than the sides say, component by component. */
+enum { INFLOW, NET, AREA, EXCESS, SUMS = EXCESS + 3 };
+
+/* A flow slower than this part of the velocity that the driving force gives in a step, or in the time of diffusion over a spacing, is noise of the
+ * solver. */
+static const double noise = 1e-2;
 
 /* Adds the flow through the part of an open side that belongs to a particle beside it. */
 static void add_side(const struct physics_context *context, const struct weights_foot *foot, size_t particle,
@@ -22,9 +27,19 @@ static void add_side(const struct physics_context *context, const struct weights
         out -= u[d] * foot->normal[d] * volume / step;
     sum[INFLOW] += fmax(-out, 0);
     sum[NET] += out;
+    sum[AREA] += volume / step;
     for (int d = 0; d < 3; d++)
         sum[EXCESS + d] -=
             out * (state->x[d] - foot->distance * foot->normal[d] - 0.5 * context->box->edge[d]);
+}
+
+/* The flow below which a fluid is taken to be at rest. */
+static double rest_of(const struct physics_context *context, double area) {
+    const struct fluid *fluid = context->self;
+    const struct fluid_options *options = context->options;
+    const double *f = fluid->drive.force, spacing = options->spacing;
+    double time = fmin(couple_dt(context), spacing * spacing * options->density / options->viscosity);
+    return noise * area * time * sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]) / options->density;
 }
 
 double loss_measure(const struct physics_context *context) {
@@ -45,7 +60,7 @@ double loss_measure(const struct physics_context *context) {
     for (int d = 0; d < box->dimension; d++)
         if (!box->periodic[d])
             most = fmax(most, fabs(sum[EXCESS + d]) / box->edge[d]);
-    return sum[INFLOW] > 0 ? most / sum[INFLOW] : 0;
+    return sum[INFLOW] > 0 ? most / (sum[INFLOW] + rest_of(context, sum[AREA])) : 0;
 }
 
 void loss_watch(const struct physics_context *context) {

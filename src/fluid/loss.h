@@ -11,7 +11,7 @@
 
 #include "engine/physics.h"
 
-/* The larger part of the inflow that is missing, of the outflow and of the mean flow in directions that are not periodic; 0 without inflow.
+/* The larger part of the inflow (and of what noise of the solver a fluid at rest has) that is missing, of the outflow and of the mean flow in directions that are not periodic; 0 without inflow.
  * Collective. */
 double loss_measure(const struct physics_context *context);
 

@@ -335,7 +335,7 @@ void operators_inertia(const struct weights *weights, struct operators_values u,
             for (int d = 0; d < 3; d++)
                 difference[d] = other[d] - own[d];
             add_inertia(weights_vector(weights, e), weights->dimension,
-                        enough + viscosity * weights_scalar(weights, e), own, difference, sum);
+                        enough + viscosity * fmax(weights_scalar(weights, e), 0), own, difference, sum);
         }
         for (; wall < weights->wall_start[row + 1]; e++, wall++) {
             double part = weights_image_of(weights, wall) != NULL ? 1 : 2 / (1 + weights->mirror[wall]);

@@ -57,7 +57,8 @@ void operators_advection(const struct weights *weights, struct operators_values 
  *
  * The projection of a flow beside bodies keeps no energy: its divergence mirrors with beta, its gradient sees fluid neighbours alone. In throats that hold a node or two,
  * pressure then feeds eddies of their size. So rows beside walls and grains have the diffusion k_ij = max(0, |a_ij| / OPERATORS_LINK_PECLET - viscosity w_ij): none
- * up to a speed of 2 OPERATORS_LINK_PECLET viscosities (kinematic) over the spacing. */
+ * up to a speed of 2 OPERATORS_LINK_PECLET viscosities (kinematic) over the distance of j, 4.5 over the spacing for the farthest neighbours of the default support.
+ * A link between such a row and one farther from bodies has it on one side alone. */
 #define OPERATORS_LINK_PECLET 5.0
 void operators_inertia(const struct weights *weights, struct operators_values u, double viscosity,
                        double (*out)[3]);

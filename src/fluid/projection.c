@@ -75,7 +75,7 @@ void projection_renew(struct projection *projection) {
     solve_renew(projection->pressure.system);
 }
 
-/* (u . grad) u at the middle of the step, extrapolated from this step and the one before; keeps that of this
+/* The inertia at the middle of the step, extrapolated from this step and the one before; keeps that of this
  * step. */
 static void extrapolate_advection(struct projection *projection, const struct flow *flow,
                                   const struct projection_past *past, double dt) {

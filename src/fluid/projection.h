@@ -7,10 +7,10 @@
  *   div grad phi = rho / dt (div u* - mean),   u^(n+1) = u* - dt / rho grad phi
  *   p -> p + phi - theta mu div u*
  *
- * with theta = 1/2 and A = 3/2 (u . grad) u^n - 1/2 (u . grad) u^(n-1), for equal steps; in the first step
- * theta = 1 (backward Euler) and A = (u . grad) u^0. Second order in dt for the velocity; p belongs to the
+ * with theta = 1/2 and A = 3/2 A(u^n) - 1/2 A(u^(n-1)), A(u) of operators_inertia, for equal steps; in the first step
+ * theta = 1 (backward Euler) and A = A(u^0). Second order in dt for the velocity; p belongs to the
  * middle of the step. No limit of dt from viscosity; advection wants max |u| dt <= 0.5 spacing. Between grains and open sides
- * the Poisson equation is div c grad phi, c of whole.h: what it leaves of a divergence is gone after some steps. */
+ * the Poisson equation is div c grad phi, c of whole.h: what it leaves of a divergence is gone after some steps, on a cubic lattice within ten. */
 #ifndef SCREE_FLUID_PROJECTION_H
 #define SCREE_FLUID_PROJECTION_H
 

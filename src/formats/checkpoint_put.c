@@ -6,12 +6,25 @@
 #include "core/checksum.h"
 #include "formats/checkpoint_names.h"
 
-#include <assert.h>
 #include <stdio.h>
+#include <string.h>
+
+/* Most letters of a line of the table beside the name (checkpoint_table.c), and of its lines without a dataset. */
+enum { LINE_MOST = 92, HEAD_MOST = 256 };
+
+/* True if the table has room for one more dataset. */
+static bool fits(const struct checkpoint_table *table, const char *name) {
+    size_t used = HEAD_MOST + LINE_MOST + strlen(name);
+    for (int k = 0; k < table->entries; k++)
+        used += LINE_MOST + strlen(table->entry[k].name);
+    return table->entries < CHECKPOINT_DATASETS_MAX && used <= CHECKPOINT_BLOCK;
+}
 
 bool checkpoint_enter(struct checkpoint_writing *w, const char *name, const struct h5_table *rows,
                       size_t row_bytes, const void *data, struct error *error) {
-    assert(w->table.entries < CHECKPOINT_DATASETS_MAX);
+    if (!fits(&w->table, name))
+        return error_set(error, ERROR_SYSTEM,
+                         "%s: %s: the table of a checkpoint has no room for more datasets", w->h5.path, name);
     struct checkpoint_entry *entry = &w->table.entry[w->table.entries++];
     *entry = (struct checkpoint_entry){.row_bytes = row_bytes};
     snprintf(entry->name, sizeof entry->name, "%s", name);

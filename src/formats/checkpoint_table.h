@@ -18,7 +18,7 @@
 #include "core/error.h"
 #include "formats/output_options.h"
 
-enum { CHECKPOINT_BLOCK = 8192, CHECKPOINT_DATASETS_MAX = 48, CHECKPOINT_VERSION = 2 };
+enum { CHECKPOINT_BLOCK = 8192, CHECKPOINT_DATASETS_MAX = 80, CHECKPOINT_VERSION = 2 };
 
 struct checkpoint_entry {
     char name[OUTPUT_NAME_MAX];

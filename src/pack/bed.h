@@ -12,8 +12,8 @@ struct pack_bed {
     double fraction; /* solid fraction of the container below this height, free of the bed's loose top */
 };
 
-/* Measures the bed of these rows (position, radius) in the container of the options; the volume of the container below the
- * height comes from 200,000 random points, to about 0.3 %. Fails (user) as container_create does. One thread. */
+/* Measures the bed of these rows (position, radius) in the container of the options; of a mesh, the volume below the height
+ * comes from 200,000 random points in the whole: to about 0.3 % of a bed that fills half of it, worse for a shallow one. Fails (user) as container_create does. One thread. */
 bool bed_measure(struct pack_bed *bed, const struct pack_options *options, const struct rows *rows,
                  struct error *error);
 

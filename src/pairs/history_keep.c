@@ -6,7 +6,8 @@
  *
  * Where all particles keep their numbers, both lists have the pairs with records in the same order as a rule. Each
  * thread then meets its records one after another in the new list, and only notes the new numbers of the pairs: no
- * value moves, and nothing is sorted. If a thread ends with records that it has not met, all go the other way. */
+ * value moves, and nothing is sorted. If a thread ends with records that it has not met, all go the other way, and so they do
+ * if the threads' rows or the classes with slots are others than before: then a pair may need a second record, or one less. */
 #include "pairs/history_keep.h"
 #include "core/memory.h"
 #include "core/scan.h"
@@ -186,7 +187,7 @@ void history_keep(const struct history *history, const struct pairlist *list,
                   const struct history_numbers *numbers, const struct history_followers *followers,
                   struct history_kept *kept) {
     size_t loose_count;
-    *kept = (struct history_kept){.owned = numbers->owned};
+    *kept = (struct history_kept){.owned = numbers->owned, .owners = pairlist_owners(list)};
     int threads = list->block_count == 0 ? 0 : history->threads;
     for (int t = 0; t < history->threads; t++)
         kept->first[t + 1] = kept->first[t] + (t < threads ? history->part[history->now][t].count : 0);
@@ -344,7 +345,8 @@ static bool renumber_thread(struct history *history, const struct restoring *r, 
 }
 
 static bool renumber(struct history *history, const struct restoring *restoring) {
-    bool all = restoring->list->threads == history->threads;
+    bool all = true;
+    assert(restoring->list->threads == history->threads);
 #pragma omp parallel for schedule(static, 1) reduction(&& : all)
     for (int t = 0; t < history->threads; t++)
         all = all && renumber_thread(history, restoring, t);
@@ -355,7 +357,7 @@ void history_restore(struct history *history, struct history_kept *kept, const s
                      const struct pairlist *list) {
     struct restoring restoring = {kept, twins, list};
     if (kept->link) {
-        if (renumber(history, &restoring))
+        if (kept->owners == pairlist_owners(list) && renumber(history, &restoring))
             return;
         struct keeping keeping = {
             .history = history, .kept = kept, .link = kept->link, .count = kept->first[history->threads]};

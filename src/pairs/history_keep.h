@@ -32,6 +32,7 @@ struct history_kept {
     size_t first[PAIR_THREADS_MAX + 1]; /* number of each thread's first record; then of the first match */
     const struct history_row *row;      /* the loose rows; borrowed */
     struct history_match *match;        /* record first[threads] + m is row[match[m].row] */
+    uint64_t owners;                    /* pairlist_owners of the list before */
     struct history_link
         *link; /* of each record, where all particles keep their numbers and there are no loose rows;
                                   entries are made only if the new list has the pairs in another order */
@@ -62,7 +63,8 @@ struct history_twins {
     const uint32_t *original;
 };
 
-/* Hands the records and the loose rows to the pairs of the new list. Opens its own thread team. */
+/* Hands the records and the loose rows to the pairs of the new list: where they are if `kept` has links and the list has the pairs in the same
+ * order, else by entries, which are then made in `kept`, to the other buffer of the history. Opens its own thread team. */
 void history_restore(struct history *history, struct history_kept *kept, const struct history_twins *twins,
                      const struct pairlist *list);
 

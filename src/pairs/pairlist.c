@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The life of a pair list, its slots, and whether it still holds all pairs. Read pairlist.h first. */
 #include "pairs/pairlist.h"
+#include "core/checksum.h"
 #include "core/memory.h"
 #include "pairs/pairlist_build.h"
 #include <assert.h>
@@ -216,4 +217,15 @@ void pairlist_mark_copies(const struct pairlist *list, size_t owned, uint8_t *us
             mark_copy(used, pair_partner(list->j[k]), owned);
         }
     }
+}
+
+uint64_t pairlist_owners(const struct pairlist *list) {
+    uint64_t sum =
+        checksum_row((uint64_t)list->threads, list->build->busy_class, sizeof list->build->busy_class);
+    for (int t = 0; t < list->threads && list->block_count > 0; t++)
+        for (int b = list->thread_block[t]; b < list->thread_block[t + 1]; b++) {
+            const uint32_t rows[] = {(uint32_t)t, list->blocks[b].first_row, list->blocks[b].last_row};
+            sum = checksum_row(sum, rows, sizeof rows);
+        }
+    return sum;
 }

@@ -86,6 +86,10 @@ void pairlist_destroy(struct pairlist **list);
 /* Releases the pairs and the memory of their search; the counts stay, the blocks are empty. pairlist_build makes the pairs again. */
 void pairlist_release(struct pairlist *list);
 
+/* A checksum of the threads' rows and of the classes with slots. Two lists of the same particles with the same sum have each pair in the same
+ * segments of the same threads. */
+uint64_t pairlist_owners(const struct pairlist *list);
+
 /* Fills the view that an index sees: the particles, the classes, the periodic directions it wraps itself
  * (`wrap`, a direction in which one rank holds the whole box). Borrows all pointers. */
 void pairlist_view(struct index_view *view, const struct particles *particles,

@@ -186,7 +186,7 @@ void walk_abandon(struct walk *walk, const struct walk_work *work);
 void walk_run(struct walk *walk, const struct walk_work *work);
 
 /* Weights of the batch's pairs in sums over pairs (weight: WALK_BATCH doubles): a pair that another thread or
- * rank computes too counts one half, padding entries zero. Any thread. */
+ * rank computes too counts one half, padding entries (up to `padded`) zero. Any thread. */
 void walk_weigh(const struct walk_batch *batch, double *weight);
 
 /* The instruction sets, best first: 2 "x86-64-v4", 1 "x86-64-v3", 0 "baseline". walk_level gives the number

@@ -144,4 +144,33 @@ sed 's/^box:.*/box: {lower: [0, 0, 0], upper: [1, 1, 1], periodic: [true, true, 
 lost() { run_scene "$1" lost.yaml lost --overwrite --set threads=1 >told 2>&1; grep -q 'grain 1 has no fluid around it in step 1' told || { cat told; return 1; }; }
 check "a grain that leaves the fluid" lost 1
 check "a grain that leaves the fluid, on 2 ranks" lost 2
+# All kinds of motion in one scene: its checkpoint has more datasets than any other, and a resume goes on with the same bits
+cat >all.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [1, 1.2, 0], periodic: [true, false, false], dimension: 2}
+gravity: [0, -10, 0]
+walls:
+  - {name: floor, shape: plane, point: [0, 0, 0], normal: [0, 1, 0]}
+  - {name: lid, shape: plane, point: [0, 1.2, 0], normal: [0, -1, 0], motion: [{kind: translate, velocity: [1, 0, 0]}]}
+contact: {law: hooke}
+materials: [{name: disc, density: 7}]
+material_pairs: [{k_n: 5, restitution: 0.5, friction: 0.2}]
+groups: [{name: m, motion: moving, velocity: [0.2, 0, 0]}]
+particles:
+  sources:
+    - {from: single, position: [0.5, 0.7, 0], radius: 0.15}
+    - {from: single, position: [0.5, 0.2, 0], radius: 0.12, group: m}
+    - {from: single, position: [0.1, 0.6, 0], radius: 0.01}
+    - {from: single, position: [0.9, 0.5, 0], radius: 0.01}
+fluid: {spacing: 0.05, density: 1, viscosity: 0.1, motion: lagrangian, grains: {motion: free, every: 4, unresolved: 0.02}}
+drag: {law: schiller_naumann}
+step: {dt: 4e-4, count: 80, force: true}
+observables: {every: 40, list: [{name: energy}, {name: centre}, {name: fluid_velocity}]}
+output: {checkpoint: {every: 40}}
+YAML
+all() {
+    run_scene 1 all.yaml all --set threads=1 && run_scene 1 all.yaml again --set threads=1 --resume all/checkpoint-40.h5 &&
+        cmp <(tail -n 1 all/observables.csv) <(tail -n 1 again/observables.csv)
+}
+check "grains of all kinds of motion, resumed" all
 finish

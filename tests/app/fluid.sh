@@ -435,6 +435,13 @@ pile() {
         printf "  kinetic energy %g, height %g, on the floor %g of the weight\n", $2, $3, -part; exit !($2 < 1e-5 && $3 > 0.2325 && $3 < 0.2335 && part < -0.98 && part > -1.02) }'
 }
 check "discs that rest on each other in a fluid" pile
+# the same bits after a resume between two steps of the fluid
+pile_resumed() {
+    local to=(--set threads=1 --set fluid.grains.every=1 --set step.count=33 --set observables.every=33 --set 'output.checkpoint={every: 30}')
+    run_scene 1 pile.yaml pile-on "${to[@]}" && run_scene 1 pile.yaml pile-again "${to[@]}" --resume pile-on/checkpoint-30.h5 &&
+        cmp <(tail -n 1 pile-on/observables.csv) <(tail -n 1 pile-again/observables.csv)
+}
+check "they go on with the same bits after a resume" pile_resumed
 # One disc of a fiftieth of the fluid's density: it rises the same way in long and short steps of the fluid
 light() {
     local every
