@@ -145,7 +145,7 @@ nobase_dist_pkgdata_DATA += \
 	$(bead_packing)/picture.gp $(bead_packing)/pour.sh $(bead_packing)/pour.yaml $(bead_packing)/published.txt $(bead_packing)/scene.yaml \
 	$(bead_packing)/section.awk $(bead_packing)/summary.awk examples/pores.head.md
 nobase_dist_pkgdata_SCRIPTS += \
-	$(bead_packing)/check $(bead_packing)/picture.sh $(bead_packing)/run.sh $(bead_packing)/section.sh examples/pores.sh
+	$(bead_packing)/breakthrough.sh $(bead_packing)/check $(bead_packing)/picture.sh $(bead_packing)/run.sh $(bead_packing)/section.sh examples/pores.sh
 
 ergun = examples/ergun
 nobase_dist_pkgdata_DATA += $(ergun)/README.md $(ergun)/scene.yaml $(ergun)/section.awk
