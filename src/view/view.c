@@ -23,6 +23,7 @@ struct view {
     uint64_t left_step, stride; /* rank 0: step of the last look; steps from one look to the next */
     double left;                /* rank 0: seconds, when the last look ended */
     int stepping;               /* rank 0: steps that a page asked for and that are under way */
+    bool told;                  /* the address has been printed */
 };
 
 /* What rank 0 asks of all ranks in a look. */
@@ -38,9 +39,7 @@ bool view_open(struct view **out, const struct comm *comm, const struct view_opt
         view->board = board_create(options->paused);
         struct server_options served = {
             .port = options->port, .directory = options->directory, .page = options->page};
-        if (server_start(&view->server, view->board, &served, error))
-            fprintf(stderr, "scree: live view: %s%s\n", server_address(view->server),
-                    options->paused ? " (the run waits for the page)" : "");
+        server_start(&view->server, view->board, &served, error);
     }
     return comm_agree(comm, error);
 }
@@ -124,6 +123,14 @@ static void show(struct view *view, const struct simulation *s) {
     view->left = timer_now();
 }
 
+/* Rank 0: prints the address, once, when the server can answer all that a page asks. */
+static void address_tell(struct view *view) {
+    if (!view->told)
+        fprintf(stderr, "scree: live view: %s%s\n", server_address(view->server),
+                board_wishes(view->board).paused ? " (the run waits for the page)" : "");
+    view->told = true;
+}
+
 static bool view_begin(void *context, struct simulation *s, struct error *error) {
     struct view *view = context;
     (void)error;
@@ -132,6 +139,7 @@ static bool view_begin(void *context, struct simulation *s, struct error *error)
     if (view->board) {
         size_t bytes = 0;
         board_put(view->board, NULL, bytes, shot_about(s));
+        address_tell(view);
     }
     show(view, s);
     return true;

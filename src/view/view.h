@@ -16,13 +16,14 @@ struct view_options {
     const char *page;      /* folder of the page and of plots; borrowed */
 };
 
-/* Starts the server on rank 0, and prints the address of the page. `comm` is borrowed. Errors (user): the port is taken; the
- * program is built without a server. False: the same error on all ranks. Collective. view_close ends the server and frees. */
+/* Starts the server on rank 0. `comm` is borrowed. Errors (user): the port is taken; the program is built without a server.
+ * False: the same error on all ranks. Collective. view_close ends the server and frees. */
 bool view_open(struct view **view, const struct comm *comm, const struct view_options *options,
                struct error *error);
 void view_close(struct view **view);
 
-/* The observer for the run; borrows the view. */
+/* The observer for the run; borrows the view. When the run begins, with its particles placed, the observer prints the address
+ * of the page: from then on each request has an answer. */
 struct run_watch view_watch(struct view *view);
 
 #endif
