@@ -132,6 +132,9 @@ once() {
 cases() {
     : >"$out/cases.tsv"
     single stack 'stack of five spheres, at rest' stack 8 particle5_z=0.015,energy_elastic_normal=0.275
+    single stack 'elastic stack that swings by half its compression, 4.5 periods' stack 1 particle5_z=0.0075,energy_elastic_normal=0.275 --set 'material_pairs[0].restitution=1' \
+        --set 'particles.sources=[{from: single, position: [0, 0, 0.9975], radius: 1}, {from: single, position: [0, 0, 2.9955], radius: 1}, {from: single, position: [0, 0, 4.994], radius: 1}, {from: single, position: [0, 0, 6.993], radius: 1}, {from: single, position: [0, 0, 8.9925], radius: 1}]'
+    single stack 'the same, released without compression: contacts open' stack 1 particle5_z=0.015,energy_elastic_normal=0.275 --set 'material_pairs[0].restitution=1'
     single chain 'chain that swings, 3.3 periods' chain 6 particle4_x=0.04
     single cantilever 'bonded beam that swings, 2.4 periods' bonded-cantilever 12 particle17_z=0.19
     single decay 'sphere that rolls to rest, 5.6 s of 8.4 s' rolling-decay 5.6 particle1_vx=3
@@ -202,6 +205,9 @@ scene() { # NAME
         --set 'particles.region={shape: cylinder, centre: [0, 0, 7 mm], radius: 7.1 mm, length: 12 mm}' ;;
     drum) study "$1" 'discs in a turning drum, mean centre' verify/drum-angle/scene.yaml --duration 40 --samples 120 --mean-from 15 --set 'step={fraction: 0.3}' \
         --set duration=40 --judge centre_x,centre_y --set 'material_pairs[0].k_n=3000' ;;
+    pouring) study "$1" 'grains poured into a heap, Hertz, rolling epsd' gallery/pouring.yaml --duration 0.4 --samples 80 --mean-from 0.3 --set step.fraction=0.3 \
+        --set 'output=~' --set 'materials[0].young=0.1 MPa' --set 'insertions[0].sizes={law: uniform, min: 2 mm, max: 2.8 mm}' \
+        --set 'insertions[0].mass_rate=60 g/s' --set 'observables.list=[{name: centre, components: z}]' --judge centre_z ;;
     slit) study "$1" 'discs flow out of a slit, Hooke' verify/beverloo/scene.yaml --duration 12 --samples 30 --set 'step={fraction: 0.3}' --set duration=12 \
         --judge particles --set particles.count=600 --set 'material_pairs[0].k_n=3000' ;;
     shear) study "$1" 'sheared periodic box, mean stresses' gallery/shear_cell.yaml --duration 0.9 --samples 450 --mean-from 0.15 --set step.fraction=0.3 \
@@ -235,7 +241,7 @@ tables() {
     done
 }
 
-scenes='hertz inelastic hooke luding eepa thornton jkr dmt capillary drum slit shear dumbbells'
+scenes='hertz inelastic hooke luding eepa thornton jkr dmt capillary pouring drum slit shear dumbbells'
 # shellcheck disable=SC2086
 [ $# -gt 0 ] || set -- impacts cases gas $scenes tables
 for part in "$@"; do
