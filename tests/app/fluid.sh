@@ -91,6 +91,16 @@ frame run >first
 check "body-centred lattice: the same operators on 3 ranks, hgrid" operators 3 1 --set fluid.fill.arrangement=bcc --set index=hgrid
 check "body-centred lattice: check tells its steps" eval '"$scree" check sphere.yaml --set fluid.fill.arrangement=bcc >said 2>&1 && grep -q "lattice *steps of 0.05, 0.05, 0.05: stretched by 0.048" said && grep -q "neighbours *2[0-9.]* a fluid particle" said'
 
+# A lattice that is stretched to fit the box fills it: even flow has its velocity, energy and the porosity 1
+stretched() {
+    rm -rf run
+    on 1 "$scree" check channel.yaml "$@" >told 2>&1 && grep -q 'lattice .*: stretched by 0.0[0-9]* to fit the box' told || { cat told; return 1; }
+    run_scene 1 channel.yaml run --set threads=1 "$@" && within "$(last_of run fluid_velocity_x)" 1 1e-12 && within "$(last_of run fluid_velocity_y)" 0.5 1e-12 &&
+        within "$(last_of run fluid_porosity)" 1 1e-12 && within "$(last_of run fluid_energy)" 0.625 1e-12
+}
+check "a stretched lattice: the flow has its mean velocity" stretched --set 'walls=[]' --set box.periodic=true --set fluid.fill.arrangement=hexagonal --set fluid.drive=~ \
+    --set fluid.initial.velocity='[1, 0.5, 0]' --set step.count=0 --set output.dump=~
+
 # close FILE FILE: last rows agree to 1e-5 of the flow (the solver's tolerance); ranks may take other numbers of iterations
 close() {
     paste -d , <(tail -n 1 "$1") <(tail -n 1 "$2") | awk -F , -v head="$(head -n 1 "$1")" '{ m = NF / 2; split(head, name, ",")
