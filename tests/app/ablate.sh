@@ -193,9 +193,9 @@ takes_signals() {
 ended() {
     local dir=$1 file=$2 starter program status k
     shift 2
-    timeout "$limit" "$scree" ablate scene.yaml -o "$dir" "$@" >said 2>told &
+    timeout 300 "$scree" ablate scene.yaml -o "$dir" "$@" >said 2>told &
     starter=$!
-    for k in $(seq 300); do
+    for k in $(seq 1200); do
         program=$(awk '{ print $1 }' /proc/$starter/task/$starter/children 2>/dev/null)
         [ -n "$program" ] && takes_signals "$program" && { [ -z "$file" ] || [ -s "$file" ]; } && break
         sleep 0.1

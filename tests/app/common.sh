@@ -88,11 +88,11 @@ lacks() {
     [ $? = 1 ]
 }
 
-# wait_for PATTERN: until there is such a file (30 s)
+# wait_for PATTERN [COUNT]: until there are so many such files (one), for at most 120 s
 wait_for() {
     local k
-    for k in $(seq 300); do
-        compgen -G "$1" >/dev/null && return 0
+    for k in $(seq 1200); do
+        [ "$(compgen -G "$1" | wc -l)" -ge "${2:-1}" ] && return 0
         sleep 0.1
     done
     echo "  no $1"

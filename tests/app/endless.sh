@@ -20,7 +20,7 @@ endless() {
     local pid k
     "$scree" run scene.yaml -o "$1" --quiet --set step.dt=0.001 --set "$2" --set output.checkpoint.every=100 >said 2>&1 &
     pid=$!
-    for k in $(seq 600); do
+    for k in $(seq 1200); do
         compgen -G "$1/checkpoint-*00.h5" >/dev/null && break
         kill -0 $pid 2>/dev/null || break
         sleep 0.1

@@ -77,7 +77,7 @@ echo '== two runs at once'
 "$scree" run good.yaml -o busy --quiet --set step.count=1000000000 --set output.trajectory.every=0 --set output.dump.every=0 \
     --set output.checkpoint.keep=1 &
 runner=$!
-for wait in $(seq 100); do [ -e busy ] && [ -n "$(files busy)" ] && break; sleep 0.2; done
+check 'the first writes checkpoints' wait_for 'busy/checkpoint-*.h5'
 second() {
     "$scree" run good.yaml -o busy --quiet "$@" >said 2>&1
     [ $? = 2 ] && grep -q 'busy: another run' said || { cat said; return 1; }

@@ -160,7 +160,7 @@ threads: 1
 step: {count: 3000}
 observables: {every: 1000, list: [{name: energy_kinetic}]}
 YAML
-mixed() { limit=60 run_scene 2 mixed.yaml mixed && [ "$(wc -l <mixed/observables.csv)" -eq 5 ]; }
+mixed() { run_scene 2 mixed.yaml mixed && [ "$(wc -l <mixed/observables.csv)" -eq 5 ]; }
 check 'two ranks, of which one has many particles at a wall' mixed
 if [ -n "${SCREE_LONG:-}" ]; then
     for case in periodic open plane boulder; do

@@ -34,17 +34,22 @@ observables: {every: 1000000}
 EOS
 
 echo '== progress'
-# typed COLUMNS SECONDS DIR [FLAG...]: what a terminal of that width is sent, ended by SIGINT
+# typed COLUMNS SCENE WORDS: `drawn` gets the lines with these words, three at least, of what a terminal of that width is sent. SIGINT ends
+# the run after two seconds; a slow machine gets more
 typed() {
-    local columns=$1 seconds=$2 dir=$3
-    shift 3
-    TERM=xterm script -qc "stty cols $columns; exec timeout -s INT $seconds $scree run scene.yaml -o $dir $*" /dev/null </dev/null | tr '\r' '\n' >said
-    grep -a ' left' said | sed 's/^.\[K//' >drawn
+    local columns=$1 scene=$2 words=$3 seconds
+    for seconds in 2 8 32; do
+        TERM=xterm script -qc "stty cols $columns; exec timeout -s INT $seconds $scree run $scene -o typed --overwrite" /dev/null </dev/null | tr '\r' '\n' >said
+        grep -a "$words" said | sed 's/^.\[K//' >drawn
+        [ "$(wc -l <drawn)" -lt 3 ] || return 0
+    done
+    echo "  only $(wc -l <drawn) drawings"
+    cat said
+    return 1
 }
 fits() { # COLUMNS WORDS: each drawing is shorter than the terminal is wide, and says so much
     local columns=$1 words=$2
-    typed "$columns" 2 "wide-$columns"
-    [ "$(wc -l <drawn)" -ge 3 ] || { echo "  only $(wc -l <drawn) drawings"; cat said; return 1; }
+    typed "$columns" scene.yaml ' left' || return 1
     awk -v columns="$columns" 'length($0) >= columns { print "  " length($0) " columns: " $0; bad = 1 } END { exit bad }' drawn &&
         tail -n 1 drawn && [ "$(tail -n 1 drawn | grep -cE "$words")" = 1 ]
 }
@@ -57,17 +62,24 @@ if script -qc true /dev/null </dev/null >/dev/null 2>&1; then
     endless() { # nobody knows the end of a stage that ends by conditions: the step, and neither a bar nor a part
         sed '/^step:/s/, count: [0-9]*//' scene.yaml >open.yaml
         echo 'stages: [{name: long, until: [{name: particles, at_least: 100000}]}]' >>open.yaml
-        TERM=xterm script -qc "stty cols 40; exec timeout -s INT 2 $scree run open.yaml -o open" /dev/null </dev/null | tr '\r' '\n' >said
-        grep -a 'step [1-9][0-9]*, t = ' said | sed 's/^.\[K//' >drawn
-        [ "$(wc -l <drawn)" -ge 3 ] && lacks said '% ' && awk 'length($0) >= 40 { exit 1 }' drawn || { cat said; return 1; }
+        typed 40 open.yaml 'step [1-9][0-9]*, t = ' && lacks said '% ' && awk 'length($0) >= 40 { exit 1 }' drawn || { cat said; return 1; }
     }
     check '40 columns, and an end that nobody knows: the step' endless
 else
     skip 'terminals: no script (bsdutils) here'
 fi
-piped() { # a line after five seconds
-    timeout -s INT 8 "$scree" run scene.yaml -o piped >said 2>told
-    grep -c '^ *0 % .* left, step [0-9]* of 1000000000, t = .* particle-steps/s, [0-9]* MiB, energy_kinetic [-+.e0-9]*, ' told | grep -qx 1 && lacks told '[K' || { cat told; return 1; }
+piped() { # a line after five seconds, and one each five seconds at the most
+    local line='^ *0 % .* left, step [0-9]* of 1000000000, t = .* particle-steps/s, [0-9]* MiB, energy_kinetic [-+.e0-9]*, ' runner count began=$SECONDS k
+    "$scree" run scene.yaml -o piped >said 2>told &
+    runner=$!
+    for k in $(seq 1200); do
+        grep -q "$line" told && break
+        sleep 0.1
+    done
+    kill -INT $runner
+    wait $runner
+    count=$(grep -c "$line" told)
+    [ "$count" -ge 1 ] && [ "$count" -le $(((SECONDS - began + 1) / 5)) ] && lacks told '[K' || { cat told; return 1; }
 }
 check 'a line after some seconds where there is no terminal' piped
 tenths() { "$scree" run scene.yaml -o tenths --set step.count=100 --set output.progress=lines >said 2>told; [ "$(grep -c ' % .* left, step ' told)" = 10 ] || { cat told; return 1; }; }

@@ -38,7 +38,7 @@ with() {
     export FAIL_CALL=$2 FAIL_FILE=$3 FAIL_NUMBER=$4 FAIL_ERRNO=$5 FAIL_RANK=$6 FAIL_NOTE=$out/failed
     shift 6
     rm -f failed
-    limit=40 on "$ranks" env LD_PRELOAD="$fail_call" ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0" "$@" >said 2>&1
+    on "$ranks" env LD_PRELOAD="$fail_call" ASAN_OPTIONS="${ASAN_OPTIONS:-}:verify_asan_link_order=0" "$@" >said 2>&1
 }
 
 # unreadable RANKS CALL FILE ERRNO NUMBER...: the resumed run, with one call of the last rank that fails
@@ -67,13 +67,16 @@ frames_of() {
 
 # opened_by_others: MPI waits for ever after its open has failed on one rank; the signal of the timer is sent by hand
 opened_by_others() {
-    local rank ranks status
+    local rank ranks status k
     again 2
     with 2 open trajectory.h5 2 24 1 "$scree" run scene.yaml -o again --quiet --resume last &
     wait_for failed || return 1
-    sleep 1
     ranks=$(ranks_of $!)
     [ "$(wc -w <<<"$ranks")" = 2 ] || { echo "  not two ranks: $ranks"; return 1; }
+    for k in $(seq 300); do # until the first rank, which waits too, has the file open
+        ls -l "/proc/$(head -n 1 <<<"$ranks")/fd" | grep -q '/trajectory.h5$' && break
+        sleep 0.1
+    done
     for rank in $ranks; do
         kill -ALRM "$rank"
     done
@@ -147,7 +150,7 @@ as_user=()
 unwritable() {
     local dir=$1
     shift
-    timeout 20 "${as_user[@]}" "$scree" run scene.yaml -o "$dir" --quiet --set particles.sources[0].count=100000000 "$@" >said 2>&1
+    timeout "$limit" "${as_user[@]}" "$scree" run scene.yaml -o "$dir" --quiet --set particles.sources[0].count=100000000 "$@" >said 2>&1
     [ $? = 2 ] && holds said "scree: $dir: " && holds said 'Permission denied'
 }
 mkdir closed

@@ -11,7 +11,8 @@ listing() {
     awk -v name="/* $1:" '/^```/ { if (keep) exit; fence = $0 == "```c"; next } fence && index($0, name) == 1 { keep = 1 } { fence = 0 } keep' \
         "$top_srcdir/docs/user-law.md"
 }
-mkdir -p laws && listing hooke.c >laws/hooke.c && listing stiffening.c >laws/stiffening.c
+export TMPDIR=$out/temporary
+mkdir -p laws "$TMPDIR" && listing hooke.c >laws/hooke.c && listing stiffening.c >laws/stiffening.c
 cat >own.yaml <<'YAML'
 units: none
 reproducible: true
@@ -38,7 +39,7 @@ layouts() {
         run_scene 2 own.yaml again --resume own/checkpoint-200.h5 && tail -n 30 own/dump.lammpstrj >a && tail -n 30 again/dump.lammpstrj | cmp - a
 }
 check 'the same bits on two ranks and threads, and after a resume' layouts
-nothing_left() { [ "$(ls laws)" = "$(printf 'hooke.c\nstiffening.c')" ] && ! ls -d "${TMPDIR:-/tmp}"/scree-law-* 2>/dev/null; }
+nothing_left() { [ "$(ls laws)" = "$(printf 'hooke.c\nstiffening.c')" ] && ! compgen -G "$TMPDIR/scree-*"; }
 check 'nothing is left beside the file, nor in the temporary folder' nothing_left
 changed() {
     sed 's/linear spring/spring/' laws/hooke.c >changed.c
