@@ -75,7 +75,10 @@ tests_test_stability_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_timestep_SOURCES = tests/test_timestep.c
 tests_test_timestep_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 
-check_PROGRAMS += tests/test_classes tests/test_pairlist tests/test_particles tests/test_sweep
+check_PROGRAMS += tests/test_classes tests/test_history tests/test_pairlist tests/test_particles tests/test_sweep
+EXTRA_DIST += tests/cloud_by_hand.h
+tests_test_history_SOURCES = tests/test_history.c
+tests_test_history_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
 tests_test_sweep_SOURCES = tests/test_sweep.c
 tests_test_sweep_LDADD = $(PAIRS_LIBS) $(TEST_LIBS)
 tests_test_pairlist_SOURCES = tests/test_pairlist.c
