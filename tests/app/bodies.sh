@@ -72,7 +72,8 @@ collide() { # RANKS WITH_ENERGY SETTING...
     rm -rf collide && run_scene "$ranks" collide.yaml collide "$@" && conserved collide "$energy"
 }
 check 'collisions: energy, momentum, angular momentum' collide 1 yes
-check 'collisions with friction and damping, 3 ranks: momentum, angular momentum' collide 3 '' --set contact.tangential=history --set 'material_pairs=[{k_n: 10000, restitution: 0.8, friction: 0.4}]'
+check 'collisions with friction and damping, 3 ranks: momentum, angular momentum' collide 3 '' --set contact.tangential=history \
+    --set step.dt=0.0002 --set step.count=6000 --set observables.every=6000 --set output.dump.every=6000 --set 'material_pairs=[{k_n: 10000, restitution: 0.8, friction: 0.4}]'
 
 # A cube of 12 triangles, filled with spheres: volume and moments are those of the cube, a^2 / 6
 awk 'BEGIN { split("0 2 3 1 4 5 7 6 0 1 5 4 2 6 7 3 0 4 6 2 1 3 7 5", v, " ")
