@@ -39,10 +39,6 @@ if ! "$scree" check planes.yaml >said 2>&1; then
     finish
 fi
 
-# value DIR COLUMN: the last value of a column, named without its unit
-value() {
-    last_of "$1" "$2"
-}
 run() { # RANKS SCENE SETTING...
     local ranks=$1 scene=$2
     shift 2
@@ -52,10 +48,10 @@ run() { # RANKS SCENE SETTING...
 
 plates() {
     run 1 planes && run 1 plates && run 2 plates &&
-        within "$(value plates.1 fluid_velocity_x)" "$(value planes.1 fluid_velocity_x)" 1e-9 &&
-        within "$(value plates.2 fluid_velocity_x)" "$(value planes.1 fluid_velocity_x)" 1e-7 &&
-        within "$(value plates.1 drag_plates_x)" 0.25 1e-5 && within "$(value planes.1 drag_lower_x)" 0.125 1e-5 &&
-        within "$(value planes.1 drag_lower_viscous_x)" 0.125 1e-5
+        within "$(last_of plates.1 fluid_velocity_x)" "$(last_of planes.1 fluid_velocity_x)" 1e-9 &&
+        within "$(last_of plates.2 fluid_velocity_x)" "$(last_of planes.1 fluid_velocity_x)" 1e-7 &&
+        within "$(last_of plates.1 drag_plates_x)" 0.25 1e-5 && within "$(last_of planes.1 drag_lower_x)" 0.125 1e-5 &&
+        within "$(last_of planes.1 drag_lower_viscous_x)" 0.125 1e-5
 }
 check "plates of a mesh are planes, and carry the body force" plates
 
@@ -69,9 +65,9 @@ observables: {every: 1, list: [{name: drag/cube, label: body}, {name: fluid_poro
 YAML
 sed 's/shape: mesh, file: cube.stl/shape: cylinder, point: [0.5, 0.5, 0.5], axis: [0, 0, 1], radius: 0.2, length: 0.4, inside: false/' cube.yaml >capped.yaml
 balance() { # SCENE POROSITY WITHIN: the force on the body is that on the fluid; no torque
-    run 1 "$1" && within "$(value "$1.1" fluid_porosity)" "$2" "$3" &&
-        within "$(value "$1.1" body_x)" "$(value "$1.1" fluid_porosity)" 1e-4 && within "$(value "$1.1" body_torque_z)" 0 1e-6 &&
-        within "$(value "$1.1" body_viscous_x)" "$(awk -v f="$(value "$1.1" body_x)" -v p="$(value "$1.1" body_pressure_x)" 'BEGIN { printf "%.12g", f - p }')" 1e-9
+    run 1 "$1" && within "$(last_of "$1.1" fluid_porosity)" "$2" "$3" &&
+        within "$(last_of "$1.1" body_x)" "$(last_of "$1.1" fluid_porosity)" 1e-4 && within "$(last_of "$1.1" body_torque_z)" 0 1e-6 &&
+        within "$(last_of "$1.1" body_viscous_x)" "$(awk -v f="$(last_of "$1.1" body_x)" -v p="$(last_of "$1.1" body_pressure_x)" 'BEGIN { printf "%.12g", f - p }')" 1e-9
 }
 check "a cube from a mesh" balance cube 0.936 0.02
 check "a cylinder with ends" balance capped 0.9497 0.01
@@ -108,14 +104,14 @@ profile() {
 }
 check "an inlet and an outlet" run 1 channel
 check "their flow is that of Poiseuille, and the pressure does not alternate" profile channel.1 4.8 2 0.03
-check "the wall carries half of the drop" within "$(value channel.1 drag_lower_x)" 1.2 0.04
+check "the wall carries half of the drop" within "$(last_of channel.1 drag_lower_x)" 1.2 0.04
 check "on 3 ranks" run 3 channel
-check "it is the same" within "$(value channel.1 drag_lower_x)" "$(value channel.3 drag_lower_x)" 2e-4
+check "it is the same" within "$(last_of channel.1 drag_lower_x)" "$(last_of channel.3 drag_lower_x)" 2e-4
 check "two pressures" run 1 channel --set 'fluid.open=[{side: x_lower, pressure: 6.8}, {side: x_upper, pressure: 2}]'
 check "their flow is that of Poiseuille, too" profile channel.1 4.8 2
-between=$(value channel.1 flow_rate_x)
+between=$(last_of channel.1 flow_rate_x)
 check "a force in a periodic channel" run 1 channel --set 'fluid.open=[]' --set 'box.periodic=[true, false, false]' --set 'fluid.drive.body_force=[4.8, 0, 0]'
-check "drives the same flow" within "$between" "$(value channel.1 flow_rate_x)" 1e-5
+check "drives the same flow" within "$between" "$(last_of channel.1 flow_rate_x)" 1e-5
 check "in time, with inertia" run 1 channel --set fluid.time=transient --set fluid.equations=navier_stokes --set 'fluid.initial={velocity: [1, 0, 0]}' \
     --set fluid.solver.tolerance=1e-4 --set 'step={dt: 0.01, count: 120}' --set output.dump.every=120
 check "ends as that of Poiseuille" profile channel.1 4.8 2
@@ -146,26 +142,26 @@ kept() { # the flow through each layer of particles without spheres
 }
 check "spheres between an inlet and an outlet" run 1 row
 check "no water gets lost" kept
-check "in 64 iterations at most" awk -v n="$(value row.1 fluid_iterations)" 'BEGIN { exit !(n <= 64) }'
-drag=$(value row.1 drag_bed_x)
+check "in 64 iterations at most" awk -v n="$(last_of row.1 fluid_iterations)" 'BEGIN { exit !(n <= 64) }'
+drag=$(last_of row.1 drag_bed_x)
 check "on 2 ranks" run 2 row
-check "the drag is the same" within "$(value row.2 drag_bed_x)" "$drag" 0.1
+check "the drag is the same" within "$(last_of row.2 drag_bed_x)" "$drag" 0.1
 printf '%s\n' '0.5 0.5 0.5 0.4' >row.txt
 check "a periodic array" run 1 row --set 'box.upper=[1, 1, 1]' --set box.periodic=true --set 'fluid.open=[]' --set 'fluid.drive={mass_flow: 1, axis: x}'
-check "its drop is that of a sphere of the row" within "$(awk -v all="$drag" 'BEGIN { print all / 3 }')" "$(value row.1 pressure_drop_x)" 2.2
+check "its drop is that of a sphere of the row" within "$(awk -v all="$drag" 'BEGIN { print all / 3 }')" "$(last_of row.1 pressure_drop_x)" 2.2
 
 # In time, through narrower gaps: the mean flow is that of the inlet (2 % more with plain operators), and it ends as the steady one.
 printf '%s\n' '1 0.5 0.5 0.47' '2 0.5 0.5 0.47' '3 0.5 0.5 0.47' >row.txt
 in_time=(--set fluid.time=transient --set 'step={dt: 0.01, count: 12}' --set output.dump.every=12)
 in_time() {
-    run 1 row "${in_time[@]}" && within "$(value row.1 flow_rate_x)" 1 0.001 && ! grep 'gets lost' said
+    run 1 row "${in_time[@]}" && within "$(last_of row.1 flow_rate_x)" 1 0.001 && ! grep 'gets lost' said
 }
 check "a flow in time loses no water between spheres" in_time
-drag=$(value row.1 drag_bed_x)
+drag=$(last_of row.1 drag_bed_x)
 check "on 2 ranks" run 2 row "${in_time[@]}"
-check "the drag is the same, too" within "$(value row.2 drag_bed_x)" "$drag" 0.1
+check "the drag is the same, too" within "$(last_of row.2 drag_bed_x)" "$drag" 0.1
 check "the steady flow" run 1 row
-check "has that drag, to 1 %" within "$(value row.1 drag_bed_x)" "$drag" 6.5
+check "has that drag, to 1 %" within "$(last_of row.1 drag_bed_x)" "$drag" 6.5
 lost() {
     run 1 row "${in_time[@]}" --set step.dt=1 && [ "$(grep -c 'warning: fluid.open: between the open sides 0.0[0-9]* of the flow gets lost in step 1' said)" = 1 ]
 }
@@ -175,7 +171,7 @@ check "steps that are long against diffusion over a spacing lose some, and the r
 still() {
     run 1 channel --set 'walls=[]' --set 'box.periodic=[false, true, false]' --set 'fluid.open=[{side: x_lower, velocity: [0, 0, 0]}, {side: x_upper, pressure: 0}]' \
         --set 'fluid.drive.body_force=[4.8, 0, 0]' --set fluid.spacing=0.0625 --set fluid.fill.jitter=0.2 --set fluid.time=transient --set 'step={dt: 0.01, count: 60}' \
-        --set 'observables.list=[{name: fluid_speed}]' --set output.dump.every=60 && within "$(value channel.1 fluid_speed)" 0 1e-3 && lacks said 'gets lost'
+        --set 'observables.list=[{name: fluid_speed}]' --set output.dump.every=60 && within "$(last_of channel.1 fluid_speed)" 0 1e-3 && lacks said 'gets lost'
 }
 check "a fluid that stays at rest loses nothing" still
 
@@ -188,8 +184,8 @@ groups: [{name: bed, motion: frozen}]
 YAML
 packing() {
     run 1 packing && grep -q 'note: packing.yaml:[0-9]*: fluid.spacing: is too coarse for [0-9]* gaps between grains.*between grains 1 and 3, is 0.' said &&
-        within "$(value packing.1 body_x)" "$(value packing.1 fluid_porosity)" 1e-4 &&
-        run 2 packing && within "$(value packing.2 body_x)" "$(value packing.1 body_x)" 1e-4
+        within "$(last_of packing.1 body_x)" "$(last_of packing.1 fluid_porosity)" 1e-4 &&
+        run 2 packing && within "$(last_of packing.2 body_x)" "$(last_of packing.1 body_x)" 1e-4
 }
 check "a packing from a file, its narrow gaps and its drag" packing
 
@@ -209,7 +205,7 @@ inertia() {
     rm -rf inertia
     "$scree" run "$top_srcdir/examples/ergun/scene.yaml" -o inertia --quiet --set 'particles.sources[0].file='"$PWD/dense.h5" --set fluid.spacing=0.153418196586867 \
         --set 'fluid.drive.body_force=[0, 0, 32762.4]' --set step.dt=8e-5 --set step.count=60 >said 2>&1 || { cat said; return 1; }
-    awk -v fast="$(value inertia fluid_speed)" -v mean="$(value inertia fluid_velocity_z)" 'BEGIN { printf "  mean %g, largest %g\n", mean, fast; exit !(mean > 15 && fast < 25 * mean) }'
+    awk -v fast="$(last_of inertia fluid_speed)" -v mean="$(last_of inertia fluid_velocity_z)" 'BEGIN { printf "  mean %g, largest %g\n", mean, fast; exit !(mean > 15 && fast < 25 * mean) }'
 }
 check "a flow with inertia in narrow throats does not grow without bound" inertia
 
