@@ -7,9 +7,11 @@
 #include "fluid/dust.h"
 #include "fluid/fields.h"
 #include "fluid/state.h"
+#include "integrate/groups.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 bool couple_free(const struct fluid_options *options) {
@@ -27,6 +29,50 @@ bool couple_suits(const struct physics_context *context, struct error *error) {
         return scene_fail(context->scene, error, "fluid.grains.every",
                           "the fluid moves no grains; allowed with others: 1");
     return dust_suits(context, error);
+}
+
+/* True if the fluid resolves no grain of a group on this rank. */
+static bool group_unresolved(const struct physics_context *context, int number) {
+    const struct particles *p = context->particles;
+    const uint8_t *group = groups_of(p);
+    bool all = dust_any(context->options);
+    for (size_t k = 0; all && k < p->owned; k++)
+        all = (group ? group[k] : 0) != number || dust_is(context->options, p->state[k].radius);
+    return all;
+}
+
+/* Each rank looks at its own grains. */
+static bool grains_suit(const struct physics_context *context, struct error *error) {
+    const struct scene *scene = context->scene;
+    for (int k = 0; k < scene->sources; k++) {
+        int group_number = scene->source[k].group < 0 ? 0 : scene->source[k].group;
+        const struct scene_group *group = &scene->group[group_number];
+        char key[64];
+        snprintf(key, sizeof key, "particles.sources[%d].group", k);
+        bool carried = group->motion == SCENE_MOVING && fluid_carries(context->options);
+        carried = carried || couple_free(context->options) || group_unresolved(context, group_number);
+        if (scene->source[k].group >= 0 && group->motion != SCENE_FROZEN && !carried)
+            return scene_fail(
+                scene, error, key,
+                "group '%s' moves; allowed beside `fluid`: frozen groups, and with fluid.motion: "
+                "lagrangian groups whose motion is given",
+                group->name);
+    }
+    const struct particles *p = context->particles;
+    for (size_t k = 0; k < p->owned && !couple_free(context->options); k++)
+        if (p->state[k].inverse_mass > 0 && !dust_is(context->options, p->state[k].radius))
+            return scene_fail(scene, error, "particles",
+                              "grain %lld moves freely; allowed beside `fluid`: grains of groups with "
+                              "motion: frozen, or free "
+                              "grains with fluid.motion: lagrangian and fluid.grains: free",
+                              (long long)p->id[k]);
+    return scene->insertions == 0 ||
+           scene_fail(scene, error, "insertions", "grains cannot be inserted into a fluid; not built yet");
+}
+
+bool couple_grains_suit(const struct physics_context *context, struct error *error) {
+    bool good = grains_suit(context, error);
+    return comm_agree(context->comm, error) && good;
 }
 
 uint64_t couple_every(const struct physics_context *context) {

@@ -18,6 +18,10 @@ bool couple_free(const struct fluid_options *options);
 /* True if the keys go together with the others; else a user's error with the key. */
 bool couple_suits(const struct physics_context *context, struct error *error);
 
+/* True if all grains stand still, move as their group says among particles that move, or are those that the fluid moves; else a user's
+ * error on all ranks. Collective. */
+bool couple_grains_suit(const struct physics_context *context, struct error *error);
+
 /* Steps of the grains in one of the fluid; true if the fluid makes one in this step of the grains; the length of its step. */
 uint64_t couple_every(const struct physics_context *context);
 bool couple_due(const struct physics_context *context);

@@ -161,15 +161,42 @@ static bool options_suit(const struct physics_context *context, struct error *er
             context->scene, error, "fluid.time",
             "steady goes with equations: stokes alone; for the steady flow of navier_stokes run a "
             "transient one until it no longer changes");
-    return drive_suits(context, error) && motion_suits(context, error) && couple_suits(context, error) &&
-           scalars_suit(context, error) && electrolyte_suits(context, error);
+    return operators_suit(context, error) && drive_suits(context, error) && motion_suits(context, error) &&
+           couple_suits(context, error) && scalars_suit(context, error) && electrolyte_suits(context, error);
+}
+
+/* Meshes must be closed, in three dimensions. */
+static bool walls_suit(const struct physics_context *context, struct error *error) {
+    for (int w = 0; w < context->scene->walls; w++) {
+        const struct wall_options *wall = &context->scene->wall[w];
+        size_t open = walls_open_edges(context->walls, w);
+        char key[64];
+        snprintf(key, sizeof key, "walls[%d].file", w);
+        if (open > 0)
+            return scene_fail(
+                context->scene, error, key,
+                "wall '%s' has %zu edges that are not shared by two triangles of one orientation; beside "
+                "`fluid` a mesh must be closed, with normals that point to the fluid",
+                wall->name, open);
+        if (wall_shape_meshed(wall->shape) && context->box->dimension == 2)
+            return scene_fail(
+                context->scene, error, key,
+                "wall '%s' is a mesh, which cannot bound a fluid of two dimensions; take planes and "
+                "cylinders",
+                wall->name);
+    }
+    return true;
+}
+
+bool fill_suits(const struct physics_context *context, struct error *error) {
+    return solver_there(context, error) && options_suit(context, error) && open_suits(context, error) &&
+           flow_suits(context, error) && walls_suit(context, error);
 }
 
 bool fill_run(const struct physics_context *context, const struct physics_share *share, struct error *error) {
     struct nodes nodes = {0};
     struct regions regions = {0};
-    bool good = solver_there(context, error) && options_suit(context, error) && open_suits(context, error) &&
-                flow_suits(context, error) && nodes_make(&nodes, context, error);
+    bool good = couple_grains_suit(context, error) && nodes_make(&nodes, context, error);
     if (good) {
         marks_make(&nodes, context);
         regions = regions_find(&nodes);

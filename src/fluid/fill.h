@@ -6,6 +6,9 @@
 
 #include "engine/physics.h"
 
+/* As `check` of struct physics: all that the scene says of the fluid and of what bounds it goes together. */
+bool fill_suits(const struct physics_context *context, struct error *error);
+
 /* As `fill` of struct physics. */
 bool fill_run(const struct physics_context *context, const struct physics_share *share, struct error *error);
 

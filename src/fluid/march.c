@@ -122,6 +122,8 @@ void march_rebuilt(const struct physics_context *context) {
     uint64_t layout = layout_of(context->particles);
     int64_t changed = layout != fluid->layout || motion_moves(fluid->options);
     comm_max_int(context->comm, &changed, 1);
+    if (fluid->layout == 0) /* a resume has not filled */
+        couple_grains_suit(context, &fluid->error);
     if (changed) {
         projection_destroy(&fluid->projection);
         steady_destroy(&fluid->steady);

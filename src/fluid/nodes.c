@@ -3,10 +3,8 @@
 #include "fluid/nodes.h"
 #include "core/memory.h"
 #include "core/random.h"
-#include "fluid/couple.h"
 #include "fluid/dust.h"
 #include "fluid/fluid.h"
-#include "integrate/groups.h"
 #include "particles/kinds.h"
 #include <math.h>
 #include <stdlib.h>
@@ -279,29 +277,6 @@ static void region_mark(struct nodes *nodes, const struct fluid_options *options
     nodes->wanted = wanted;
 }
 
-/* Meshes must be closed, in three dimensions. */
-static bool walls_suit(const struct physics_context *context, struct error *error) {
-    for (int w = 0; w < context->scene->walls; w++) {
-        const struct wall_options *wall = &context->scene->wall[w];
-        size_t open = walls_open_edges(context->walls, w);
-        char key[64];
-        snprintf(key, sizeof key, "walls[%d].file", w);
-        if (open > 0)
-            return scene_fail(
-                context->scene, error, key,
-                "wall '%s' has %zu edges that are not shared by two triangles of one orientation; beside "
-                "`fluid` a mesh must be closed, with normals that point to the fluid",
-                wall->name, open);
-        if (wall_shape_meshed(wall->shape) && context->box->dimension == 2)
-            return scene_fail(
-                context->scene, error, key,
-                "wall '%s' is a mesh, which cannot bound a fluid of two dimensions; take planes and "
-                "cylinders",
-                wall->name);
-    }
-    return true;
-}
-
 /* Grains must be large enough for the spacing to see the flow around them. */
 static bool grains_suit(const struct nodes *nodes, const struct physics_context *context,
                         struct error *error) {
@@ -314,45 +289,6 @@ static bool grains_suit(const struct nodes *nodes, const struct physics_context 
                               nodes->spacing, (long long)nodes->grain[k].id, 2 * nodes->grain[k].radius,
                               least);
     return true;
-}
-
-/* True if the fluid resolves no grain of a group on this rank. */
-static bool group_unresolved(const struct physics_context *context, int number) {
-    const struct particles *p = context->particles;
-    const uint8_t *group = groups_of(p);
-    bool all = dust_any(context->options);
-    for (size_t k = 0; all && k < p->owned; k++)
-        all = (group ? group[k] : 0) != number || dust_is(context->options, p->state[k].radius);
-    return all;
-}
-
-/* Grains must stand still, or move as prescribed among particles that move. */
-static bool grains_rest(const struct physics_context *context, struct error *error) {
-    const struct scene *scene = context->scene;
-    for (int k = 0; k < scene->sources; k++) {
-        int group_number = scene->source[k].group < 0 ? 0 : scene->source[k].group;
-        const struct scene_group *group = &scene->group[group_number];
-        char key[64];
-        snprintf(key, sizeof key, "particles.sources[%d].group", k);
-        bool carried = group->motion == SCENE_MOVING && fluid_carries(context->options);
-        carried = carried || couple_free(context->options) || group_unresolved(context, group_number);
-        if (scene->source[k].group >= 0 && group->motion != SCENE_FROZEN && !carried)
-            return scene_fail(
-                scene, error, key,
-                "group '%s' moves; allowed beside `fluid`: frozen groups, and with fluid.motion: "
-                "lagrangian groups whose motion is given",
-                group->name);
-    }
-    const struct particles *p = context->particles;
-    for (size_t k = 0; k < p->owned && !couple_free(context->options); k++)
-        if (p->state[k].inverse_mass > 0 && !dust_is(context->options, p->state[k].radius))
-            return scene_fail(scene, error, "particles",
-                              "grain %lld moves freely; allowed beside `fluid`: grains of groups with "
-                              "motion: frozen, or free "
-                              "grains with fluid.motion: lagrangian and fluid.grains: free",
-                              (long long)p->id[k]);
-    return scene->insertions == 0 ||
-           scene_fail(scene, error, "insertions", "grains cannot be inserted into a fluid; not built yet");
 }
 
 static int by_x(const void *a, const void *b) {
@@ -370,9 +306,7 @@ bool nodes_make(struct nodes *nodes, const struct physics_context *context, stru
                             .box = context->box,
                             .comm = context->comm,
                             .seed = context->scene->seed};
-    bool rest = grains_rest(context, error);
-    if (!comm_agree(context->comm, error) || !rest || !walls_suit(context, error) ||
-        !arrangement_suits(&nodes->lattice, context, error) || !lay(nodes, context, options, error))
+    if (!arrangement_suits(&nodes->lattice, context, error) || !lay(nodes, context, options, error))
         return false;
     nodes_deal(nodes);
     gather(nodes, context);

@@ -475,6 +475,18 @@ check "no fluid in the region" scene_refused 'there is no fluid' channel.yaml --
 check "fluid where a grain stands" scene_refused 'fluid.fill|grains or walls stand at all' sphere.yaml --set 'fluid.fill={region: {shape: sphere, centre: [-0.9, 0.1, 2.05], radius: 0.2}}'
 check "a lattice of three dimensions in two" scene_refused 'fluid.fill.arrangement|hexagonal' channel.yaml --set fluid.fill.arrangement=bcc
 check "a lattice of two dimensions in three" scene_refused 'fluid.fill.arrangement|bcc, fcc' sphere.yaml --set fluid.fill.arrangement=hexagonal
+# What a scene refuses at the start it refuses in a resume and in a later stage, too
+on_refused() { # WORDS SCENE FLAG...
+    rm -rf refused
+    "$scree" run "$2" -o refused --quiet "${@:3}" >/dev/null 2>said
+    [ $? = 2 ] && grep -q "$1" said || { cat said; return 1; }
+}
+check "a resume with a steady flow with inertia" on_refused 'fluid.time: steady goes with' channel.yaml --resume whole/checkpoint-6.h5 --set fluid.time=steady
+check "a resume with grains that nothing moves" on_refused 'falling.yaml:.* grain 1 moves freely' falling.yaml --resume one/checkpoint-20.h5 --set fluid.grains=given
+sed 's/^step:.*/step: {dt: 0.02}\nstages: [{name: a, duration: 0.02}, {name: b, duration: 0.02, set: {"groups[bed].motion": free}}]/' sphere.yaml >staged.yaml
+check "a stage that sets a grain free among particles at rest" on_refused 'group .bed. moves; allowed beside' staged.yaml
+check "the stage before it was run" test -s refused/checkpoint-1.h5
+
 check "a lattice that does not fit" scene_refused 'fluid.spacing|stretched by|finer' channel.yaml --set fluid.fill.arrangement=hexagonal --set 'box.upper=[0.3, 1, 0]'
 check "an open side" scene_refused 'open side near|wall' channel.yaml --set box.periodic=false
 check "a region that ends in the open" scene_refused 'open side near' sphere.yaml --set 'fluid.fill={region: {shape: box, lower: [-1, 0, 2], upper: [0, 1, 2.5]}}'
