@@ -142,8 +142,8 @@ static double factor_of(const struct physics_context *context, size_t i, double 
                            .porosity = porosity ? porosity[i] : 1};
     double square = 0, moved = drag->resolved ? 1 : at.porosity;
     drag_velocity(drag, time, slip);
-    if (drag->resolved)
-        memcpy(slip, dust_seen(context->particles)[i], 3 * sizeof *slip);
+    if (drag->resolved) /* before the first lists no grain has seen the fluid: without slip K is least */
+        memcpy(slip, context->list[0] ? dust_seen(context->particles)[i] : state->v, 3 * sizeof *slip);
     for (int d = 0; d < 3; d++) {
         slip[d] = d < context->box->dimension ? slip[d] - moved * state->v[d] : 0;
         square += slip[d] * slip[d];

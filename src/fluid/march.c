@@ -145,6 +145,8 @@ void march_rebuilt(const struct physics_context *context) {
     fluid->weights.whole = whole_wanted(fluid) ? fluid_whole(context->particles) : NULL;
     if (fluid->weights.whole != NULL)
         flow_forward(&fluid->flow, FLOW_WHOLE);
+    if (dust_any(fluid->options) && context->clock->step == 0)
+        dust_look(context); /* the first limit of a step reads what grains see */
     if (changed)
         flow_number(&fluid->flow);
     else

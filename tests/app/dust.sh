@@ -130,6 +130,17 @@ check "small grains go around a resolved one" two 1
 refused() { # TEXT SETTING...
     scene_refused "$1" dust.yaml "${@:2}"
 }
+# The first step is as long as the slip at the start allows: the same for a grain at rest in a fluid that flows and for one that moves through a fluid at rest
+limits() { # SETTING...: the stable step
+    "$scree" check dust.yaml --set drag.law=schiller_naumann --set 'material_pairs[0].k_n=1e-9' --set step='{count: 4, fraction: 0.5, force: true}' --set guards='{speed: off, overlap: off}' "$@" | awk '$1 == "stable" { print $2 }'
+}
+slips() {
+    local flow=(--set 'fluid.initial.velocity=[2500, 0, 0]') moves=(--set 'particles.velocity=[2500, 0, 0]') along against both
+    along=$(limits "${flow[@]}") && against=$(limits "${moves[@]}") && both=$(limits "${flow[@]}" "${moves[@]}")
+    echo "  $along, $against, without slip $both"
+    within "$along" "$against" 1e-9 && within "$both" "$(limits)" 1e-9 && awk -v a="$along" -v b="$both" 'BEGIN { exit !(b > 4 * a && a > 0) }'
+}
+check "the limit of the first step knows the slip" slips
 check "unresolved grains without drag" refused 'fluid.grains.unresolved|drag' --set 'drag=~'
 check "a fluid that is given, too" refused 'drag.fluid|fluid.grains.unresolved' --set 'drag.fluid={density: 1, viscosity: 1}'
 check "two bounds" refused 'drag.largest|fluid.grains.unresolved' --set drag.largest=0.01
