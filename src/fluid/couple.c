@@ -166,15 +166,21 @@ static double work_of(const struct physics_context *context, size_t i, const dou
     return sum;
 }
 
-/* The load before the first step of the fluid: that of the added mass of a sphere that is let go. */
-static void load_guess(const struct physics_context *context, size_t i, const double push[3]) {
-    const struct particle_state *state = &context->particles->state[i];
+double couple_added(const struct physics_context *context, double radius) {
     const struct fluid_options *options = context->options;
-    double added = 0.5 * options->density * couple_displaced(context, state->radius),
-           mass = 1 / state->inverse_mass;
-    for (int d = 0; d < context->box->dimension; d++)
-        fluid_load(context->particles)[i][d] =
-            -added * (mass * context->motion->gravity[d] + push[d]) / (mass + added);
+    return (context->box->dimension == 2 ? 1 : 0.5) * options->density * couple_displaced(context, radius);
+}
+
+/* The load before the first step of the fluid: that of the added mass of a grain alone, on which `force` acts besides weight and push. */
+static void load_guess(const struct physics_context *context, size_t i, const double force[3],
+                       const double push[3]) {
+    const struct particle_state *state = &context->particles->state[i];
+    double added = couple_added(context, state->radius), mass = 1 / state->inverse_mass,
+           *load = fluid_load(context->particles)[i];
+    for (int d = 0; d < 6; d++)
+        load[d] = d < context->box->dimension
+                      ? -added * (force[d] + mass * context->motion->gravity[d] + push[d]) / (mass + added)
+                      : 0;
 }
 
 void couple_apply(const struct physics_context *context) {
@@ -187,8 +193,8 @@ void couple_apply(const struct physics_context *context) {
         if (!couple_moves(context, i))
             continue;
         couple_push(context, i, push);
-        if (fluid->past.steps == 0)
-            load_guess(context, i, push);
+        if (isnan(load[i][0]))
+            load_guess(context, i, force, push);
         for (int d = 0; d < context->box->dimension; d++)
             push[d] += load[i][d];
         fluid->work += work_of(context, i, push, last[i]);

@@ -41,7 +41,7 @@ static const struct field
               .kinds = 1u << KIND_FLUID | 1u << KIND_BOUNDARY, .help = "volume of a particle"},
     arm = {.name = "fluid_arm", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS, .unit = "m", .fill = NAN,
            .kinds = 1u << KIND_BOUNDARY, .needed_for = "fluid", .help = "of a boundary particle: its place in its grain"},
-    load = {.name = "fluid_load", .type = FIELD_DOUBLE, .components = 6, .use = FIELD_TRAVELS,
+    load = {.name = "fluid_load", .type = FIELD_DOUBLE, .components = 6, .use = FIELD_TRAVELS, .fill = NAN,
             .kinds = 1u << KIND_GRAIN, .needed_for = "fluid.grains: free", .help = "force (N) and torque (N m) of the fluid on a grain in its last step"},
     push = {.name = "fluid_push", .type = FIELD_DOUBLE, .components = 3, .use = FIELD_TRAVELS, .unit = "N",
             .kinds = 1u << KIND_GRAIN, .needed_for = "fluid.grains: free",

@@ -39,7 +39,8 @@ static void inertias_of(const struct joint *joint, size_t k) {
     for (int d = 0; d < 3; d++) {
         joint->inertia[k][d] = mass;
         joint->inertia[k][3 + d] = 0.4 * mass * r * r;
-        joint->heavy[k][d] = mass + fluid * (0.5 + diffused * (4.5 / (r * r) + 2 / (r * options->spacing)));
+        joint->heavy[k][d] =
+            mass + couple_added(context, r) + fluid * diffused * (4.5 / (r * r) + 2 / (r * options->spacing));
         joint->heavy[k][3 + d] = 0.4 * mass * r * r + 6 * fluid * diffused;
     }
 }

@@ -7,7 +7,7 @@
  *
  * F is affine in U, with an added mass and a drag that are not known, and in a gap between grains as large as one likes. So the
  * equations are solved by generalised conjugate residuals over the velocities and spins of all grains, as the map is not symmetric in narrow gaps: one try of the step (path_try) an iteration and
- * one at the end, with m + rho V / 2 + rho V nu dt (18 / d^2 + 4 / (d dx)) as preconditioner, I + 6 rho V nu dt for spins.
+ * one at the end, with m + A + rho V nu dt (18 / d^2 + 4 / (d dx)) as preconditioner, A the added mass of a grain alone, I + 6 rho V nu dt for spins.
  *   Contacts act before, in the steps of the grains, with the mass m alone; then the pressure takes out of grains and fluid what is not free of divergence,
  * as a projection does, which feeds no energy to grains that rest on each other. (A load taken a step late, with a virtual mass M that acts on changes of the acceleration,
  * gives a contact of the frequency w its acceleration of the step before: a damping of -M dt w^2, and grains that touch swing up whatever M.)

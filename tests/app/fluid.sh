@@ -453,6 +453,14 @@ light() {
         awk -F , '{ printf "  heights %g %g, velocities %g %g\n", $2, $5, $3, $6; exit !($2 > 0.56 && $2 < 0.61 && $2 - $5 < 2e-3 && $5 - $2 < 2e-3 && $3 > 5 && $3 / $6 > 0.98 && $3 / $6 < 1.02) }'
 }
 sed '/position: /d; s/density: 18.75/density: 0.15/; s/k_n: 100000/k_n: 3000/; s/count: 1000/count: 300/; s/every: 1000, list.*/every: 300, list: [{name: position, id: 1, components: y}, {name: velocity, id: 1, components: y}]}/' pile.yaml >light.yaml
+# Before the first step of the fluid: a disc that is let go has the added mass of a disc, and one that its contact carries stays where it is
+let_go() {
+    run_scene 1 let_go.yaml let_go --set threads=1 && tail -n 1 let_go/observables.csv | awk -F , '{ pi = atan2(0, -1); m = 4 / 3 * pi * 0.0999 ^ 3 * 18.75; V = pi * 0.0999 ^ 2
+        v = -(m - V) * 981 / (m + V) * 5e-4; printf "  velocities %g, %g, of a disc %g\n", $2, $3, v; exit !($2 < 1e-3 && $2 > -1e-3 && $3 / v > 0.9999 && $3 / v < 1.0001) }'
+}
+sed '/position: /d; s/count: 1000/count: 5/; s/every: 1000, list.*/every: 5, list: [{name: velocity, id: 1, components: y}, {name: velocity, id: 2, components: y}]}/' pile.yaml >let_go.yaml
+printf '    - {from: single, position: [%s, 0], radius: 0.0999}\n' '0.2, 0.0994393' '0.6, 0.4' >>let_go.yaml
+check "discs that are let go in a fluid" let_go
 echo '    - {from: single, position: [0.3, 0.4459, 0], radius: 0.0999}' >>light.yaml
 check "a light disc rises" light
 # Discs that move by a fifth of a spacing between two steps of the fluid: rows keep pairs from beyond the support, whose grain is no neighbour
