@@ -67,9 +67,9 @@ void ride_move(const struct physics_context *context, int thread, size_t first, 
     }
 }
 
-/* The grain of a boundary particle: its number; `apart` becomes its place less that of the particle. SIZE_MAX: not among
+/* The grain of a boundary particle: its number; `centre` becomes the place of its image nearest to the particle. SIZE_MAX: not among
  * the pairs. */
-static size_t grain_find(const struct fluid *fluid, size_t i, int64_t body, double apart[3]) {
+static size_t grain_find(const struct fluid *fluid, size_t i, int64_t body, double centre[3]) {
     const struct weights_input *input = &fluid->input;
     const struct particle_state *state = input->particles->state;
     double nearest = INFINITY;
@@ -77,29 +77,31 @@ static size_t grain_find(const struct fluid *fluid, size_t i, int64_t body, doub
     for (size_t e = input->pairs->start[i]; e < input->pairs->start[i + 1]; e++) {
         size_t j = pair_partner(input->pairs->partner[e]);
         const double *shift = input->shift[pair_image(input->pairs->partner[e])];
-        double to[3], square = 0;
+        double at[3], square = 0;
         if (input->kind[j] != KIND_GRAIN || input->particles->id[j] != body)
             continue;
         for (int d = 0; d < 3; d++) {
-            to[d] = d < input->dimension ? state[j].x[d] - state[i].x[d] + shift[d] : 0;
-            square += to[d] * to[d];
+            double to = d < input->dimension ? state[j].x[d] - state[i].x[d] + shift[d] : 0;
+            at[d] = d < input->dimension ? state[j].x[d] + shift[d] : state[i].x[d];
+            square += to * to;
         }
         if (square < nearest) {
             nearest = square;
             found = j;
-            memcpy(apart, to, sizeof to);
+            memcpy(centre, at, sizeof at);
         }
     }
     return found;
 }
 
 /* The place, velocity and spin of a particle on grain j. */
-static void place(const struct fluid *fluid, size_t i, size_t j, const double apart[3], double arm[3]) {
+static void place(const struct fluid *fluid, size_t i, size_t j, const double centre[3],
+                  const double arm[3]) {
     const struct particles *p = fluid->input.particles;
     double(*spin)[4] = spin_of(p), surface[3];
     struct particle_state *state = &p->state[i];
     for (int d = 0; d < fluid->input.dimension; d++)
-        state->x[d] += apart[d] + arm[d];
+        state->x[d] = centre[d] + arm[d];
     cross(spin_at(p, j), arm, surface);
     for (int d = 0; d < 3; d++)
         state->v[d] = p->state[j].v[d] + surface[d];
@@ -115,17 +117,25 @@ size_t ride_settle(const struct physics_context *context, const struct fluid *fl
     size_t lost = 0;
 #pragma omp parallel for schedule(static) reduction(+ : lost)
     for (size_t i = 0; i < p->owned; i++) {
-        double apart[3];
+        double centre[3];
         if (kind[i] != KIND_BOUNDARY || body[i] <= 0)
             continue;
-        size_t j = grain_find(fluid, i, body[i], apart);
+        size_t j = grain_find(fluid, i, body[i], centre);
+        bool first = isnan(arm[i][0]);
         lost += j == SIZE_MAX;
-        if (j == SIZE_MAX)
+        if (j == SIZE_MAX || !(first || couple_due(context)))
             continue;
-        for (int d = 0; isnan(arm[i][0]) && d < 3; d++)
-            arm[i][2 - d] = -apart[2 - d]; /* the first component last: it tells that there was none */
-        place(fluid, i, j, apart, arm[i]);
+        for (int d = 0; first && d < 3; d++)
+            arm[i][d] = p->state[i].x[d] - centre[d];
+        place(fluid, i, j, centre, arm[i]);
     }
     flow_fields_forward_places(context);
     return lost;
+}
+
+void ride_follow(const struct physics_context *context) {
+    if (!couple_due(context))
+        return;
+    flow_fields_forward_places(context);
+    ride_settle(context, context->self);
 }

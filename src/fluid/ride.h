@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Boundary particles ride on grains that move: each keeps its place in the grain, the arm from the grain's centre, which
- * turns with the grain's spin, and has the velocity of the grain there. In a drift it goes where its own velocity leads;
- * then, when the copies of the grains have arrived, it takes its exact place. */
+ * turns with the grain's spin, and has the velocity of the grain there. They move in the steps of the fluid: in a drift each goes where its own velocity
+ * leads; then, when the copies of the grains have arrived, it takes its exact place, before a rebuild sorts the particles: a resume from a checkpoint, which
+ * has places after all moves, then sorts into the same order. */
 #ifndef SCREE_FLUID_RIDE_H
 #define SCREE_FLUID_RIDE_H
 
@@ -14,8 +15,12 @@ bool ride_wanted(const struct physics_context *context);
 /* The drift of boundary particles: as `rows` of struct physics_pass, for a class of them. */
 void ride_move(const struct physics_context *context, int thread, size_t first, size_t last, int size_class);
 
-/* Gives the boundary particles of grains their places, velocities and spins, in the copies too. A particle that has no arm
+/* In a step of the fluid gives the boundary particles of grains their places, velocities and spins, in the copies too. In any step a particle that has no arm
  * yet gets it. Returns the number of this rank's particles whose grain was not found. Collective. */
 size_t ride_settle(const struct physics_context *context, const struct fluid *fluid);
+
+/* After the drift of a step of the fluid, with the lists of the last rebuild: ride_settle at the places of the grains now, those of copies too. As `whole` of
+ * struct physics_pass. Collective. */
+void ride_follow(const struct physics_context *context);
 
 #endif

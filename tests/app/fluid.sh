@@ -453,6 +453,17 @@ light() {
     paste -d , <(tail -n 1 light-10/observables.csv) <(tail -n 1 light-2/observables.csv) |
         awk -F , '{ printf "  heights %g %g, velocities %g %g\n", $2, $5, $3, $6; exit !($2 > 0.56 && $2 < 0.61 && $2 - $5 < 2e-3 && $5 - $2 < 2e-3 && $3 > 5 && $3 / $6 > 0.98 && $3 / $6 < 1.02) }'
 }
+# and after a resume while boundary particles wait for the next step of the fluid: those of discs that move stand in one order
+waiting() {
+    local to=(--set threads=1 --set step.count=60 --set observables.every=60 --set output.checkpoint='{every: 17, keep: 9}')
+    run_scene 1 waiting.yaml waiting "${to[@]}" && run_scene 1 waiting.yaml waited "${to[@]}" --resume waiting/checkpoint-17.h5 &&
+        cmp <(tail -n 1 waiting/observables.csv) <(tail -n 1 waited/observables.csv)
+}
+sed '/position: /d; s/gravity: .*/gravity: [100, -300, 0]/; s/viscosity: 0.1/viscosity: 1/; s/{name: energy_kinetic}/&, {name: fluid_velocity}/' pile.yaml >waiting.yaml
+for place in '0.15, 0.21' '0.42, 0.23' '0.66, 0.19' '0.2, 0.52' '0.55, 0.55'; do
+    echo "    - {from: single, position: [$place, 0], velocity: [0.3, -0.2, 0], omega: [0, 0, 5], radius: 0.08}"
+done >>waiting.yaml
+check "and between two steps of the fluid" waiting
 # Before the first step of the fluid: a disc that is let go has the added mass of a disc, and one that its contact carries stays where it is
 let_go() {
     run_scene 1 let_go.yaml let_go --set threads=1 && tail -n 1 let_go/observables.csv | awk -F , '{ pi = atan2(0, -1); m = 4 / 3 * pi * 0.0999 ^ 3 * 18.75; V = pi * 0.0999 ^ 2
