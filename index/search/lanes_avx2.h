@@ -7,8 +7,8 @@
 
 #include <immintrin.h>
 
-#define LANES_TARGET __attribute__((target("avx2,fma,popcnt,bmi")))
-#define LANES_INLINE static inline __attribute__((always_inline, target("avx2,fma,popcnt,bmi")))
+#define LANES_TARGET __attribute__((target("avx2,fma,popcnt,bmi,bmi2")))
+#define LANES_INLINE static inline __attribute__((always_inline, target("avx2,fma,popcnt,bmi,bmi2")))
 
 enum { LANES = 8 };
 

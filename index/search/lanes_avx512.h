@@ -7,9 +7,9 @@
 
 #include <immintrin.h>
 
-#define LANES_TARGET __attribute__((target("avx512f,avx512vl,avx2,fma,popcnt,bmi")))
+#define LANES_TARGET __attribute__((target("avx512f,avx512vl,avx2,fma,popcnt,bmi,bmi2")))
 #define LANES_INLINE                                                                                         \
-    static inline __attribute__((always_inline, target("avx512f,avx512vl,avx2,fma,popcnt,bmi")))
+    static inline __attribute__((always_inline, target("avx512f,avx512vl,avx2,fma,popcnt,bmi,bmi2")))
 
 enum { LANES = 16 };
 

@@ -11,6 +11,8 @@
 
 #include "index/search/search_gather.h"
 
+#include <string.h>
+
 /* The cells around each row of a block. */
 struct windows {
     bool half;        /* rows search their own table: from their own pencil on, behind their own slot */
@@ -19,35 +21,45 @@ struct windows {
     int images[ROWS]; /* bit d: images of the box in direction d may be met */
 };
 
-LANES_INLINE void windows_make(const struct quest *quest, struct windows *restrict windows) {
+/* The windows of a vector of rows. */
+LANES_INLINE void windows_of(const struct quest *quest, struct windows *restrict windows, int start) {
     const struct frame *frame = &quest->levels->frame;
-    const struct block *block = &quest->block;
     const struct grid grid = quest->search->level->grid;
     const float reach = quest->search->reach;
-    const int rows = block->rows;
-    windows->half = quest->search->half;
-    windows->own_y = windows->half ? (int)(block->pencil % (size_t)grid.n[1]) : 0;
-    windows->own_z = windows->half ? (int)(block->pencil / (size_t)grid.n[1]) : 0;
-    for (int k = 0; k < rows; k++) {
-        windows->images[k] = 0;
-    }
+    const float *r = quest->block.r + start;
+    int images[LANES] = {0};
     for (int d = 0; d < 3; d++) {
         const float low = frame->periodic[d] ? frame->all_low[d] + frame->tolerance * 4 : -INFINITY;
         const float high = frame->periodic[d] ? frame->all_high[d] - frame->tolerance * 4 : INFINITY;
+        const float *x = quest->block.x[d] + start;
+        int *restrict first = windows->first[d] + start, *restrict last = windows->last[d] + start;
 #pragma omp simd
-        for (int k = 0; k < rows; k++) {
-            float from = block->x[d][k] - (block->r[k] + reach), to = block->x[d][k] + (block->r[k] + reach);
-            windows->first[d][k] = grid_cell(&grid, d, from);
-            windows->last[d][k] = grid_cell(&grid, d, to);
-            windows->images[k] |= ((from <= low) | (to >= high)) << d;
+        for (int k = 0; k < LANES; k++) {
+            float from = x[k] - (r[k] + reach), to = x[k] + (r[k] + reach);
+            first[k] = grid_cell(&grid, d, from);
+            last[k] = grid_cell(&grid, d, to);
+            images[k] |= ((from <= low) | (to >= high)) << d;
         }
+    }
+    memcpy(windows->images + start, images, sizeof images);
+}
+
+LANES_INLINE void windows_make(const struct quest *quest, struct windows *restrict windows) {
+    const struct block *block = &quest->block;
+    const int ny = quest->search->level->grid.n[1], rows = block->rows;
+    windows->half = quest->search->half;
+    windows->own_y = windows->half ? (int)(block->pencil % (size_t)ny) : 0;
+    windows->own_z = windows->half ? (int)(block->pencil / (size_t)ny) : 0;
+    for (int from = 0; from < rows; from += LANES) {
+        windows_of(quest, windows, from);
     }
 }
 
-/* The coordinates and numbers of a table, as direct_row looks at them. */
+/* The coordinates, numbers and cells of a table, as direct_row looks at them. */
 struct table {
     const float *x, *y, *z, *r;
-    const uint32_t *particle;
+    const uint32_t *particle, *begin;
+    size_t nx, ny;
 };
 
 /* A row at work. */
@@ -88,16 +100,14 @@ LANES_INLINE void direct_slots(struct direct *direct, uint32_t from, uint32_t co
 
 /* The partners of row k, whose window meets no image. */
 LANES_INLINE void direct_pencils(struct direct *direct, const struct windows *windows, int k, bool exact) {
-    const struct cells *cells = direct->quest->search->cells;
-    const struct grid *grid = &direct->quest->search->level->grid;
-    const size_t nx = (size_t)grid->n[0];
+    const struct table *table = &direct->table;
     const size_t x0 = (size_t)windows->first[0][k], x1 = (size_t)windows->last[0][k] + 1;
     const int y0 = windows->first[1][k], y1 = windows->last[1][k], z1 = windows->last[2][k];
     uint32_t own = windows->half ? direct->quest->block.slot[k] + 1 : 0;
     int z = windows->half ? windows->own_z : windows->first[2][k], y = windows->half ? windows->own_y : y0;
     for (; z <= z1; z++, y = y0) {
-        const uint32_t *begin = cells->begin + ((size_t)z * (size_t)grid->n[1] + (size_t)y) * nx;
-        for (; y <= y1; y++, begin += nx) {
+        const uint32_t *begin = table->begin + ((size_t)z * table->ny + (size_t)y) * table->nx;
+        for (; y <= y1; y++, begin += table->nx) {
             uint32_t from = own ? own : begin[x0], to = begin[x1];
             own = 0;
             for (; to - from > LANES; from += LANES) {
@@ -146,6 +156,9 @@ LANES_INLINE void direct_images(struct direct *direct, const struct windows *win
     }
     int p[3];
     for (p[2] = 0; p[2] < window[2].parts; p[2]++) {
+        if (window[2].last[p[2]] < windows->own_z) {
+            continue; /* earlier slots alone */
+        }
         for (p[1] = 0; p[1] < window[1].parts; p[1]++) {
             for (p[0] = 0; p[0] < window[0].parts; p[0]++) {
                 direct->row =
@@ -159,60 +172,84 @@ LANES_INLINE void direct_images(struct direct *direct, const struct windows *win
     }
 }
 
-static LANES_TARGET void direct_row_exactly(struct quest *quest, const struct windows *windows, int k);
+static LANES_TARGET size_t direct_row_exactly(const struct quest *quest, const struct windows *windows, int k,
+                                              size_t count);
 
-/* All partners of row k. */
-LANES_INLINE void direct_row(struct quest *quest, const struct windows *windows, int k, bool images,
+/* The present search at work on no row yet. */
+LANES_INLINE struct direct direct_start(const struct quest *quest) {
+    const struct cells *cells = quest->search->cells;
+    const int *n = quest->search->level->grid.n;
+    return (struct direct){.quest = quest,
+                           .table = {.x = cells->x,
+                                     .y = cells->y,
+                                     .z = cells->z,
+                                     .r = cells->r,
+                                     .particle = cells->particle,
+                                     .begin = cells->begin,
+                                     .nx = (size_t)n[0],
+                                     .ny = (size_t)n[1]},
+                           .sink = quest->sink};
+}
+
+/* All partners of row k; without `exact` the row begins again exactly where some are doubtful. */
+LANES_INLINE void direct_row(struct direct *direct, const struct windows *windows, int k, bool images,
                              bool exact) {
+    const struct quest *quest = direct->quest;
     const struct block *block = &quest->block;
     const struct search *search = quest->search;
-    const struct cells *cells = search->cells;
-    struct direct direct = {.quest = quest,
-                            .i = block->particle[k],
-                            .row = lanes_row(block->x[0][k], block->x[1][k], block->x[2][k],
-                                             block->r[k] + search->margin, search->certain),
-                            .table = {cells->x, cells->y, cells->z, cells->r, cells->particle},
-                            .sink = quest->sink,
-                            .doubtful = lanes_none()};
+    const size_t first = direct->sink.count;
+    direct->i = block->particle[k];
+    direct->row = lanes_row(block->x[0][k], block->x[1][k], block->x[2][k], block->r[k] + search->margin,
+                            search->certain);
+    direct->doubtful = lanes_none();
     if (images) {
-        direct_images(&direct, windows, k, exact);
+        direct_images(direct, windows, k, exact);
     } else {
-        direct_pencils(&direct, windows, k, exact);
+        direct_pencils(direct, windows, k, exact);
     }
-    if (!exact && lanes_bits(direct.doubtful) != 0) {
-        direct_row_exactly(quest, windows, k);
+    if (!exact && lanes_bits(direct->doubtful) != 0) {
+        direct->sink.count = direct_row_exactly(quest, windows, k, first);
         return;
     }
-    for (size_t at = quest->sink.count; at < direct.sink.count && at < direct.sink.capacity; at += LANES) {
-        lanes_fill(direct.sink.i + at, direct.i);
+    for (size_t at = first; at < direct->sink.count && at < direct->sink.capacity; at += LANES) {
+        lanes_fill(direct->sink.i + at, direct->i);
     }
     if (images && quest->levels->stay.turned) { /* particles that have crossed a face lie near it */
-        untwist(quest, &direct.sink, quest->sink.count, direct.i);
+        untwist(quest, &direct->sink, first, direct->i);
     }
-    quest->sink.count = direct.sink.count;
 }
 
-/* The rare cases, apart from the fast one. */
-static LANES_TARGET __attribute__((noinline)) void direct_row_exactly(struct quest *quest,
-                                                                      const struct windows *windows, int k) {
-    direct_row(quest, windows, k, windows->images[k] != 0, true);
+/* The rare cases, apart from the fast one: the partners of row k behind the first `count` pairs of the sink; the
+ * number of pairs with them. */
+static LANES_TARGET __attribute__((noinline)) size_t
+direct_row_exactly(const struct quest *quest, const struct windows *windows, int k, size_t count) {
+    struct direct direct = direct_start(quest);
+    direct.sink.count = count;
+    direct_row(&direct, windows, k, windows->images[k] != 0, true);
+    return direct.sink.count;
 }
 
-static LANES_TARGET __attribute__((noinline)) void direct_row_images(struct quest *quest,
-                                                                     const struct windows *windows, int k) {
-    direct_row(quest, windows, k, true, false);
+static LANES_TARGET __attribute__((noinline)) size_t
+direct_row_images(const struct quest *quest, const struct windows *windows, int k, size_t count) {
+    struct direct direct = direct_start(quest);
+    direct.sink.count = count;
+    direct_row(&direct, windows, k, true, false);
+    return direct.sink.count;
 }
 
 /* Searches the rows of the block. A separate function, so that its data stay in registers. */
 static LANES_TARGET __attribute__((noinline)) void direct_rows(struct quest *quest,
                                                                const struct windows *windows) {
-    for (int k = 0; k < quest->block.rows; k++) {
+    const int rows = quest->block.rows;
+    struct direct direct = direct_start(quest);
+    for (int k = 0; k < rows; k++) {
         if (windows->images[k] == 0) {
-            direct_row(quest, windows, k, false, false);
+            direct_row(&direct, windows, k, false, false);
         } else {
-            direct_row_images(quest, windows, k);
+            direct.sink.count = direct_row_images(quest, windows, k, direct.sink.count);
         }
     }
+    quest->sink.count = direct.sink.count;
 }
 
 #endif

@@ -20,6 +20,11 @@ struct block {
     float x[3][ROWS], r[ROWS];
 };
 
+/* The number of rows of a block, rounded up to whole vectors. */
+LANES_INLINE int rows_whole(int rows) {
+    return (rows + LANES - 1) / LANES * LANES;
+}
+
 /* The rows from ... to - 1 of the block, which are searched together. */
 struct span {
     int from, to;

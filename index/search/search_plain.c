@@ -13,12 +13,9 @@ void search_plain(const struct levels *levels, const struct searches *searches, 
 
 int search_instructions(void) {
 #if defined(__x86_64__)
-    if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-        __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-        return INDEX_AVX512;
-    }
-    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
-        return INDEX_AVX2;
+    if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2")) {
+        bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl");
+        return wide ? INDEX_AVX512 : INDEX_AVX2;
     }
 #endif
     return INDEX_PLAIN;

@@ -54,19 +54,20 @@ LANES_INLINE void span_set(struct quest *quest, int from, int to) {
     span->r_max = r_max;
 }
 
-/* Radii and coordinates of the rows from their slots. */
+/* Radii and coordinates of the rows from their slots; those behind the last row are a row's, too, as windows are made
+ * for whole vectors. */
 LANES_INLINE void block_load(struct block *block, const struct cells *cells) {
     const int n = block->rows;
     const uint32_t first = block->slot[0];
-    if (block->slot[n - 1] - first == (uint32_t)n - 1) {
-        memcpy(block->x[0], cells->x + first, (size_t)n * sizeof(float));
-        memcpy(block->x[1], cells->y + first, (size_t)n * sizeof(float));
-        memcpy(block->x[2], cells->z + first, (size_t)n * sizeof(float));
-        memcpy(block->r, cells->r + first, (size_t)n * sizeof(float));
+    if (block->slot[n - 1] - first == (uint32_t)n - 1 && first + (size_t)ROWS <= cells->count) {
+        memcpy(block->x[0], cells->x + first, sizeof block->r);
+        memcpy(block->x[1], cells->y + first, sizeof block->r);
+        memcpy(block->x[2], cells->z + first, sizeof block->r);
+        memcpy(block->r, cells->r + first, sizeof block->r);
         return;
     }
-    for (int k = 0; k < n; k++) {
-        uint32_t slot = block->slot[k];
+    for (int k = 0; k < rows_whole(n); k++) {
+        uint32_t slot = block->slot[k < n ? k : n - 1];
         block->x[0][k] = cells->x[slot];
         block->x[1][k] = cells->y[slot];
         block->x[2][k] = cells->z[slot];
