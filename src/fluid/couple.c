@@ -177,10 +177,9 @@ static void load_guess(const struct physics_context *context, size_t i, const do
     const struct particle_state *state = &context->particles->state[i];
     double added = couple_added(context, state->radius), mass = 1 / state->inverse_mass,
            *load = fluid_load(context->particles)[i];
-    for (int d = 0; d < 6; d++)
-        load[d] = d < context->box->dimension
-                      ? -added * (force[d] + mass * context->motion->gravity[d] + push[d]) / (mass + added)
-                      : 0;
+    memset(load, 0, sizeof fluid_load(context->particles)[i]);
+    for (int d = 0; d < context->box->dimension; d++)
+        load[d] = -added * (force[d] + mass * context->motion->gravity[d] + push[d]) / (mass + added);
 }
 
 void couple_apply(const struct physics_context *context) {
