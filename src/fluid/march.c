@@ -68,6 +68,12 @@ static void volumes_share(const struct physics_context *context, const struct fl
     flow_fields_forward(context, FLOW_VOLUME);
 }
 
+/* True if a body is a grain or a mesh, which may leave narrow pores. */
+static bool has_pores(const struct physics_context *context, int64_t body) {
+    bool wall = body < BODY_NONE && body_side(body) < 0;
+    return body > BODY_NONE || (wall && wall_shape_meshed(context->scene->wall[body_wall(body)].shape));
+}
+
 /* Weights and mirrors for the present places of the particles. */
 static void weights_of(const struct physics_context *context, struct fluid *fluid) {
     struct particles *p = context->particles;
@@ -85,7 +91,7 @@ static void weights_of(const struct physics_context *context, struct fluid *flui
     fluid->rows[2] = (double)fluid->weights.behind;
     fluid->rows[3] = 0;
     for (size_t k = 0; k < fluid->weights.foot_start[fluid->weights.rows]; k++)
-        fluid->rows[3] += fluid->weights.foot[k].body > BODY_NONE;
+        fluid->rows[3] += has_pores(context, fluid->weights.foot[k].body);
     comm_sum(context->comm, fluid->rows, 4);
     fluid->placed = context->clock->step;
 }
@@ -111,7 +117,7 @@ static int regions_of(const struct physics_context *context, const struct fluid 
     return (int)most + 1;
 }
 
-/* True if the operators are those of whole.h: in a steady flow, and in time between grains (walls alone are large against the
+/* True if the operators are those of whole.h: in a steady flow, and in time between grains or within meshes (planes and cylinders are large against the
  * spacing, and plain operators more accurate there). */
 static bool whole_wanted(const struct fluid *fluid) {
     return fluid->options->time == FLUID_STEADY || fluid->rows[3] > 0;

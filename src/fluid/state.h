@@ -26,7 +26,7 @@ struct fluid {
     uint64_t placed;              /* the step for whose places the weights are */
     double
         rows[4]; /* of all ranks: fluid particles, those without the operators asked for, those behind a body;
-                       feet of particles on grains */
+                       feet of particles on grains and meshes */
     size_t lost; /* wall neighbours without a body */
     uint64_t layout; /* checksum of the particles for which the matrices were made; 0: none */
     int regions;     /* connected regions */
