@@ -3,6 +3,7 @@
 #include "engine/outputs_parts.h"
 #include "engine/view.h"
 #include "core/memory.h"
+#include "formats/dump.h"
 #include "formats/frame.h"
 #include <stdio.h>
 #include <string.h>
@@ -103,7 +104,8 @@ bool outputs_create(struct outputs **outputs, const struct simulation *s, const 
     o->run = run;
     bool good = (frame_check_fields(&o->options->trajectory.fields, s->particles, error) ||
                  fail_at(s, "output.trajectory.fields", error)) &&
-                (frame_check_fields(&o->options->dump.fields, s->particles, error) ||
+                ((frame_check_fields(&o->options->dump.fields, s->particles, error) &&
+                  dump_check_fields(&o->options->dump.fields, s->particles, error)) ||
                  fail_at(s, "output.dump.fields", error));
     if (good && output_interval_set(&o->options->observables.every))
         good = observables_prepare(o, s, error);

@@ -58,6 +58,21 @@ const char *dump_columns_of(const char *field, enum field_type type, int compone
     return known ? known->head : shown ? field : "";
 }
 
+bool dump_check_fields(const struct output_fields *fields, const struct particles *particles,
+                       struct error *error) {
+    for (int f = 0; f < fields_count(particles); f++) {
+        struct frame_field field = frame_field_get(fields_get(particles, f));
+        for (int k = 0; k < fields->count; k++)
+            if (strcmp(fields->name[k], field.name) == 0 &&
+                dump_columns_of(field.name, field.type, field.components)[0] == '\0')
+                return error_set(error, ERROR_USER,
+                                 "field \"%s\": a dump has no columns for this field; "
+                                 "output.trajectory.fields may name it",
+                                 field.name);
+    }
+    return true;
+}
+
 /* True if LAMMPS has no name for a column. Such a column keeps its own name, and stands behind the others. */
 static bool is_other(const struct frame_column *column) {
     return known_column(column->name) == NULL && column->type == FIELD_DOUBLE && column->components == 1;

@@ -18,6 +18,10 @@ bool dump_open(struct dump **dump, const struct comm *comm, const char *path, in
  * number without a name in LAMMPS has the name of the field. "" if the dump has no columns for the field. */
 const char *dump_columns_of(const char *field, enum field_type type, int components);
 
+/* Checks a list of names, all of them fields of the particles. A field that a dump has no columns for is a user's error. */
+bool dump_check_fields(const struct output_fields *fields, const struct particles *particles,
+                       struct error *error);
+
 /* Appends a frame and flushes it. Fields that a dump has no columns for are left out. Collective. */
 bool dump_write(struct dump *dump, const struct frame *frame, struct error *error);
 

@@ -116,7 +116,7 @@ drag:
   fluid: {density: 0.5, viscosity: 0.02, velocity: [0, 0, 0.4], acceleration: [0, 0, 0.2]}
   porosity: {support: 1.3, every: 7}
 observables: {every: 60, list: [{name: energy_balance}, {name: energy_kinetic}, {name: work_drag}, {name: porosity_mean}]}
-output: {dump: {every: 300, fields: [id, position, porosity, drag_force]}, checkpoint: {every: 300}}
+output: {dump: {every: 300, fields: [id, position, velocity, porosity]}, checkpoint: {every: 300}}
 YAML
 rows() { tail -n 150 "$1/dump.lammpstrj" | sort -n; }
 layouts() {
