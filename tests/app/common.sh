@@ -37,7 +37,7 @@ finish() {
 }
 
 # on RANKS COMMAND..., for at most `limit` seconds
-limit=400
+limit=600
 on() {
     if [ "$1" = 1 ]; then
         shift
