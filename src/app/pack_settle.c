@@ -71,12 +71,14 @@ static void write_plane(FILE *out, const double point[3], int axis, double side)
             point[1], point[2], normal[0], normal[1], normal[2]);
 }
 
-/* A path as a YAML string. */
+/* A path as a YAML string in double quotes, where line ends have escapes. */
 static void write_path(FILE *out, const char *path) {
-    fputc('\'', out);
-    for (; *path; path++)
-        fprintf(out, *path == '\'' ? "''" : "%c", *path);
-    fputc('\'', out);
+    fputc('"', out);
+    for (; *path; path++) {
+        unsigned char c = (unsigned char)*path;
+        fprintf(out, c < ' ' ? "\\x%02x" : c == '"' || c == '\\' ? "\\%c" : "%c", c);
+    }
+    fputc('"', out);
 }
 
 static void write_mesh(FILE *out, const char *path, double scale) {

@@ -135,10 +135,11 @@ check "without friction" packed 1 power smooth.data $settled settle=yes friction
 check "the bed is lower" lowered smooth.data bed.data 0.98
 check "a ball" packed 1 power ball.data shape=sphere radius=4 min=0.8 max=1.2 fraction=0.3 settle=yes
 check "settles" holds said "settled in "
+box=$'a "box" of \'6\' sides\n\\.txt'
 printf '%s\n' '0 0 0 0 12 0 12 0 0' '12 0 0 0 12 0 12 12 0' '0 0 12 12 0 12 0 12 12' '12 0 12 12 12 12 0 12 12' \
     '0 0 0 12 0 0 0 0 12' '12 0 0 12 0 12 0 0 12' '0 12 0 0 12 12 12 12 0' '12 12 0 0 12 12 12 12 12' \
-    '0 0 0 0 0 12 0 12 0' '0 12 0 0 0 12 0 12 12' '12 0 0 12 12 0 12 0 12' '12 12 0 12 12 12 12 0 12' >"a box.txt"
-check "a mesh" packed 1 power mesh.data shape=mesh "file=a box.txt" min=1.5 max=2 fraction=0.35 settle=yes
+    '0 0 0 0 0 12 0 12 0' '0 12 0 0 0 12 0 12 12' '12 0 0 12 12 0 12 0 12' '12 12 0 12 12 12 12 0 12' >"$box"
+check "a mesh" packed 1 power mesh.data shape=mesh "file=$box" min=1.5 max=2 fraction=0.35 settle=yes
 check "settles, too" between 0.4 "$(number "solid fraction of")" 0.68
 check "no file is left" rmdir "$TMPDIR"
 unset TMPDIR
