@@ -444,6 +444,12 @@ pile_resumed() {
         cmp <(tail -n 1 pile-on/observables.csv) <(tail -n 1 pile-again/observables.csv)
 }
 check "they go on with the same bits after a resume" pile_resumed
+# discs that get too fast for their fluid: the message says that pockets between grains may be the cause
+too_fast() {
+    "$scree" run pile.yaml -o too-fast --quiet --set threads=1 --set 'gravity=[0, 50000, 0]' >/dev/null 2>said
+    [ $? = 3 ] && grep -q 'spacings in step .*close pockets of fluid between them' said
+}
+check "a flow that grains make too fast" too_fast
 # One disc of a fiftieth of the fluid's density: it rises the same way in long and short steps of the fluid
 light() {
     local every
