@@ -44,6 +44,7 @@ LANES_INLINE void windows_of(const struct quest *quest, struct windows *restrict
     memcpy(windows->images + start, images, sizeof images);
 }
 
+/* The windows of all rows of the block. */
 LANES_INLINE void windows_make(const struct quest *quest, struct windows *restrict windows) {
     const struct block *block = &quest->block;
     const int ny = quest->search->level->grid.n[1], rows = block->rows;
