@@ -26,7 +26,7 @@ struct auto_index {
     struct cost_plan plan[VARIANTS];
     int variants, selected;
     uint64_t choices;
-    bool ordered; /* chosen by `order`, for the build that follows */
+    bool ordered; /* chosen by `order` or `stays`, for the build that follows */
 };
 
 static struct auto_index *own(struct index *self) {
@@ -166,10 +166,17 @@ static void auto_destroy(struct index *self) {
     memory_free(self);
 }
 
-static bool auto_order(struct index *self, const struct index_view *view, uint32_t *order) {
+static bool auto_stays(struct index *self, const struct index_view *view) {
+    struct levels_plan plan = make_plan(own(self), view);
+    own(self)->ordered = levels_stays(&own(self)->levels, &plan, view);
+    return own(self)->ordered;
+}
+
+static void auto_order(struct index *self, const struct index_view *view, uint32_t *order) {
+    own(self)->ordered = false;
     struct levels_plan plan = make_plan(own(self), view);
     own(self)->ordered = true;
-    return levels_order(&own(self)->levels, &plan, view, order);
+    levels_order(&own(self)->levels, &plan, view, order);
 }
 
 static void auto_build(struct index *self, const struct index_view *view) {
@@ -225,6 +232,7 @@ const struct index_ops auto_ops = {
     .summary = "chooses grids and cells by a cost model",
     .create = auto_create,
     .destroy = auto_destroy,
+    .stays = auto_stays,
     .order = auto_order,
     .build = auto_build,
     .visit = auto_visit,

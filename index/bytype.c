@@ -26,6 +26,7 @@ const struct index_ops bytype_ops = {
     .summary = "one grid for each size class",
     .create = bytype_create,
     .destroy = levels_index_destroy,
+    .stays = levels_index_stays,
     .order = levels_index_order,
     .build = levels_index_build,
     .visit = levels_index_visit,

@@ -36,6 +36,7 @@ const struct index_ops hgrid_ops = {
     .summary = "a hierarchy of grids: each run of size classes on a level of its own cell size",
     .create = hgrid_create,
     .destroy = levels_index_destroy,
+    .stays = levels_index_stays,
     .order = levels_index_order,
     .build = levels_index_build,
     .visit = levels_index_visit,

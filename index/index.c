@@ -57,22 +57,21 @@ bool index_applicable(const char *name, const struct index_params *params, const
     return ops->applicable == NULL || ops->applicable(params, view, why);
 }
 
-bool index_order(struct index *index, const struct index_view *view, uint32_t *order) {
+bool index_stays(struct index *index, const struct index_view *view) {
+    return index->ops->stays ? index->ops->stays(index, view) : index->ops->order == NULL;
+}
+
+void index_order(struct index *index, const struct index_view *view, uint32_t *order) {
     assert(view_plausible(view) && view->total == view->owned);
-    if (index->ops->order == NULL && view->stays) {
-        return false;
-    }
     if (index->ops->order == NULL) {
         for (size_t k = 0; k < view->owned; k++) {
             order[k] = (uint32_t)k;
         }
-        return true;
+        return;
     }
     double start = timer_now();
-    bool sorted = index->ops->order(index, view, order);
+    index->ops->order(index, view, order);
     index->order_seconds += timer_now() - start;
-    assert(sorted || view->stays);
-    return sorted;
 }
 
 void index_build(struct index *index, const struct index_view *view) {

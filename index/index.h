@@ -25,6 +25,7 @@
  *   operation    called                              may touch                    threads
  *   applicable   before create, by `auto` and tests  nothing                      one
  *   create       once a run, or on a switch          its own state                one
+ *   stays        at a rebuild, before order          its own state                one
  *   order        at a rebuild, before build, with    its own scratch              opens its team
  *                owned particles only (total = owned)
  *   build        at a rebuild                        its own state; keeps no      opens its team
@@ -46,7 +47,7 @@
  *   2. Put your state into a struct whose first member is `struct index base`; the build makes it, from all
  *      particles, copies included.
  *   3. Fill one `const struct index_ops NAME_ops` with designated initialisers, no casts. `applicable`,
- *      `order`, `check`, `trials` and `select` may be NULL, as in brute; the tests want a `check` of every
+ *      `stays`, `order`, `check`, `trials` and `select` may be NULL, as in brute; the tests want a `check` of every
  *      index but brute. An index without cells describes no levels.
  *   4. Declare it in index/registry.c, and add one entry at the end of its table. No other file of the
  *      program knows the name; tests/app take the names from `scree help index.name`.
@@ -72,6 +73,12 @@ enum { INDEX_CLASS_MAX = 32, INDEX_WHY_MAX = 512 };
 /* The margin of two classes whose particles never meet. */
 #define INDEX_NOT_WANTED (-INFINITY)
 
+/* Bounds of ghosts in open directions. Ghosts beyond cost time, and nothing else. */
+struct index_around {
+    bool known;
+    double low[3], high[3]; /* low above high: there are none in this direction */
+};
+
 /* Read-only view of the particles. The index owns nothing of it. */
 struct index_view {
     size_t owned, total;       /* owned particles first, then ghosts up to total */
@@ -89,11 +96,10 @@ struct index_view {
     double radius_max[INDEX_CLASS_MAX];              /* largest radius a particle of the class may have */
     double margin[INDEX_CLASS_MAX][INDEX_CLASS_MAX]; /* added to r_i + r_j, or INDEX_NOT_WANTED; symmetric */
     int threads;                                     /* size of the team that build and order may open */
-    bool ordered; /* at build: the owned particles are those of the last `order`, now in that order (or in the
-                     old one, where `order` said so); none has moved. The index may then use its results of
-                     `order`; the pairs are the same */
-    bool stays; /* at order: the owned particles are those of the last build, in the same order, with the same
-                     classes; they may have moved. `order` may then leave them where they are */
+    bool ordered; /* at build: the owned particles are those of the last `order`, now in that order, and none
+                     has moved; or `stays` was true, and they are those of the last build. The index may then
+                     use what it has; the pairs are the same */
+    struct index_around around; /* at order: where the ghosts will be */
 };
 
 /* True if particles of the classes a and b may meet. */
@@ -180,11 +186,14 @@ struct index_ops {
                        char why[INDEX_WHY_MAX]);
     struct index *(*create)(const struct index_params *params);
     void (*destroy)(struct index *self);
+    /* True if the owned particles, those of the last build in the same order and with the same classes, may
+     * stay where they are, however far they have moved, and this is likely to cost less than an order. Then no
+     * `order` comes before the build. NULL: false, or true for an index without order. */
+    bool (*stays)(struct index *self, const struct index_view *view);
     /* The particle order in which a search runs through memory: new particle k = old order[k]; classes one
      * after another, from small to large. order[view->owned] is the caller's. Stable: particles of one cell
-     * keep their order. False (only if the view `stays`): the present order serves, order[] is not written.
-     * NULL: the order stays. */
-    bool (*order)(struct index *self, const struct index_view *view, uint32_t *order);
+     * keep their order. NULL: the order stays. */
+    void (*order)(struct index *self, const struct index_view *view, uint32_t *order);
     void (*build)(struct index *self, const struct index_view *view);
     /* Emits every kept pair whose row (first) particle lies in [first, last); rows are owned particles. Any
      * partition of [0, owned) into ranges gives each pair once. The view is the one of the last build,
@@ -227,7 +236,8 @@ void index_destroy(struct index **index);
 /* The wrappers of the operations above. */
 bool index_applicable(const char *name, const struct index_params *params, const struct index_view *view,
                       char why[INDEX_WHY_MAX]);
-bool index_order(struct index *index, const struct index_view *view, uint32_t *order);
+bool index_stays(struct index *index, const struct index_view *view);
+void index_order(struct index *index, const struct index_view *view, uint32_t *order);
 void index_build(struct index *index, const struct index_view *view);
 void index_visit(const struct index *index, const struct index_view *view, size_t first, size_t last,
                  struct index_sink *sink);

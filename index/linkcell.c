@@ -23,6 +23,7 @@ const struct index_ops linkcell_ops = {
     .summary = "one grid, cells from the largest cut-off: for particles of like size",
     .create = linkcell_create,
     .destroy = levels_index_destroy,
+    .stays = levels_index_stays,
     .order = levels_index_order,
     .build = levels_index_build,
     .visit = levels_index_visit,

@@ -25,6 +25,7 @@ const struct index_ops multi_ops = {
     .summary = "one grid, cells from the smallest cut-off, a stencil for each size class",
     .create = multi_create,
     .destroy = levels_index_destroy,
+    .stays = levels_index_stays,
     .order = levels_index_order,
     .build = levels_index_build,
     .visit = levels_index_visit,

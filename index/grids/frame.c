@@ -152,21 +152,45 @@ static void periodic_direction(struct frame *frame, const struct index_view *vie
     frame->owned_high[d] = frame->all_high[d] = frame_coordinate(frame, d, edge);
 }
 
-/* True if every ghost lies beyond the owned particles' extent, or on its face, in some open direction. */
-static bool hollow(const struct index_view *view, const struct extent *owned) {
-    bool inside = false;
-#pragma omp parallel for num_threads(view->threads)                                                          \
-    reduction(||                                                                                             \
-              : inside) if (view->total - view->owned > 10000)
+/* How far the ghost lies inside of the owned particles' extent: the distance to the next open face, 0 if it is beyond.
+ */
+static float depth_of(const struct frame *frame, const double *x) {
+    float depth = INFINITY;
+    for (int d = 0; d < 3; d++) {
+        if (!frame->periodic[d]) {
+            const float at = frame_coordinate(frame, d, x[d]);
+            depth = fminf(depth, fminf(at - frame->owned_low[d], frame->owned_high[d] - at));
+        }
+    }
+    return fmaxf(depth, 0);
+}
+
+bool frame_meet(struct frame *frame, const struct index_view *view) {
+    float depth = 0;
+    bool held = true;
+#pragma omp parallel for num_threads(view->threads) reduction(&&                                                                                                           : held)                                            reduction(max                                                                                                          : depth) if (view->total - view->owned > 10000)
     for (size_t k = view->owned; k < view->total; k++) {
         const double *x = view->position + k * view->stride;
-        bool within = true;
         for (int d = 0; d < 3; d++) {
-            within = within && (view->periodic[d] || !(x[d] <= owned->low[d] || x[d] >= owned->high[d]));
+            held = held && frame_holds(frame, d, x[d]);
         }
-        inside = inside || within;
+        depth = fmaxf(depth, depth_of(frame, x));
     }
-    return !inside;
+    for (int d = 0; d < 3; d++) {
+        frame->hollow_low[d] = frame->owned_low[d] + depth;
+        frame->hollow_high[d] = frame->owned_high[d] - depth;
+    }
+    return held;
+}
+
+/* The extent of the ghosts, or of the places where they will be. */
+static struct extent extent_around(const struct index_view *view) {
+    struct extent extent = extent_of(view, view->owned, view->total);
+    for (int d = 0; d < 3 && view->around.known && view->total == view->owned && view->owned > 0; d++) {
+        extent.low[d] = view->around.low[d] <= view->around.high[d] ? view->around.low[d] : DBL_MAX;
+        extent.high[d] = view->around.low[d] <= view->around.high[d] ? view->around.high[d] : -DBL_MAX;
+    }
+    return extent;
 }
 
 void frame_make(struct frame *frame, const struct index_view *view) {
@@ -175,8 +199,7 @@ void frame_make(struct frame *frame, const struct index_view *view) {
     struct extent extents[2] = {extent_none(), extent_none()};
     if (!(view->periodic[0] && view->periodic[1] && view->periodic[2])) {
         extents[0] = extent_of(view, 0, view->owned);
-        extents[1] = extent_of(view, view->owned, view->total);
-        frame->hollow = hollow(view, &extents[0]);
+        extents[1] = extent_around(view);
     }
     double size = 0;
     for (int d = 0; d < 3; d++) {
@@ -190,6 +213,7 @@ void frame_make(struct frame *frame, const struct index_view *view) {
             fmax(size, fmax(fabs(frame->low[d] - frame->centre[d]), fabs(frame->high[d] - frame->centre[d])));
     }
     frame->tolerance = (float)(size * frame->scale * 0x1p-20);
+    frame_meet(frame, view);
 }
 
 void frame_loosen(struct frame *frame) {

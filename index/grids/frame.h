@@ -12,7 +12,7 @@
  * - A distance formed from two frame coordinates, one of them shifted by a box edge, differs from the true
  * one by at most `tolerance`: coordinates and edges carry 2^-24 of their size each, four of them enter, and
  * the square root of three directions is below two (see frame.c).
- * - In open directions the centre and the cells depend on the owned particles alone. `order` and `build` both
+ * - In open directions the centre and the cells depend on the owned particles alone (ghosts add cells beyond). `order` and `build` both
  *   see the owned particles, so both divide space alike, and a build after a reorder finds all particles in
  *   order. */
 #ifndef SCREE_INDEX_GRIDS_FRAME_H
@@ -21,15 +21,15 @@
 #include "index/index.h"
 
 struct frame {
-    double centre[3], low[3], high[3]; /* length unit */
-    double scale;                      /* frame units a length unit */
-    double unit;                       /* 1 / scale */
-    bool periodic[3];                  /* as in the view */
-    float edge[3];                     /* box edges in periodic directions, else 0; frame units */
-    float owned_low[3], owned_high[3]; /* extent of owned particles; in periodic directions the box */
-    float all_low[3], all_high[3];     /* extent of all particles */
-    float tolerance;                   /* frame units */
-    bool hollow; /* no ghost lies inside of the owned particles' extent, in the directions that are open */
+    double centre[3], low[3], high[3];   /* length unit */
+    double scale;                        /* frame units a length unit */
+    double unit;                         /* 1 / scale */
+    bool periodic[3];                    /* as in the view */
+    float edge[3];                       /* box edges in periodic directions, else 0; frame units */
+    float owned_low[3], owned_high[3];   /* extent of owned particles; in periodic directions the box */
+    float all_low[3], all_high[3];       /* extent of all particles */
+    float tolerance;                     /* frame units */
+    float hollow_low[3], hollow_high[3]; /* in open directions: no ghost lies inside */
     bool clamped;
 };
 
@@ -44,8 +44,13 @@ struct frame_cutoffs {
 };
 struct frame_cutoffs frame_cutoffs(const struct index_view *view, int first, int last);
 
-/* Fits a frame to the view. Opens a team of threads if a direction is open. */
+/* Fits a frame to the view; before there are ghosts (total = owned) also to where they will be. Opens a team of threads
+ * if a direction is open. */
 void frame_make(struct frame *frame, const struct index_view *view);
+
+/* Takes the ghosts of a view into a frame that was made before they were there. False if one lies out of the frame:
+ * then the frame does not serve. */
+bool frame_meet(struct frame *frame, const struct index_view *view);
 
 /* Lets positions lie farther out, by half of the frame's size, without clamping them; the tolerance doubles. For
  * particles that have moved since the frame was made. */

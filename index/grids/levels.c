@@ -113,11 +113,12 @@ static void empty_level(struct level *level) {
     level->owned.count = level->ghosts.count = 0;
 }
 
-/* Builds the tables of grid g. The table of the owned particles is only completed if it was kept. */
-static void build_level(struct levels *levels, const struct index_view *view, int g) {
+/* Builds the tables of grid g. The table of the owned particles is only completed if it was kept, and is there if
+ * they stayed in their slots. */
+static void build_level(struct levels *levels, const struct index_view *view, int g, bool stayed) {
     struct level *level = &levels->level[g];
     size_t owned = members_count(&levels->owned, g), ghosts = members_count(&levels->ghosts, g);
-    if (!levels->kept) {
+    if (!levels->kept && !stayed) {
         lay_grid(levels, g, owned);
     }
     struct cells_source source = {.view = view,
@@ -128,7 +129,7 @@ static void build_level(struct levels *levels, const struct index_view *view, in
                                   .sparse = too_many_cells(&level->grid, owned + ghosts)};
     if (levels->kept) {
         cells_fill(&level->owned, &source, levels->slot_of);
-    } else {
+    } else if (!stayed) {
         cells_build(&level->owned, &levels->scratch, &source, levels->slot_of);
     }
     source.members = &levels->ghosts;
@@ -161,7 +162,16 @@ static void find_cross(struct levels *levels, const struct index_view *view) {
     cross_find(&levels->cross, &finder, view);
 }
 
-/* Builds the tables of all grids; those of owned particles that stayed in their slots are there. */
+/* True if a grid of all particles, with the cells around, has too many cells for the owned ones. */
+static bool some_sparse(const struct levels *levels, const size_t owned[INDEX_CLASS_MAX]) {
+    bool some = false;
+    for (int g = 0; g < levels->plan.grids; g++) {
+        some = some || (!levels->plan.idle[g] && too_many_cells(&levels->level[g].grid, owned[g]));
+    }
+    return some;
+}
+
+/* Builds the tables of all grids. */
 static void build_tables(struct levels *levels, const struct index_view *view, bool stayed) {
     levels->stay.turned = levels->stay.turned && stayed;
     if (!stayed) {
@@ -171,19 +181,18 @@ static void build_tables(struct levels *levels, const struct index_view *view, b
     for (int g = 0; g < levels->plan.grids; g++) {
         if (levels->plan.idle[g]) {
             empty_level(&levels->level[g]);
-        } else if (!stayed) {
-            build_level(levels, view, g);
+        } else {
+            build_level(levels, view, g, stayed);
         }
     }
 }
 
 void levels_build(struct levels *levels, const struct levels_plan *plan, const struct index_view *view) {
-    const bool in_order = view->ordered && view->total == view->owned &&
-                          levels->owned.begin[INDEX_CLASS_MAX] == view->owned &&
+    const bool in_order = view->ordered && levels->owned.begin[INDEX_CLASS_MAX] == view->owned &&
                           levels_same_grids(plan, &levels->plan, view->classes);
-    const bool stayed = levels->stay.due && in_order && levels_stay_follow(levels, view);
-    levels->kept = levels->kept && in_order;
-    levels->ghosts_met = view->total > view->owned;
+    const bool stayed =
+        levels->stay.due && in_order && levels_stay_follow(levels, view) && frame_meet(&levels->frame, view);
+    levels->kept = levels->kept && in_order && frame_meet(&levels->frame, view);
     levels->plan = *plan;
     if (levels->kept) {
         levels->owned.contiguous = true;
@@ -204,12 +213,14 @@ void levels_build(struct levels *levels, const struct levels_plan *plan, const s
     find_cross(levels, view);
 }
 
-bool levels_order(struct levels *levels, const struct levels_plan *plan, const struct index_view *view,
+bool levels_stays(struct levels *levels, const struct levels_plan *plan, const struct index_view *view) {
+    levels->stay.due = levels_stay_pays(levels, plan, view);
+    return levels->stay.due;
+}
+
+void levels_order(struct levels *levels, const struct levels_plan *plan, const struct index_view *view,
                   uint32_t *order) {
-    levels->stay.due = view->stays && levels_stay_pays(levels, plan, view);
-    if (levels->stay.due) {
-        return false;
-    }
+    levels->stay.due = false;
     levels->plan = *plan;
     frame_make(&levels->frame, view);
     int class_of[INDEX_CLASS_MAX];
@@ -226,7 +237,8 @@ bool levels_order(struct levels *levels, const struct levels_plan *plan, const s
             lay_grid(levels, g, owned[g]);
         }
     }
-    levels->kept = plan->grids == view->classes && !levels->ghosts_met; /* then each grid has one class */
+    levels->kept = plan->grids == view->classes && /* then each grid has one class */
+                   !(view->around.known && some_sparse(levels, owned));
     for (int c = 0; c < view->classes; c++) {
         struct level *level = &levels->level[plan->grid_of[c]];
         size_t count = members_count(&levels->owned, c);
@@ -245,7 +257,6 @@ bool levels_order(struct levels *levels, const struct levels_plan *plan, const s
         cells_order(levels->kept ? &level->owned : &levels->order_cells, &levels->scratch, &source,
                     levels->kept, order + levels->owned.begin[c]);
     }
-    return true;
 }
 
 /* Emits pairs with larger particles soon after the other pairs of their rows, so that the pairs of a row lie

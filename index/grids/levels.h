@@ -35,7 +35,8 @@ void levels_free(struct levels *levels);
 void levels_release(struct levels *levels);
 
 /* The operations of the contract, for a plan made from the same view (levels_plan_apart ends it). */
-bool levels_order(struct levels *levels, const struct levels_plan *plan, const struct index_view *view,
+bool levels_stays(struct levels *levels, const struct levels_plan *plan, const struct index_view *view);
+void levels_order(struct levels *levels, const struct levels_plan *plan, const struct index_view *view,
                   uint32_t *order);
 void levels_build(struct levels *levels, const struct levels_plan *plan, const struct index_view *view);
 void levels_visit(const struct levels *levels, const struct index_view *view, size_t first, size_t last,

@@ -41,9 +41,14 @@ void levels_index_destroy(struct index *self) {
     memory_free(self);
 }
 
-bool levels_index_order(struct index *self, const struct index_view *view, uint32_t *order) {
+bool levels_index_stays(struct index *self, const struct index_view *view) {
     struct levels_plan plan = make_plan(own(self), view);
-    return levels_order(&own(self)->levels, &plan, view, order);
+    return levels_stays(&own(self)->levels, &plan, view);
+}
+
+void levels_index_order(struct index *self, const struct index_view *view, uint32_t *order) {
+    struct levels_plan plan = make_plan(own(self), view);
+    levels_order(&own(self)->levels, &plan, view, order);
 }
 
 void levels_index_build(struct index *self, const struct index_view *view) {

@@ -15,7 +15,8 @@ struct index *levels_index_create(const struct index_params *params, levels_plan
 
 /* Operations, for the table of the index. */
 void levels_index_destroy(struct index *self);
-bool levels_index_order(struct index *self, const struct index_view *view, uint32_t *order);
+bool levels_index_stays(struct index *self, const struct index_view *view);
+void levels_index_order(struct index *self, const struct index_view *view, uint32_t *order);
 void levels_index_build(struct index *self, const struct index_view *view);
 void levels_index_visit(const struct index *self, const struct index_view *view, size_t first, size_t last,
                         struct index_sink *sink);

@@ -33,7 +33,7 @@ struct search {
     float reach;   /* r + reach bounds the distance of all partners in the table */
     bool half, home;
     bool single; /* rows are so large that each is searched by itself */
-    bool beyond; /* no candidate lies inside of the owned particles' extent */
+    bool beyond; /* no candidate lies inside of the frame's hollow */
     bool direct; /* rows read the table without a buffer (search_direct.h) */
 };
 
@@ -52,14 +52,13 @@ struct searches {
 
 /* Whether the particles lie in the order of their slots, and how long they have. */
 struct levels_stay {
-    bool
-        sorted; /* after a build: in the order of the slots, no ghosts, cells that searches may read after moves */
-    bool due;       /* `order` left the particles where they are; the build keeps the cells */
+    bool sorted;    /* after a build: in the order of the slots, cells that searches may read after moves */
+    bool due;       /* the particles stay where they are; the build keeps the cells */
     int builds;     /* since the order */
     double edge[3]; /* of the box, at the order */
     double growth,
         owing;     /* of the searched volume, as a share of it: in the last build, and all builds together */
-    uint8_t *turn; /* of each owned particle: code of the image near its cell */
+    uint8_t *turn; /* of each particle: code of the image near its cell; 0 of a ghost */
     bool turned;   /* some code is not 0 */
     size_t capacity;
 };
@@ -78,7 +77,6 @@ struct levels {
     struct cells_scratch scratch;
     struct cells order_cells; /* scratch of levels_order, where it does not keep its tables */
     bool kept;                /* the tables of owned particles are complete except for the coordinates */
-    bool ghosts_met;          /* the last build had ghosts: then no tables are kept */
     struct levels_stay stay;  /* particles that stay in their slots (levels_stay.c) */
     int instructions;         /* enum index_instructions, none of them INDEX_BEST */
     int cross_search;         /* enum index_cross */

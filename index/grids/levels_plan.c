@@ -95,7 +95,7 @@ static struct search search_of(const struct levels *levels, const struct index_v
     search.half = !ghosts && g == own;
     search.single = !ghosts && g < own;
     search.home = ghosts && g == own && view->newton;
-    search.beyond = ghosts && frame->hollow;
+    search.beyond = ghosts && !(frame->periodic[0] && frame->periodic[1] && frame->periodic[2]);
     search.reach = (float)((r_max + highest) * excess_factor + 4 * tolerance) + cells->drift;
     search.direct = !levels->plan.stencils && !cells->sparse &&
                     (search.half || (search.single && pencils_of(&search, rows) <= LEVELS_PENCILS_DIRECT));

@@ -11,6 +11,7 @@
 #include "core/memory.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Seconds of order and reorder over those of a search, of 712 thousand spheres, bidisperse, R = 10, two threads. */
 static const double PRICE_OF_ORDER = 0.7;
@@ -83,12 +84,13 @@ static double growth_of(const struct level *level) {
     return after / before - 1;
 }
 
-static void reserve_turns(struct levels_stay *stay, size_t owned) {
-    if (owned > stay->capacity || stay->turn == NULL) {
+static void reserve_turns(struct levels_stay *stay, const struct index_view *view) {
+    if (view->total > stay->capacity || stay->turn == NULL) {
         memory_free(stay->turn);
-        stay->turn = memory_allocate(owned, 1, "images of particles");
-        stay->capacity = owned;
+        stay->turn = memory_allocate(view->total, 1, "images of particles");
+        stay->capacity = view->total;
     }
+    memset(stay->turn + view->owned, 0, view->total - view->owned);
 }
 
 bool levels_stay_follow(struct levels *levels, const struct index_view *view) {
@@ -98,7 +100,7 @@ bool levels_stay_follow(struct levels *levels, const struct index_view *view) {
     if (stay->builds == 0) {
         frame_loosen(&levels->frame);
     }
-    reserve_turns(stay, view->owned);
+    reserve_turns(stay, view);
     stay->turned = false;
     stay->builds++;
     for (int g = 0; g < levels->plan.grids; g++) {

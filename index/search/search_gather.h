@@ -229,14 +229,14 @@ LANES_INLINE bool gather_stencil(struct quest *quest) {
     return true;
 }
 
-/* True if the span's reach ends inside of the owned particles' extent. */
+/* True if the span's reach ends where no ghost lies. */
 LANES_INLINE bool span_inside(const struct quest *quest) {
     const struct frame *frame = &quest->levels->frame;
     const struct span *span = &quest->span;
     const float reach = span->r_max + quest->search->reach;
     for (int d = 0; d < 3; d++) {
         if (!frame->periodic[d] &&
-            !(span->low[d] - reach > frame->owned_low[d] && span->high[d] + reach < frame->owned_high[d])) {
+            !(span->low[d] - reach > frame->hollow_low[d] && span->high[d] + reach < frame->hollow_high[d])) {
             return false;
         }
     }

@@ -225,6 +225,8 @@ void ghosts_make(struct ghosts *ghosts, struct particles *particles, const struc
     struct copies copies;
     struct shadows shadows;
     copies_reach(classes, ghosts->options.reduced, reach);
+    for (int c = 0; c < classes->count; c++)
+        reach[c] += ghosts->outside;
     copies_select(&copies, ghosts->comm, ghosts->domain, ghosts->box, particles, reach);
     note_misfit(ghosts, &copies, particles);
     if (copies.far && copies.radius > ghosts->farthest)

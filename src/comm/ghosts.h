@@ -3,7 +3,7 @@
  * between rebuilds only values travel, along a plan that was made once. Neighbours form a graph; a rank may
  * have more or fewer than 26.
  *
- * The order of a rebuild: ghosts_drop, particles_wrap, ghosts_migrate, (classify, reorder), ghosts_make. A
+ * The order of a rebuild: (ghosts_let_stay), ghosts_drop, particles_wrap, ghosts_migrate, (classify, reorder), ghosts_make. A
  * copy stands at x + image * edge, next to the receiver's subdomain. A rank may hold several copies of one
  * particle, and in a periodic direction divided among ranks also copies of the rank's own particles. In
  * wrapped directions (domain_wrap) there are no copies: the index wraps these directions. In a sheared box
@@ -14,6 +14,7 @@
 
 #include "comm/domain.h"
 #include "comm/migrate.h"
+#include "index/index.h"
 #include "pairs/history.h"
 #include "particles/fields.h"
 
@@ -47,10 +48,21 @@ void ghosts_migrate(struct ghosts *ghosts, struct particles *particles, struct h
 void ghosts_migrate_rows(struct ghosts *ghosts, struct particles *particles,
                          const struct migrate_places *places, struct migrate_rows *rows, int n);
 
+/* Asks whether the particles, not wrapped yet in the divided directions, may stay on their ranks: true on all ranks if all
+ * want it and no particle lies farther outside of its subdomain than copies may make up for. Copies then reach
+ * farther by the largest such distance, until the next question. Collective. */
+bool ghosts_let_stay(struct ghosts *ghosts, const struct particles *particles,
+                     const struct size_classes *classes, bool wanted);
+
+/* Where the copies of this rank will be. */
+void ghosts_around(const struct ghosts *ghosts, const struct size_classes *classes,
+                   struct index_around *around);
+
 /* Makes the copies: rank q gets p iff dist(x_p + image, subdomain of q) <= r_p + max over the classes c whose
  * pair with p q computes of (radius_max(c) + margin); see copies.h. Sets the GHOST fields, and the REVERSE
  * ones to 0. Copies lie behind the owned particles, by source rank, then in the order of the source rank.
- * Particles must have been classified and migrated to their owners (ghosts_migrate). Collective. */
+ * Particles must have been classified and migrated to their owners (ghosts_migrate), or stay (ghosts_let_stay).
+ * Collective. */
 void ghosts_make(struct ghosts *ghosts, struct particles *particles, const struct size_classes *classes);
 
 /* False, with a user's error, if the sync is next-neighbour and a particle of this rank reached beyond the

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Private parts of the plan of the copies; ghosts.c states the invariants. Only ghosts.c, ghosts_count.c,
- * ghosts_part.c and ghosts_used.c include this header. */
+ * ghosts_part.c, ghosts_stay.c and ghosts_used.c include this header. */
 #ifndef SCREE_COMM_GHOSTS_PARTS_H
 #define SCREE_COMM_GHOSTS_PARTS_H
 
@@ -50,6 +50,7 @@ struct ghosts {
     uint64_t revision; /* of the particles when the copies were made */
     uint64_t migrated;
     uint64_t class_count[CLASS_MAX], class_bytes[CLASS_MAX];
+    double outside;  /* particles may lie so far outside of their subdomains: copies reach farther */
     double farthest; /* the largest ball that reached beyond the neighbours; 0: none */
     int rounds;      /* the most that a spread of shadows took */
     struct {

@@ -12,6 +12,7 @@ libcomm_la_SOURCES = \
 	src/comm/exchange.c src/comm/exchange.h \
 	src/comm/ghosts.c src/comm/ghosts.h src/comm/ghosts_parts.h \
 	src/comm/ghosts_count.c \
+	src/comm/ghosts_stay.c \
 	src/comm/ghosts_used.c \
 	src/comm/ghosts_part.c src/comm/ghosts_part.h \
 	src/comm/groups.c src/comm/groups.h \

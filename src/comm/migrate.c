@@ -39,13 +39,14 @@ static void find_leavers(struct leavers *leavers, const struct comm *comm, const
     double lower[3], upper[3];
     const size_t n = leavers->count = particles->owned - places->stay;
     domain_bounds(domain, comm->rank, lower, upper);
-    uint8_t *leaves = memory_allocate(particles->owned, 1, "particles that leave");
+    const size_t looked = n > 0 ? particles->owned : 0;
+    uint8_t *leaves = memory_allocate(looked, 1, "particles that leave");
     uint32_t *found = memory_allocate(n, sizeof *found, "particles that leave");
     int *owner = memory_allocate(n, sizeof *owner, "owners");
 #pragma omp parallel for schedule(static)
-    for (size_t k = 0; k < particles->owned; k++)
+    for (size_t k = 0; k < looked; k++)
         leaves[k] = places->place[k] == PARTICLE_LEFT;
-    size_t count = scan_marked(leaves, particles->owned, found);
+    size_t count = scan_marked(leaves, looked, found);
     assert(count == n);
     (void)count;
     memory_free(leaves);

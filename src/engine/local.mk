@@ -60,6 +60,8 @@ libengine_la_SOURCES = \
 	src/engine/skin_auto.h \
 	src/engine/stages.c \
 	src/engine/stages.h \
+	src/engine/stay.c \
+	src/engine/stay.h \
 	src/engine/state.h \
 	src/engine/step.c \
 	src/engine/step.h \

@@ -11,6 +11,7 @@
 #include "engine/sources.h"
 #include "engine/rebuild_rows.h"
 #include "engine/stages.h"
+#include "engine/stay.h"
 #include "engine/guards.h"
 #include "engine/load.h"
 #include "core/memory.h"
@@ -44,25 +45,16 @@ static double images_apart(const struct simulation *s) {
     return apart;
 }
 
-/* True if the particles lie as at the last build of the index, so that the index may leave them there. */
-static bool may_stay(const struct simulation *s) {
-    return s->ranks.alone && !s->search.sorts && !s->box.motion.moves &&
-           s->search.revision == s->particles->revision;
-}
-
 static void reorder(struct simulation *s, struct rebuild_rows *rows) {
     size_t owned = s->particles->owned;
-    uint32_t *order = rows->order = memory_allocate(owned, sizeof *order, "particle order");
     struct index_view view;
     tune_begin(s);
-    simulation_index_view(s, &view);
-    view.stays = may_stay(s);
-    s->search.sorts = false;
-    if (!index_order(s->search.index, &view, order)) {
-        memory_free(order);
-        rows->order = NULL;
+    if (rows->stays && !s->search.sorts && rows->revision == s->particles->revision)
         return;
-    }
+    s->search.sorts = false;
+    uint32_t *order = rows->order = memory_allocate(owned, sizeof *order, "particle order");
+    simulation_index_view(s, &view);
+    index_order(s->search.index, &view, order);
     kinds_sort(s->particles, &s->classes, order);
     particles_reorder(s->particles, order);
     if (rows->pairs.start)
@@ -75,8 +67,9 @@ static void reorder(struct simulation *s, struct rebuild_rows *rows) {
 }
 
 static void keep(struct simulation *s, struct rebuild_rows *rows) {
-    struct history_numbers numbers = {rows->order, s->particles->owned, rows->place,
-                                      rows->place ? rows->before : s->particles->owned};
+    const bool numbered = rows->order && rows->place;
+    struct history_numbers numbers = {rows->order, s->particles->owned, numbered ? rows->place : NULL,
+                                      numbered ? rows->before : s->particles->owned};
     const struct history_followers followers = {&rows->loose, s->particles, rows->near, rows->near_count};
     if (rows->keep)
         history_keep(s->grains.history, s->grains.list, &numbers, rows->loose.carrier ? &followers : NULL,
@@ -264,12 +257,17 @@ static void carry(struct simulation *s, struct rebuild_rows *rows) {
     rebuild_carry(s, rows);
 }
 
+/* Particles that stay on their rank do not cross the box in a direction in which the box is divided. */
 static void wrap(struct simulation *s, struct rebuild_rows *rows) {
-    (void)rows;
+    struct box box;
     ghosts_drop(s->ranks.ghosts, s->particles);
     if (s->box.motion.moves)
         deform_settle(s);
-    if (particles_wrap(s->particles, &s->box))
+    box = s->box;
+    for (int d = 0; d < 3 && rows->stays; d++)
+        box.periodic[d] = box.periodic[d] && s->ranks.wrap[d];
+    rows->revision = s->particles->revision;
+    if (particles_wrap(s->particles, &box))
         return;
     guards_check_positions(s);
     guards_check_images(s);
@@ -343,6 +341,7 @@ struct rebuild_pass {
 static const struct rebuild_pass passes[] = {
     {"skin", "a skin that the run chooses", "decide", skin_chosen, skin_pass},
     {"balance", "several ranks", "migrate", many_ranks, balance},
+    {"stay", NULL, "migrate", NULL, stay_decide},
     {"follow", "history, several ranks", "comm", many_with_history, follow},
     {"detach", "history", "history", with_history, detach},
     {"carry", "pairs that a physics remembers", "history", with_carried, carry},
@@ -363,7 +362,7 @@ static const struct rebuild_pass passes[] = {
     {"physics", NULL, "pairs", NULL, tell_physics},
     {"plan", "several ranks, ring order", "pairs", many_with_ring, plan_pass},
 };
-enum { REBUILD_PASSES = sizeof passes / sizeof passes[0], REBUILD_CARRY = 4 };
+enum { REBUILD_PASSES = sizeof passes / sizeof passes[0], REBUILD_CARRY = 5 };
 
 /* Returns true if another rebuild must follow. */
 static bool passes_run(struct simulation *s, struct rebuild_rows *rows, int first) {

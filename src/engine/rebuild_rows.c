@@ -4,7 +4,6 @@
 #include "core/memory.h"
 
 void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
-    *rows = (struct rebuild_rows){0};
     if (s->grains.history)
         history_detach(s->grains.history, s->grains.list, s->particles, both_ends, &rows->pairs);
     if (s->grains.walls && s->grains.law.history_components)
@@ -16,9 +15,15 @@ void rebuild_carry(struct simulation *s, struct rebuild_rows *rows) {
 }
 
 void rebuild_part(struct simulation *s, struct rebuild_rows *rows) {
-    rows->before = s->particles->owned;
+    rows->before = rows->stay = s->particles->owned;
     rows->place = memory_allocate(rows->before, sizeof *rows->place, "places of particles");
-    rows->stay = migrate_places(s->comm, s->ranks.domain, s->particles, rows->place);
+    if (!rows->stays) {
+        rows->stay = migrate_places(s->comm, s->ranks.domain, s->particles, rows->place);
+        return;
+    }
+#pragma omp parallel for schedule(static)
+    for (size_t k = 0; k < rows->before; k++)
+        rows->place[k] = (uint32_t)k;
 }
 
 void rebuild_loosen(struct simulation *s, struct rebuild_rows *rows) {

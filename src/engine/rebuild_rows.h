@@ -10,8 +10,10 @@
 /* Contact history of pairs and walls during a rebuild, or on the way to a checkpoint. */
 struct rebuild_rows {
     struct history_rows pairs;
-    bool keep; /* the short way, if particles neither come nor go: records of pairs that stay on this rank
+    bool keep;  /* the short way, if particles neither come nor go: records of pairs that stay on this rank
                 */
+    bool stays; /* particles keep their ranks and their order, if ... */
+    uint64_t revision;   /* ... none has come or gone since */
     uint32_t *place;     /* several ranks: number of each of the `before` particles after the migration */
     size_t before, stay; /* stay: how many do not leave; arrivals follow */
     struct history_loose loose; /* several ranks, the short way: rows of the other pairs */

@@ -110,7 +110,7 @@ static void wall_forces_gather(struct simulation *s) {
 
 bool resume_write(struct simulation *s, const struct output_run *run, const char *suffix,
                   struct error *error) {
-    struct rebuild_rows rows;
+    struct rebuild_rows rows = {0};
     rebuild_detach(s, true, &rows); /* the reader may divide the particles differently */
     rebuild_carry(s, &rows);
     rows_sort(&rows.pairs, s->particles->owned);

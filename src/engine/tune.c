@@ -6,6 +6,9 @@
 
 void tune_begin(struct simulation *s) {
     s->search.tuning.start = timer_now();
+}
+
+void tune_select(struct simulation *s) {
     if (s->scene->index.measure)
         index_select(s->search.index, s->search.tuning.variant);
 }

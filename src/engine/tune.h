@@ -5,9 +5,10 @@
 
 #include "engine/state.h"
 
-/* Called before and after order, build and pairs of a rebuild, with `index.measure`. The functions select a
- * variant, measure its time, and keep the variant that was fastest on the slowest rank. tune_end is
+/* Called before and after order, build and pairs of a rebuild, tune_select before all, with `index.measure`. The
+ * functions select a variant, measure its time, and keep the variant that was fastest on the slowest rank. tune_end is
  * collective. */
+void tune_select(struct simulation *simulation);
 void tune_begin(struct simulation *simulation);
 void tune_end(struct simulation *simulation);
 

@@ -56,7 +56,7 @@ static void table_fill(struct table *table, const struct history_followers *foll
             atomic_init(&table->slot[k], PARTICLE_LEFT);
 #pragma omp for schedule(static) nowait
         for (size_t k = 0; k < followers->near_count; k++)
-            table_put(table, now[followers->near[k]]);
+            table_put(table, history_number(now, followers->near[k]));
 #pragma omp for schedule(static)
         for (size_t k = 0; k < particles->ghosts; k++)
             table_put(table, (uint32_t)(particles->owned + k));

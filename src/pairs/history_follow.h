@@ -20,8 +20,12 @@ struct history_match {
     uint32_t row, number;
 };
 
+static inline uint32_t history_number(const uint32_t *now, uint32_t k) {
+    return now ? now[k] : k;
+}
+
 /* The matches of all rows, by rows; rows without a partner here have none. `now` has the present number of
- * each number after the migration. The caller frees the array (memory_free). Opens its own thread team. */
+ * each number after the migration (NULL: the same). The caller frees the array (memory_free). Opens its own thread team. */
 struct history_match *history_follow(const struct history_followers *followers, const uint32_t *now,
                                      size_t *count);
 

@@ -145,7 +145,8 @@ static struct history_link *links_follow(const struct history_followers *followe
     struct history_link *link = memory_allocate(*count, sizeof *link, "kept history");
 #pragma omp parallel for schedule(static)
     for (size_t m = 0; m < *count; m++) {
-        uint32_t row = kept->match[m].row, i = after[loose->carrier[row]], j = kept->match[m].number;
+        uint32_t row = kept->match[m].row, i = history_number(after, loose->carrier[row]),
+                 j = kept->match[m].number;
         bool forward = loose->row[row].id < loose->row[row].partner;
         link[m] = (struct history_link){forward ? i : j, forward ? j : i};
     }

@@ -30,14 +30,18 @@ static const struct cloud_spec specs[] = {
     {"power law 4, one class", 500, 0, CLOUD_ONE_CLASS, 4, .fraction = 0.2, .dimension = 3,
      .periodic = PERIODIC},
     {"thin in x", 300, 0, CLOUD_MONO, 1, .edge = {4.5, 20, 20}, .dimension = 3, .periodic = PERIODIC},
+    {"ghosts around", 700, 0, CLOUD_MONO, 1, .fraction = 0.3, .dimension = 3,
+     .periodic = {false, true, false}, .ghosts = 0.3, .around = true, .newton = true},
+    {"ghosts among the others", 700, 6, CLOUD_BIDISPERSE, 4, .fraction = 0.05, .dimension = 3,
+     .periodic = {true, false, true}, .ghosts = 0.3},
     {"faces and twins", 300, 3, CLOUD_BIDISPERSE, 3, CLOUD_FACES, .edge = {40, 40, 40}, .dimension = 3,
      .periodic = PERIODIC},
 };
 enum { SPECS = sizeof specs / sizeof specs[0], BUILDS = 5 };
 
-/* Moves each owned particle by up to `far` in each direction, and back into the box. */
+/* Moves each particle by up to `far` in each direction, and back into the box. */
 static void stir(struct cloud *cloud, double far, uint64_t step) {
-    for (size_t k = 0; k < cloud->view.owned; k++) {
+    for (size_t k = 0; k < cloud->view.total; k++) {
         double *x = cloud->record + k * cloud->view.stride;
         struct random_sequence random = random_sequence(step, RANDOM_TEST, (uint64_t)cloud->id[k]);
         for (int d = 0; d < cloud->view.dimension; d++) {
@@ -69,20 +73,37 @@ static void compare(const struct pair_set *expected, const struct cloud *cloud, 
     pair_set_free(&found);
 }
 
+/* Where the ghosts are. */
+static struct index_around around_of(const struct index_view *view) {
+    struct index_around around = {.known = view->total > view->owned,
+                                  .low = {INFINITY, INFINITY, INFINITY},
+                                  .high = {-INFINITY, -INFINITY, -INFINITY}};
+    for (size_t k = view->owned; k < view->total; k++) {
+        for (int d = 0; d < 3; d++) {
+            double x = view->position[k * view->stride + (size_t)d];
+            around.low[d] = fmin(around.low[d], x);
+            around.high[d] = fmax(around.high[d], x);
+        }
+    }
+    return around;
+}
+
 /* Orders, or lets the index keep the order, and builds. True if the particles stayed. */
 static bool rebuild(struct cloud *cloud, struct index *index, bool may_stay) {
+    const struct index_around around = around_of(&cloud->view);
     uint32_t *order = malloc((cloud->view.owned + 1) * sizeof *order);
-    struct index_view view = cloud->view;
-    view.stays = may_stay;
-    bool sorted = index_order(index, &view, order);
-    if (sorted) {
+    struct index_view owned = cloud->view, view = cloud->view;
+    bool stays = may_stay && index_stays(index, &view);
+    owned.total = owned.owned;
+    owned.around = around;
+    if (!stays) {
+        index_order(index, &owned, order);
         cloud_reorder(cloud, order);
     }
     free(order);
-    view = cloud->view;
     view.ordered = true;
     index_build(index, &view);
-    return !sorted;
+    return stays;
 }
 
 /* A cloud on its way: the pairs after each of the moves. */
@@ -174,6 +195,8 @@ static void a_sort_comes_when_it_pays(void **state) {
     assert_int_equal(stays_of(&specs[7], "bytype", 0.002), BUILDS - 1);
     assert_int_equal(stays_of(&specs[0], "multi", 0), 0);  /* its stencils begin in the cell of the row */
     assert_int_equal(stays_of(&specs[9], "bytype", 0), 0); /* two images of a pair are too near */
+    assert_int_equal(stays_of(&specs[10], "bytype", 0.002), BUILDS - 1);
+    assert_int_equal(stays_of(&specs[11], "hgrid", 0.002), BUILDS - 1);
     assert_int_equal(stays_of(&specs[0], "brute", 1.9), BUILDS - 1);
 }
 
