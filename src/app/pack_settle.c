@@ -76,7 +76,7 @@ static void write_path(FILE *out, const char *path) {
     fputc('"', out);
     for (; *path; path++) {
         unsigned char c = (unsigned char)*path;
-        fprintf(out, c < ' ' ? "\\x%02x" : c == '"' || c == '\\' ? "\\%c" : "%c", c);
+        fprintf(out, c < ' ' || c == 0x7f ? "\\x%02x" : c == '"' || c == '\\' ? "\\%c" : "%c", c);
     }
     fputc('"', out);
 }

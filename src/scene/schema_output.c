@@ -47,7 +47,7 @@ static const struct schema_table trajectory_table = TABLE(trajectory_rows);
 static const struct schema_row dump_rows[] = {
     {.key = "every", EVERY(struct dump_options, every), .help = "interval of the frames"},
     {.key = "fields", .type = SCHEMA_TEXTS, ARRAY_AT(struct dump_options, fields.name, fields.count),
-     .help = "particle fields; left out: all fields that a dump can show; `force` is the force of contacts and walls, without gravity",
+     .help = "particle fields; left out: all fields that a dump can show, others are refused; `force` is the force of contacts and walls, without gravity",
      .example = "[position, velocity, radius]"},
 };
 static const struct schema_table dump_table = TABLE(dump_rows);

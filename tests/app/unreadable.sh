@@ -32,6 +32,8 @@ again() {
     cp "whole$1/checkpoint-10.h5" "whole$1/trajectory.h5" again
 }
 
+limit=100 # a rank that waits for ever is one of the faults looked for
+
 # with RANKS CALL FILE NUMBER ERRNO RANK COMMAND...
 with() {
     local ranks=$1

@@ -47,7 +47,6 @@ check 'message: paused alone' says '--paused goes with --view' --paused
 check 'a run without a view' run_scene 1 heap.yaml plain
 check 'a run without a view on three ranks' run_scene 3 heap.yaml plain3
 
-limit=600 # the run waits while a browser may try three times
 begin() { # RANKS DIR: a run with a view, which waits; sets `job` and `url`
     on "$1" "$scree" run heap.yaml -o "$2" --quiet --view --paused >"$2.said" 2>&1 &
     job=$!
