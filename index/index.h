@@ -76,7 +76,7 @@ enum { INDEX_CLASS_MAX = 32, INDEX_WHY_MAX = 512 };
 /* Bounds of ghosts in open directions. Ghosts beyond cost time, and nothing else. */
 struct index_around {
     bool known;
-    double low[3], high[3]; /* low above high: there are none in this direction */
+    double low[3], high[3]; /* infinite: not known at this end */
 };
 
 /* Read-only view of the particles. The index owns nothing of it. */

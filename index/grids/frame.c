@@ -167,12 +167,14 @@ static float depth_of(const struct frame *frame, const double *x) {
 
 bool frame_meet(struct frame *frame, const struct index_view *view) {
     float depth = 0;
-    bool held = true;
-#pragma omp parallel for num_threads(view->threads) reduction(&&                                                                                                           : held)                                            reduction(max                                                                                                          : depth) if (view->total - view->owned > 10000)
+    int out = 0;
+#pragma omp parallel for num_threads(view->threads)                                                          \
+    reduction(max                                                                                            \
+              : depth, out) if (view->total - view->owned > 10000)
     for (size_t k = view->owned; k < view->total; k++) {
         const double *x = view->position + k * view->stride;
         for (int d = 0; d < 3; d++) {
-            held = held && frame_holds(frame, d, x[d]);
+            out |= !frame_holds(frame, d, x[d]);
         }
         depth = fmaxf(depth, depth_of(frame, x));
     }
@@ -180,15 +182,21 @@ bool frame_meet(struct frame *frame, const struct index_view *view) {
         frame->hollow_low[d] = frame->owned_low[d] + depth;
         frame->hollow_high[d] = frame->owned_high[d] - depth;
     }
-    return held;
+    return !out;
 }
 
-/* The extent of the ghosts, or of the places where they will be. */
-static struct extent extent_around(const struct index_view *view) {
-    struct extent extent = extent_of(view, view->owned, view->total);
-    for (int d = 0; d < 3 && view->around.known && view->total == view->owned && view->owned > 0; d++) {
-        extent.low[d] = view->around.low[d] <= view->around.high[d] ? view->around.low[d] : DBL_MAX;
-        extent.high[d] = view->around.low[d] <= view->around.high[d] ? view->around.high[d] : -DBL_MAX;
+/* The extent of the ghosts, or of the places where they will be: where no bound of these is known, they may lie somewhat
+ * beyond the owned particles, as a neighbour's heap is somewhat higher. */
+static struct extent extent_around(const struct index_view *view, const struct extent *owned) {
+    if (!view->around.known || view->total > view->owned || view->owned == 0) {
+        return extent_of(view, view->owned, view->total);
+    }
+    struct extent extent = *owned;
+    for (int d = 0; d < 3; d++) {
+        const double low = view->around.low[d], high = view->around.high[d];
+        const double room = 0.1 * (owned->high[d] - owned->low[d]);
+        extent.low[d] = isfinite(low) ? low : owned->low[d] - room;
+        extent.high[d] = isfinite(high) ? high : owned->high[d] + room;
     }
     return extent;
 }
@@ -199,7 +207,7 @@ void frame_make(struct frame *frame, const struct index_view *view) {
     struct extent extents[2] = {extent_none(), extent_none()};
     if (!(view->periodic[0] && view->periodic[1] && view->periodic[2])) {
         extents[0] = extent_of(view, 0, view->owned);
-        extents[1] = extent_around(view);
+        extents[1] = extent_around(view, &extents[0]);
     }
     double size = 0;
     for (int d = 0; d < 3; d++) {

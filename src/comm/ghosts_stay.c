@@ -57,9 +57,9 @@ bool ghosts_let_stay(struct ghosts *ghosts, const struct particles *particles,
     reaches(ghosts, classes, &least, &most);
     if (wanted && copies_own_reach(particles) == NULL)
         outside = distance_outside(ghosts, particles);
-    double worst[2] = {outside, most + 2 * outside - domain_clearance(ghosts->domain)};
+    double worst[2] = {outside, -domain_clearance(ghosts->domain)};
     comm_max(ghosts->comm, worst, 2);
-    bool stay = worst[0] <= OUTSIDE_MOST * least && worst[1] < 0;
+    bool stay = isfinite(worst[0]) && worst[0] <= OUTSIDE_MOST * least && most + 2 * worst[0] < -worst[1];
     ghosts->outside = stay ? worst[0] : 0;
     return stay;
 }
@@ -72,7 +72,7 @@ void ghosts_around(const struct ghosts *ghosts, const struct size_classes *class
     const double depth = (most + ghosts->outside) * (1 + 1e-6);
     around->known = true;
     for (int d = 0; d < 3; d++) {
-        around->low[d] = isfinite(lower[d]) ? lower[d] - depth : INFINITY;
-        around->high[d] = isfinite(upper[d]) ? upper[d] + depth : -INFINITY;
+        around->low[d] = lower[d] - depth;
+        around->high[d] = upper[d] + depth;
     }
 }

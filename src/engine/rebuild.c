@@ -52,6 +52,7 @@ static void reorder(struct simulation *s, struct rebuild_rows *rows) {
     if (rows->stays && !s->search.sorts && rows->revision == s->particles->revision)
         return;
     s->search.sorts = false;
+    s->search.sorted++;
     uint32_t *order = rows->order = memory_allocate(owned, sizeof *order, "particle order");
     simulation_index_view(s, &view);
     index_order(s->search.index, &view, order);

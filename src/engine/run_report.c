@@ -104,6 +104,12 @@ static void report_insertions(const struct simulation *s, struct report *report)
     }
 }
 
+/* Those of the set-up do not count. */
+static void report_rebuilds(const struct simulation *s, struct report *report) {
+    report->rebuilds = s->search.skin->rebuilds > 0 ? s->search.skin->rebuilds - 1 : 0;
+    report->sorts = s->search.sorted > 0 ? s->search.sorted - 1 : 0;
+}
+
 void run_report_fill(const struct simulation *s, const struct run_record *run, struct report *report) {
     struct ghosts_counts ghosts;
     ghosts_count(s->ranks.ghosts, &ghosts);
@@ -131,6 +137,7 @@ void run_report_fill(const struct simulation *s, const struct run_record *run, s
     snprintf(report->law, sizeof report->law, "%s", law_row_get(s->grains.law.options.normal)->name);
     snprintf(report->integrator, sizeof report->integrator, "%s", s->scene->integrator);
     report_levels(s, report);
+    report_rebuilds(s, report);
     report_sync(s, &ghosts, report);
     report_classes(s, &ghosts, report);
     report_insertions(s, report);
@@ -139,7 +146,6 @@ void run_report_fill(const struct simulation *s, const struct run_record *run, s
     report->divisions = s->ranks.load.divisions;
     report->pairs = (uint64_t)sums[0] / 2;
     report->contacts = (uint64_t)sums[1] / 2;
-    report->rebuilds = s->search.skin->rebuilds > 0 ? s->search.skin->rebuilds - 1 : 0;
     report->bytes_per_particle = s->total ? (double)sums[2] / (double)s->total : 0;
     report->memory_held = (uint64_t)sums[3];
     report->rebuild_messages = (uint64_t)sums[4];

@@ -94,6 +94,7 @@ struct search {
     struct index_view view; /* of the last rebuild */
     uint64_t revision;      /* of the particles at the last build of the index */
     bool sorts;             /* the next rebuild sorts the particles, as a rebuild after a resume does */
+    uint64_t sorted;        /* rebuilds that sorted, the first one among them */
     struct interactions interactions; /* the interactions with their lists */
     struct skin *skin;
     struct skin_choice choice; /* of the skin, with `skin: auto`; skin_auto.h */

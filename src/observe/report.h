@@ -105,9 +105,9 @@ struct report {
     struct report_solver solver[REPORT_SOLVERS_MAX];
     double seconds; /* wall clock without set-up, largest over ranks */
     double seconds_setup;
-    uint64_t pairs;    /* in the last list */
-    uint64_t contacts; /* at the end */
-    uint64_t rebuilds;
+    uint64_t pairs;            /* in the last list */
+    uint64_t contacts;         /* at the end */
+    uint64_t rebuilds, sorts;  /* sorts: rebuilds that sorted the particles */
     double bytes_per_particle; /* counted memory of all ranks / particles */
     uint64_t memory_held;      /* counted memory of all ranks at the end, bytes */
     uint64_t memory_peak;      /* largest peak resident set of a rank, bytes */

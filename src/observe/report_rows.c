@@ -261,6 +261,8 @@ const struct report_row report_rows[] = {
      .help = "how often `skin: auto` changed the factor"},
     {.name = "rebuilds", .unit = "1", .type = REPORT_COUNT, AT(struct report, rebuilds),
      .help = "number of rebuilds"},
+    {.name = "sorts", .unit = "1", .type = REPORT_COUNT, AT(struct report, sorts),
+     .help = "number of rebuilds that sorted the particles into the order of the index; others left them as they lay"},
     {.name = "bytes_per_particle", .unit = "B", .type = REPORT_REAL, AT(struct report, bytes_per_particle), .print = "%.0f",
      .help = "largest memory of the arrays, all ranks together, over `particles`"},
     {.name = "memory_peak", .unit = "B", .type = REPORT_COUNT, AT(struct report, memory_peak), .print = "%.1f", .seen = mega,

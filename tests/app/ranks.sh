@@ -142,6 +142,63 @@ crossed() {
     done
 }
 check 'a spring goes over the seam with its pair where a rank is its own neighbour' crossed
+# Rebuilds on several ranks leave particles on their ranks and in their order while that pays. Lists of such rebuilds have the pairs of
+# brute on one rank: copies reach farther by the way that particles are outside of their subdomains. Divided or not, directions may be open
+cat >stays.yaml <<'END'
+units: none
+seed: 3
+gravity: [0, 0, -5]
+box: {lower: [0, 0, 0], upper: [12, 12, 12], periodic: true}
+contact: {law: hooke}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.9, friction: 0.3, k_n: 200}]
+skin: {length: 0.2}
+guards: {overlap: off, speed: off}
+step: {dt: 0.002, count: 96, rebuild_every: 4}
+particles:
+  sources:
+    - {from: random, count: 6, velocity_sigma: 1, sizes: 1, region: {shape: box, lower: [0, 0, 8], upper: [12, 12, 12]}}
+    - {from: random, count: 3000, velocity_sigma: 2, sizes: {law: uniform, min: 0.1, max: 0.25}}
+output: {checkpoint: {at_end: false}}
+END
+stays() { # RANKS PERIODIC COUNT...
+    local ranks=$1 periodic=$2 count some='' same='' sorts
+    shift 2
+    for count; do
+        run_scene 1 stays.yaml stays-1 --overwrite --set index=brute --set step.count="$count" --set box.periodic="$periodic" &&
+            run_scene "$ranks" stays.yaml stays-n --overwrite --set index=hgrid --set step.count="$count" --set box.periodic="$periodic" || return 1
+        sorts=$(number stays-n/report.json sorts)
+        [ "$(number stays-1/report.json pairs)" = "$(number stays-n/report.json pairs)" ] && [ "$sorts" -lt "$(number stays-n/report.json rebuilds)" ] ||
+            { echo "  $count steps: $(number stays-1/report.json pairs), $(number stays-n/report.json pairs) pairs, $sorts sorts"; return 1; }
+        [ "${some:-$sorts}" != "$sorts" ] || same=yes
+        some=$sorts
+    done
+    [ "$same" = yes ] # one of the last rebuilds did not sort
+}
+check 'particles stay on their ranks: 2 ranks' stays 2 '[true, true, true]' 92 96
+check 'the same on 4 ranks, open above and below' stays 4 '[true, true, false]' 92 96
+check 'the same on 4 ranks, open in the divided directions' stays 4 '[false, false, true]' 92 96
+
+# Subdomains of unlike widths: copies of those outside still go to next neighbours alone
+cat >unlike.yaml <<'END'
+units: none
+seed: 3
+box: {lower: [0, 0, 0], upper: [40, 16, 16], periodic: true}
+step: {dt: 0.002, count: 400, rebuild_every: 10}
+guards: {overlap: off, speed: off}
+skin: {length: 2.25}
+contact: {law: hooke}
+materials: [{name: soft, density: 1}]
+material_pairs: [{restitution: 0.9, friction: 0.3, k_n: 200}]
+domain: {name: bisection, weights: particles, threshold: 0}
+sync: neighbours
+particles:
+  sources:
+    - {from: random, count: 40, velocity: [-1.5, 0, 0], sizes: 0.7, region: {shape: box, lower: [0, 0, 0], upper: [3.2, 14, 14]}}
+    - {from: random, count: 40, sizes: 0.7, region: {shape: box, lower: [3.3, 0, 0], upper: [17.3, 14, 14]}}
+    - {from: random, count: 40, sizes: 0.7, region: {shape: box, lower: [17.4, 0, 0], upper: [31.9, 14, 14]}}
+END
+if [ $bisection = bisection ]; then check 'next neighbours do where particles are outside of unlike subdomains' run_scene 3 unlike.yaml unlike; fi
 check 'boulder: next neighbours do not do' refused boulder 8 --set domain.x=8
 for case in ten forty; do
     check "$case: the reference of reproducible runs" reproducibly 1 "$case-bits" "$case" --set index=brute
