@@ -174,7 +174,7 @@ bool frame_meet(struct frame *frame, const struct index_view *view) {
     for (size_t k = view->owned; k < view->total; k++) {
         const double *x = view->position + k * view->stride;
         for (int d = 0; d < 3; d++) {
-            out |= !frame_holds(frame, d, x[d]);
+            out = frame_holds(frame, d, x[d]) ? out : 1;
         }
         depth = fmaxf(depth, depth_of(frame, x));
     }
@@ -182,7 +182,7 @@ bool frame_meet(struct frame *frame, const struct index_view *view) {
         frame->hollow_low[d] = frame->owned_low[d] + depth;
         frame->hollow_high[d] = frame->owned_high[d] - depth;
     }
-    return !out;
+    return out <= 0;
 }
 
 /* The extent of the ghosts, or of the places where they will be: where no bound of these is known, they may lie somewhat
