@@ -31,13 +31,18 @@ bool couple_suits(const struct physics_context *context, struct error *error) {
     return dust_suits(context, error);
 }
 
+static bool resolved(const struct physics_context *context, size_t i) {
+    const struct particles *p = context->particles;
+    return kinds_of(p)[i] == KIND_GRAIN && !dust_is(context->options, p->state[i].radius);
+}
+
 /* True if the fluid resolves no grain of a group on this rank. */
 static bool group_unresolved(const struct physics_context *context, int number) {
     const struct particles *p = context->particles;
     const uint8_t *group = groups_of(p);
     bool all = dust_any(context->options);
     for (size_t k = 0; all && k < p->owned; k++)
-        all = (group ? group[k] : 0) != number || dust_is(context->options, p->state[k].radius);
+        all = (group ? group[k] : 0) != number || !resolved(context, k);
     return all;
 }
 
@@ -60,7 +65,7 @@ static bool grains_suit(const struct physics_context *context, struct error *err
     }
     const struct particles *p = context->particles;
     for (size_t k = 0; k < p->owned && !couple_free(context->options); k++)
-        if (p->state[k].inverse_mass > 0 && !dust_is(context->options, p->state[k].radius))
+        if (p->state[k].inverse_mass > 0 && resolved(context, k))
             return scene_fail(scene, error, "particles",
                               "grain %lld moves freely; allowed beside `fluid`: grains of groups with "
                               "motion: frozen, or free "
@@ -89,9 +94,7 @@ double couple_dt(const struct physics_context *context) {
 }
 
 bool couple_moves(const struct physics_context *context, size_t i) {
-    const struct particle_state *state = &context->particles->state[i];
-    return kinds_of(context->particles)[i] == KIND_GRAIN && state->inverse_mass > 0 &&
-           !dust_is(context->options, state->radius);
+    return context->particles->state[i].inverse_mass > 0 && resolved(context, i);
 }
 
 /* Adds the force and the torque of each foot to its grain, which may be a copy. */

@@ -165,7 +165,9 @@ static bool operators_suit(const struct physics_context *context, struct error *
            scene_fail(
                scene, error, "fluid.operators",
                "moving least squares of order %d let a flow in time grow without bound; allowed in time: "
-               "order 1, and orders 2 and 4 without walls, grains and open sides; with time: steady all",
+               "order 1, and orders 2 and 4 without walls, grains (unresolved ones, too) and open sides; "
+               "with "
+               "time: steady all",
                order);
 }
 
@@ -233,8 +235,53 @@ bool fill_run(const struct physics_context *context, const struct physics_share 
         fluid->gaps = memory_allocate(1, sizeof *fluid->gaps, "gaps");
         *fluid->gaps = gaps_find(&nodes, context);
     }
+    fluid->filled = good;
     if (good && context->comm->rank == 0)
         gaps_note(fluid->gaps, context);
     nodes_free(&nodes);
     return good;
+}
+
+/* True if a body is a wall or an open side that the scene lacks. */
+static bool body_missing(const struct physics_context *context, int64_t body) {
+    return body_side(body) >= 0 ? open_at(context->options, body_side(body)) == NULL
+                                : body < BODY_NONE && body_wall(body) >= context->scene->walls;
+}
+
+/* A particle of the fluid has the spacing of the scene, and a wall or an open side of the scene as its body. */
+static bool kept_suits(const struct physics_context *context, size_t i, struct error *error) {
+    const struct fluid_options *options = context->options;
+    const struct particles *p = context->particles;
+    double spacing = 2 * p->state[i].radius;
+    int64_t body = kinds_of(p)[i] == KIND_BOUNDARY ? fluid_body(p)[i] : BODY_NONE;
+    if (!(fabs(spacing - options->spacing) <= 1e-9 * options->spacing))
+        return scene_fail(
+            context->scene, error, "fluid.spacing",
+            "the particles of the fluid were made with a spacing of %g; allowed in a resume and in "
+            "a later stage: this one",
+            spacing);
+    if (!body_missing(context, body))
+        return true;
+    if (body_side(body) >= 0)
+        return scene_fail(
+            context->scene, error, "fluid.open",
+            "the side %s bounds the fluid and is missing; allowed in a resume and in a later stage: "
+            "the sides of the start",
+            open_name(body_side(body)));
+    return scene_fail(
+        context->scene, error, "walls",
+        "wall number %d bounds the fluid and is missing (%d are given); allowed in a resume and in a "
+        "later stage: the walls of the start, in their order",
+        body_wall(body) + 1, context->scene->walls);
+}
+
+bool fill_kept_suits(const struct physics_context *context, struct error *error) {
+    const struct particles *p = context->particles;
+    bool good = couple_grains_suit(context, error);
+    for (size_t i = 0; good && i < p->owned; i++)
+        good = kinds_of(p)[i] == KIND_GRAIN || kept_suits(context, i, error);
+    for (size_t i = 0; i < p->owned + p->ghosts; i++)
+        if (kinds_of(p)[i] == KIND_BOUNDARY && body_missing(context, fluid_body(p)[i]))
+            fluid_body(p)[i] = BODY_NONE; /* until the guard stops the run */
+    return comm_agree(context->comm, error) && good;
 }

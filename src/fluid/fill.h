@@ -12,4 +12,8 @@ bool fill_suits(const struct physics_context *context, struct error *error);
 /* As `fill` of struct physics. */
 bool fill_run(const struct physics_context *context, const struct physics_share *share, struct error *error);
 
+/* In place of fill_run where particles come from a checkpoint or an earlier stage: grains, walls, open sides and spacing are
+ * such as these particles can have; else a user's error on all ranks, and particles of bodies that are missing have none. Collective. */
+bool fill_kept_suits(const struct physics_context *context, struct error *error);
+
 #endif

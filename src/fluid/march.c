@@ -9,6 +9,7 @@
 #include "fluid/electrolyte.h"
 #include "fluid/feet.h"
 #include "fluid/fields.h"
+#include "fluid/fill.h"
 #include "fluid/flow_fields.h"
 #include "fluid/joint.h"
 #include "fluid/look.h"
@@ -128,8 +129,8 @@ void march_rebuilt(const struct physics_context *context) {
     uint64_t layout = layout_of(context->particles);
     int64_t changed = layout != fluid->layout || motion_moves(fluid->options);
     comm_max_int(context->comm, &changed, 1);
-    if (fluid->layout == 0) /* a resume has not filled */
-        couple_grains_suit(context, &fluid->error);
+    if (fluid->layout == 0 && !fluid->filled)
+        fill_kept_suits(context, &fluid->error);
     if (changed) {
         projection_destroy(&fluid->projection);
         steady_destroy(&fluid->steady);

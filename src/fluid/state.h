@@ -28,6 +28,7 @@ struct fluid {
         rows[4]; /* of all ranks: fluid particles, those without the operators asked for, those behind a body;
                        feet of particles on grains and meshes */
     size_t lost; /* wall neighbours without a body */
+    bool filled; /* its particles were made by this run, not by an earlier stage or the run of a checkpoint */
     uint64_t layout; /* checksum of the particles for which the matrices were made; 0: none */
     int regions;     /* connected regions */
     struct flow flow;
