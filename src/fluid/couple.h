@@ -3,7 +3,7 @@
  * the grain, whose boundary particles ride on it (ride.h). The fluid makes a step every `every` steps of the grains, of the
  * length dt_f = every dt. Between its steps its load F, T, the momentum that it loses to the grain (forces.h), is held, and
  * the grains have contacts, weight, buoyancy and this load; a step of the fluid then finds the load and the velocities of the grains
- * that belong together (joint.h), and the velocities of grains jump by what the load of this step has more than the one before. Before its first step the load is that of an added mass, rho V / 2, of a disc rho V, and of the forces on the grain at the start. The forces at feet are those of
+ * that belong together (joint.h), and the velocities of grains jump by what the load of this step has more than the one before. Before its first step the load is that of an added mass, rho V / 2, of a disc rho V, and of the forces on the grain at the start, held until that step. The forces at feet are those of
  * the velocity relative to the rigid motion of the grain (forces.h), so that their torque is the whole one: a stress of no strain has none. -rho V g is buoyancy, as the
  * equations of the fluid have no gravity. In two dimensions forces and V are those per depth; a grain's mass is what the scene gives. */
 #ifndef SCREE_FLUID_COUPLE_H

@@ -13,7 +13,8 @@
  * where b = w r / 2, the divergence of the gradient is at most s div c grad (both negative), s the largest eigenvalue of sum w r^2 / 2 (C e) (C e) / |C e|
  * over the fluid neighbours of a particle. s is 1 where C is a number or the neighbours lie along its axes, and 1.4 with eigenvalues of 5 and 1 and all
  * neighbours between both axes; a projection is stable below 2 (an incremental one
- * below 4/3 without viscosity: the growth a step is the root of x^2 - 2 (1 - s) x + 1 - s of largest size), and without c it is not.
+ * below 4/3 without viscosity: the growth a step is the root of x^2 - 2 (1 - s) x + 1 - s of largest size), and without c it is not. s is a bound of one row: growth of a flow with
+ * c has not been seen, and that no flow grows is not proven.
  * Eigenvalues of N below WHOLE_LEAST, in pores that hold one particle, count as that. */
 #ifndef SCREE_FLUID_WHOLE_H
 #define SCREE_FLUID_WHOLE_H

@@ -116,7 +116,7 @@ check "in time, with inertia" run 1 channel --set fluid.time=transient --set flu
     --set fluid.solver.tolerance=1e-4 --set 'step={dt: 0.01, count: 120}' --set output.dump.every=120
 check "ends as that of Poiseuille" profile channel.1 4.8 2
 
-# Spheres in a row between an inlet and an outlet: no water gets lost, and each has the drag of one in a periodic array (the ends have some percent more).
+# Spheres in a row between an inlet and an outlet: less than 0.5 % of the water gets lost, and each has the drag of one in a periodic array (the ends have some percent more).
 cat >row.yaml <<'YAML'
 units: none
 box: {lower: [0, 0, 0], upper: [4, 1, 1], periodic: [false, true, true]}
@@ -141,7 +141,7 @@ kept() { # the flow through each layer of particles without spheres
             printf "  %.5f to %.5f through %d particles\n", least, most, n; exit !(n == 800 && least > 0.995 && most < 1.005) }' row.1/dump.lammpstrj
 }
 check "spheres between an inlet and an outlet" run 1 row
-check "no water gets lost" kept
+check "less than 0.5 % of the water gets lost" kept
 check "in 64 iterations at most" awk -v n="$(last_of row.1 fluid_iterations)" 'BEGIN { exit !(n <= 64) }'
 drag=$(last_of row.1 drag_bed_x)
 check "on 2 ranks" run 2 row
@@ -156,7 +156,7 @@ in_time=(--set fluid.time=transient --set 'step={dt: 0.01, count: 12}' --set out
 in_time() {
     run 1 row "${in_time[@]}" && within "$(last_of row.1 flow_rate_x)" 1 0.001 && ! grep 'gets lost' said
 }
-check "a flow in time loses no water between spheres" in_time
+check "a flow in time loses less than 0.1 % between spheres" in_time
 drag=$(last_of row.1 drag_bed_x)
 check "on 2 ranks" run 2 row "${in_time[@]}"
 check "the drag is the same, too" within "$(last_of row.2 drag_bed_x)" "$drag" 0.1
@@ -174,7 +174,7 @@ still() {
         --set 'observables.list=[{name: fluid_speed}]' --set output.dump.every=60 && within "$(last_of channel.1 fluid_speed)" 0 1e-3 && lacks said 'gets lost'
 }
 check "a fluid that stays at rest loses nothing" still
-# The same within a mesh: baffles that leave slits of two spacings, below the first and above the second (5 % more than the inlet's flow and 24 % more drag with plain operators)
+# The same within a mesh: baffles that leave slits of two spacings, below the first and above the second (6 % of the flow lost and 24 % more drag with plain operators)
 boxes baffles '0.5 0.125 -1' '0.75 1.5 1.5' '1.25 -0.5 -1' '1.5 0.875 1.5'
 cat >baffles.yaml <<'YAML'
 units: none
@@ -197,7 +197,7 @@ YAML
 slits() {
     run 1 baffles && within "$(last_of baffles.1 fluid_velocity_x)" 0.01 1e-4 && ! grep 'gets lost' said
 }
-check "a flow in time loses no water in slits of a mesh" slits
+check "a flow in time loses less than 1 % in slits of a mesh" slits
 drag=$(last_of baffles.1 drag_baffles_x)
 check "the steady flow between the baffles" run 1 baffles --set fluid.time=steady --set step.count=1
 check "has that drag, too, to 2 %" within "$(last_of baffles.1 drag_baffles_x)" "$drag" 0.2
