@@ -166,8 +166,7 @@ static bool operators_suit(const struct physics_context *context, struct error *
                scene, error, "fluid.operators",
                "moving least squares of order %d let a flow in time grow without bound; allowed in time: "
                "order 1, and orders 2 and 4 without walls, grains (unresolved ones, too) and open sides; "
-               "with "
-               "time: steady all",
+               "with time: steady all",
                order);
 }
 

@@ -67,11 +67,13 @@ static void velocity_of(const struct physics_context *context, size_t i, double 
 
 void motion_move(const struct physics_context *context, int thread, size_t first, size_t last,
                  int size_class) {
-    const struct fluid *fluid = context->self;
+    struct fluid *fluid = context->self;
     double dt = couple_dt(context), ahead = fluid->past.steps > 0 ? 0.5 * dt / fluid->past.dt : 0;
     double *largest = &context->speed[thread][size_class], steps = (double)couple_every(context);
     if (!couple_due(context))
         return;
+#pragma omp atomic write
+    fluid->followed = context->clock->step;
     if (context->classes->kind[size_class] == KIND_BOUNDARY && fluid->riding)
         ride_move(context, thread, first, last, size_class);
     if (context->classes->kind[size_class] != KIND_FLUID)

@@ -134,8 +134,13 @@ size_t ride_settle(const struct physics_context *context, const struct fluid *fl
 }
 
 void ride_follow(const struct physics_context *context) {
+    const struct fluid *fluid = context->self;
+    int64_t moved = fluid->followed == context->clock->step;
     if (!couple_due(context))
         return;
+    comm_max_int(context->comm, &moved, 1);
+    if (!moved)
+        return;
     flow_fields_forward_places(context);
-    ride_settle(context, context->self);
+    ride_settle(context, fluid);
 }

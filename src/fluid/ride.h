@@ -19,9 +19,9 @@ void ride_move(const struct physics_context *context, int thread, size_t first, 
  * yet gets it. Returns the number of this rank's particles whose grain was not found. Collective. */
 size_t ride_settle(const struct physics_context *context, const struct fluid *fluid);
 
-/* After the drift of a step of the fluid, with the lists of the last rebuild: ride_settle at the places of the grains now, those of copies too. In the fused order,
- * in which a step without a rebuild goes, this pass stands before the drift and changes nothing that lasts: the particles take their places later, with the
- * weights of the step. As `whole` of struct physics_pass. Collective. */
+/* After the drift of a step of the fluid, with the lists of the last rebuild: ride_settle at the places of the grains now, those of copies too. In the fused
+ * order, in which steps far from a rebuild go, this pass stands before the drift, and does nothing: the particles take their places with the weights of the
+ * step. As `whole` of struct physics_pass. Collective. */
 void ride_follow(const struct physics_context *context);
 
 #endif

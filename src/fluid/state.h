@@ -23,6 +23,7 @@ struct fluid {
     struct weights_options weigh; /* their options */
     struct pair_rows pairs;       /* of the last rebuild; kept where particles move */
     bool riding;                  /* boundary particles follow grains that move (ride.h) */
+    uint64_t followed;            /* the last step in which particles of this rank followed the flow */
     uint64_t placed;              /* the step for whose places the weights are */
     double
         rows[4]; /* of all ranks: fluid particles, those without the operators asked for, those behind a body;
