@@ -45,6 +45,8 @@ momentum() { # RANKS WITHIN SETTING...
 check "momentum is kept" momentum 1 1e-9
 check "the velocity of a grain alone is Stokes's" within "$(last_of run particle1_vz)" -8.80e-4 0.005e-3
 check "momentum is kept by a grain of the group free" momentum 1 1e-9 --set particles.group=free
+resumed() { run_scene 1 dust.yaml resumed --set threads=1 --set particles.group=free --resume run/checkpoint-20.h5 && balance resumed 1e-9; }
+check "and after a resume" resumed
 check "momentum is kept on 3 ranks" momentum 3 1e-9
 check "momentum is kept by a fluid of longer steps" momentum 1 1e-7 --set fluid.grains.every=5
 check "momentum is kept among particles that follow the flow" momentum 1 0.01 --set fluid.equations=navier_stokes --set fluid.motion=lagrangian
