@@ -14,7 +14,6 @@
 
 #include "comm/domain.h"
 #include "comm/migrate.h"
-#include "index/index.h"
 #include "pairs/history.h"
 #include "particles/fields.h"
 
@@ -54,9 +53,9 @@ void ghosts_migrate_rows(struct ghosts *ghosts, struct particles *particles,
 bool ghosts_let_stay(struct ghosts *ghosts, const struct particles *particles,
                      const struct size_classes *classes, bool wanted);
 
-/* Where the copies of this rank will be. */
-void ghosts_around(const struct ghosts *ghosts, const struct size_classes *classes,
-                   struct index_around *around);
+/* Bounds of the places where the copies of this rank will be; infinite at ends where the subdomain has no bound. */
+void ghosts_around(const struct ghosts *ghosts, const struct size_classes *classes, double low[3],
+                   double high[3]);
 
 /* Makes the copies: rank q gets p iff dist(x_p + image, subdomain of q) <= r_p + max over the classes c whose
  * pair with p q computes of (radius_max(c) + margin); see copies.h. Sets the GHOST fields, and the REVERSE

@@ -64,15 +64,14 @@ bool ghosts_let_stay(struct ghosts *ghosts, const struct particles *particles,
     return stay;
 }
 
-void ghosts_around(const struct ghosts *ghosts, const struct size_classes *classes,
-                   struct index_around *around) {
-    double lower[3], upper[3], least, most;
+void ghosts_around(const struct ghosts *ghosts, const struct size_classes *classes, double low[3],
+                   double high[3]) {
+    double least, most;
     reaches(ghosts, classes, &least, &most);
-    bounds(ghosts, lower, upper);
+    bounds(ghosts, low, high);
     const double depth = (most + ghosts->outside) * (1 + 1e-6);
-    around->known = true;
     for (int d = 0; d < 3; d++) {
-        around->low[d] = lower[d] - depth;
-        around->high[d] = upper[d] + depth;
+        low[d] -= depth;
+        high[d] += depth;
     }
 }

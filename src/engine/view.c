@@ -8,8 +8,9 @@ void simulation_index_view(struct simulation *s, struct index_view *view) {
     view->newton = s->scene->ghosts.newton;
     view->threads = s->team.size;
     view->body = carried_by(s->particles);
-    if (!s->ranks.alone)
-        ghosts_around(s->ranks.ghosts, &s->classes, &view->around);
+    view->around.known = !s->ranks.alone;
+    if (view->around.known)
+        ghosts_around(s->ranks.ghosts, &s->classes, view->around.low, view->around.high);
 }
 
 struct output_view simulation_view(const struct simulation *s) {
