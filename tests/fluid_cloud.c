@@ -3,6 +3,7 @@
 #include "fluid_cloud.h"
 #include "core/memory.h"
 #include "core/random.h"
+#include "pairs/classes_choose.h"
 #include <math.h>
 #include <omp.h>
 #include <setjmp.h>

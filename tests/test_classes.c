@@ -2,6 +2,7 @@
 /* Size classes, and kinds of particles. */
 #include "particles/kinds.h"
 #include "tests/particles_by_hand.h"
+#include "pairs/classes_choose.h"
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

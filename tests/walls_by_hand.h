@@ -8,6 +8,7 @@
 #include "core/memory.h"
 #include "integrate/integrator.h"
 #include "tests/fields_by_hand.h"
+#include "pairs/classes_choose.h"
 #include <omp.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include "core/memory.h"
 #include "core/version.h"
 #include "pairs/pairlist.h"
-#include "particles/classes.h"
+#include "pairs/classes_choose.h"
 #include <math.h>
 #include <omp.h>
 #include <stdio.h>

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 noinst_LTLIBRARIES += libpairs.la
 libpairs_la_SOURCES = \
+	src/pairs/classes_choose.c src/pairs/classes_choose.h \
 	src/pairs/history.c src/pairs/history.h \
 	src/pairs/history_follow.c src/pairs/history_follow.h \
 	src/pairs/history_keep.c src/pairs/history_keep.h \
