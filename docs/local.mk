@@ -83,7 +83,7 @@ EXTRA_DIST += docs/speed-error.md
 EXTRA_DIST += docs/images/speed-error-angle.svg docs/images/speed-error-column.svg \
 	docs/images/speed-error-drum.svg \
 	docs/images/speed-error-penetration.svg
-EXTRA_DIST += docs/performance.md \
+EXTRA_DIST += docs/performance.md docs/performance-index.md docs/performance-journal.md \
 	docs/images/performance-auto.svg \
 	docs/images/performance-cells.svg \
 	docs/images/performance-continuous.svg \

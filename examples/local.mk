@@ -9,7 +9,8 @@ nobase_dist_pkgdata_DATA += \
 	$(bench)/ablation.tsv $(bench)/bench.sh $(bench)/bidisperse.yaml $(bench)/chute.yaml $(bench)/cohesion.yaml \
 	$(bench)/chute_settle.yaml $(bench)/in.bidisperse $(bench)/in.cells $(bench)/in.chute \
 	$(bench)/in.continuous $(bench)/needs.yaml $(bench)/pairs.py $(bench)/packing.sh $(bench)/packing.yaml \
-	$(bench)/performance.head.md $(bench)/tables.sh
+	$(bench)/performance.head.md $(bench)/performance-guards.md $(bench)/performance-index.head.md \
+	$(bench)/performance-journal.head.md $(bench)/tables.sh
 nobase_dist_pkgdata_SCRIPTS += \
 	$(bench)/auto.sh $(bench)/bidisperse.sh $(bench)/cells.sh $(bench)/chute.sh $(bench)/cohesion.sh $(bench)/compare.sh \
 	$(bench)/continuous.sh $(bench)/fluid.sh $(bench)/growth.sh $(bench)/guards.sh $(bench)/needs.sh $(bench)/page.sh $(bench)/penetration.sh \
