@@ -18,7 +18,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 
 bidisperse = examples/bidisperse
 nobase_dist_pkgdata_DATA += \
-	$(bidisperse)/README.md $(bidisperse)/bidisperse_R10.data $(bidisperse)/compare.awk \
+	$(bidisperse)/README.md $(bidisperse)/bidisperse_R10.data.gz $(bidisperse)/compare.awk \
 	$(bidisperse)/energies.awk $(bidisperse)/energies.csv $(bidisperse)/scene.yaml \
 	$(bidisperse)/step0.dump.gz $(bidisperse)/step200.dump.gz
 nobase_dist_pkgdata_SCRIPTS += $(bidisperse)/check $(bidisperse)/run.sh
@@ -72,7 +72,7 @@ nobase_dist_pkgdata_SCRIPTS += examples/shear_cell/check examples/shear_cell/run
 drum = examples/drum
 nobase_dist_pkgdata_DATA += \
 	$(drum)/README.md $(drum)/compare.awk $(drum)/lammps-1.csv $(drum)/lammps-2.csv $(drum)/lammps/data.awk \
-	$(drum)/lammps/in.drum $(drum)/particles.txt $(drum)/scene.yaml $(drum)/walls.txt $(drum)/zones.gp
+	$(drum)/lammps/in.drum $(drum)/particles.txt.gz $(drum)/scene.yaml $(drum)/walls.txt $(drum)/zones.gp
 nobase_dist_pkgdata_SCRIPTS += $(drum)/check $(drum)/lammps/run.sh $(drum)/run.sh
 
 heated_drum = examples/heated_drum
@@ -117,7 +117,7 @@ penetration = examples/penetration
 nobase_dist_pkgdata_DATA += \
 	$(penetration)/README.md $(penetration)/compare.awk $(penetration)/depth.gp $(penetration)/lammps.csv \
 	$(penetration)/lammps/data.awk $(penetration)/lammps/in.penetration $(penetration)/lammps/tsuji.awk \
-	$(penetration)/particles.txt \
+	$(penetration)/particles.txt.gz \
 	$(penetration)/scene.yaml $(penetration)/walls.txt
 nobase_dist_pkgdata_SCRIPTS += \
 	$(penetration)/check $(penetration)/lammps/run.sh $(penetration)/layouts $(penetration)/run.sh
