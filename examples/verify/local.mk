@@ -50,6 +50,7 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/end-of-contact/force.txt \
 	examples/verify/end-of-contact/overlap.txt \
 	examples/verify/end-of-contact/scene.yaml \
+	examples/verify/fluid-annulus/scene.yaml \
 	examples/verify/fluid-cavity/scene.yaml \
 	examples/verify/fluid-couette/scene.yaml \
 	examples/verify/fluid-cylinder/scene.yaml \
@@ -140,6 +141,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/drift-hooke/check \
 	examples/verify/drum-angle/check \
 	examples/verify/end-of-contact/check \
+	examples/verify/fluid-annulus/check \
 	examples/verify/fluid-cavity/check \
 	examples/verify/fluid-couette/check \
 	examples/verify/fluid-cylinder/check \

@@ -104,17 +104,16 @@ static void feet_add(const struct fluid *fluid, struct particles *p) {
     for (size_t k = 0; k < weights->foot_start[weights->rows]; k++) {
         size_t i = fluid->forces.grain[k];
         const struct forces_part *part = &fluid->forces.part[k];
-        double force[3], lever[3];
+        double torque[3], lever[3];
         if (i == SIZE_MAX)
             continue;
-        for (int d = 0; d < 3; d++) {
-            force[d] = part->viscous[d] + part->pressure[d];
-            lever[d] = p->state[i].radius * weights->foot[k].normal[d];
-            load[i][d] += force[d];
-        }
         for (int d = 0; d < 3; d++)
-            load[i][3 + d] +=
-                lever[(d + 1) % 3] * force[(d + 2) % 3] - lever[(d + 2) % 3] * force[(d + 1) % 3];
+            lever[d] = p->state[i].radius * weights->foot[k].normal[d];
+        forces_torque(part, lever, torque);
+        for (int d = 0; d < 3; d++) {
+            load[i][d] += part->viscous[d] + part->pressure[d];
+            load[i][3 + d] += torque[d];
+        }
     }
 }
 

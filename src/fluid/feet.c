@@ -4,6 +4,7 @@
 #include "contact/spin.h"
 #include "fluid/fields.h"
 #include "fluid/mirror.h"
+#include <math.h>
 #include <string.h>
 
 double feet_reach(const struct fluid_options *options, const struct box *box) {
@@ -21,7 +22,12 @@ void feet_on(const void *context, int64_t body, const double x[3], struct weight
     walls_foot(feet->walls, body_wall(body), x, feet_reach(feet->options, feet->box), &found);
     foot->distance = found.distance;
     memcpy(foot->normal, found.normal, sizeof foot->normal);
-    memcpy(foot->velocity, found.velocity, sizeof foot->velocity);
+    memcpy(foot->spin, found.spin, sizeof foot->spin);
+    const double *w = found.spin, *n = found.normal;
+    for (int d = 0; d < 3; d++)
+        foot->velocity[d] =
+            found.velocity[d] + (isfinite(found.distance) ? found.distance : 0) *
+                                    (w[(d + 1) % 3] * n[(d + 2) % 3] - w[(d + 2) % 3] * n[(d + 1) % 3]);
 }
 
 size_t feet_mirror(const struct physics_context *context, struct fluid *fluid) {

@@ -14,6 +14,7 @@
 #include "fluid/joint.h"
 #include "fluid/look.h"
 #include "fluid/loss.h"
+#include "fluid/mirror.h"
 #include "fluid/motion.h"
 #include "fluid/path.h"
 #include "fluid/ride.h"
@@ -257,9 +258,10 @@ static void walls_check(const struct physics_context *context, struct fluid *flu
             "themselves, as a lid does");
 }
 
-/* Walls that slide within themselves have new velocities. */
+/* Walls that slide within themselves have new velocities and spins. */
 static void walls_follow(const struct physics_context *context, struct fluid *fluid) {
-    const struct weights *weights = &fluid->weights;
+    struct weights *weights = &fluid->weights;
+    const struct feet feet = {context->walls, fluid->options, context->box};
     const double same = 1e-6 * fluid->options->spacing;
     size_t moved = 0;
     if (context->walls == NULL || !walls_move(context->walls))
@@ -268,18 +270,18 @@ static void walls_follow(const struct physics_context *context, struct fluid *fl
     for (size_t row = 0; row < weights->rows; row++)
         for (size_t k = weights->foot_start[row]; k < weights->foot_start[row + 1]; k++) {
             struct weights_foot *foot = &weights->foot[k];
-            struct wall_foot now;
+            struct weights_foot now = {0};
             double across = 0;
             if (foot->body >= 0 || body_side(foot->body) >= 0)
                 continue;
-            walls_foot(context->walls, body_wall(foot->body),
-                       context->particles->state[weights->first + row].x,
-                       feet_reach(fluid->options, context->box), &now);
+            feet_on(&feet, foot->body, context->particles->state[weights->first + row].x, &now);
             for (int d = 0; d < 3; d++)
                 across += now.normal[d] * now.velocity[d] * context->clock->dt;
             moved += fabs(across) > same;
             memcpy(foot->velocity, now.velocity, sizeof foot->velocity);
+            memcpy(foot->spin, now.spin, sizeof foot->spin);
         }
+    mirror_turn(weights, &fluid->input);
     walls_check(context, fluid, (double)moved);
 }
 

@@ -185,7 +185,7 @@ bool walls_overlap(const struct walls *walls, const double x[3], double radius);
 
 /* The point of a wall nearest to a place, as the wall stands now, for physics to which walls are solids: the
  * distance, negative in the solid; the unit normal of the wall there, out of the solid; the velocity of the
- * wall there, in the last half step. Solid is
+ * wall there, and its spin (rad/time), in the last half step. Solid is
  *
  *   plane      all that lies beyond it
  *   cylinder   particles outside: the cylinder, its ends included. Particles inside: all around the bore, of
@@ -193,7 +193,7 @@ bool walls_overlap(const struct walls *walls, const double x[3], double radius);
  *   mesh       the side away from which the normals of its triangles point (right-hand rule). The surface must
  *              be closed (walls_open_edges) */
 struct wall_foot {
-    double distance, normal[3], velocity[3];
+    double distance, normal[3], velocity[3], spin[3];
 };
 
 /* The foot of x (box-relative) on a wall. On a mesh the distance is INFINITY if the surface is farther than

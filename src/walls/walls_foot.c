@@ -135,5 +135,6 @@ void walls_foot(const struct walls *walls, int wall, const double x[3], double r
         foot->distance = surface.distance;
         put(foot->normal, surface.normal);
         put(foot->velocity, wall_twist_at(&w->twist, law_add(here, -surface.distance, surface.normal)));
+        put(foot->spin, w->twist.omega);
     }
 }
