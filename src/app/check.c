@@ -141,8 +141,14 @@ static void print_guards(const struct simulation *s) {
     printf("  speed    moves by %.3g of the smallest radius in a step (bound 1)%s\n", moved,
            guard_word(guards->speed, moved > 1));
     printf("  overlap  like particles, or one and a wall, overlap by %.3g of the radius (bound %g)%s\n",
-           s->timing.overlap_expected, guards->overlap_bound,
-           guard_word(guards->overlap, s->timing.overlap_expected > guards->overlap_bound));
+           s->timing.overlaps.met, guards->overlap_bound,
+           guard_word(guards->overlap, s->timing.overlaps.met > guards->overlap_bound));
+    if (s->timing.overlaps.squeezed > s->timing.overlaps.met)
+        printf("           a grain of radius %.3g under the heaviest, on a support, by up to %.3g%s\n",
+               s->timing.overlaps.radius, s->timing.overlaps.squeezed,
+               s->timing.overlaps.squeezed > guards->overlap_bound && guards->overlap != SCENE_GUARD_OFF
+                   ? guards->overlap == SCENE_GUARD_STOP ? ": may stop the run" : ": may warn"
+                   : "");
     if (s->timing.overlap_started > 0)
         printf("           overlaps at the start are up to %.3g%s\n", s->timing.overlap_started,
                guard_word(guards->overlap, s->timing.overlap_started > guards->overlap_bound));

@@ -28,6 +28,8 @@ libengine_la_SOURCES = \
 	src/engine/outputs.h \
 	src/engine/outputs_open.c \
 	src/engine/outputs_parts.h \
+	src/engine/overlaps.c \
+	src/engine/overlaps.h \
 	src/engine/physics.c \
 	src/engine/physics.h \
 	src/fields_table.h \
@@ -54,6 +56,8 @@ libengine_la_SOURCES = \
 	src/engine/simulation.h \
 	src/engine/simulation_parts.c \
 	src/engine/simulation_parts.h \
+	src/engine/sorts.c \
+	src/engine/sorts.h \
 	src/engine/sources.c \
 	src/engine/sources.h \
 	src/engine/skin_auto.c \

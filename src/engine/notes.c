@@ -2,6 +2,7 @@
 /* Looks in a simulation for settings that are probably a mistake. Read notes.h first. */
 #include "engine/notes.h"
 #include "core/memory.h"
+#include "engine/overlaps.h"
 #include "particles/kinds.h"
 #include <math.h>
 #include <stdarg.h>
@@ -151,7 +152,7 @@ static void look_at_servos(const struct simulation *s, struct notes *notes) {
  * (wall_touch.h). */
 static void look_at_edges(const struct simulation *s, struct notes *notes) {
     static const double degrees = 57.29577951308232;
-    double overlap = fmax(s->timing.overlap_expected, s->timing.overlap_started);
+    double overlap = fmax(s->timing.overlaps.met, s->timing.overlap_started);
     for (int w = 0; w < s->scene->walls; w++) {
         double turn = walls_turn(s->grains.walls, w);
         if (isfinite(turn) && overlap > 1 - cos(turn))
@@ -177,6 +178,40 @@ static void look_at_guard(const struct simulation *s, struct notes *notes, enum 
         snprintf(notes->stops + used, sizeof notes->stops - used, "%s%s", used ? ", " : "", name);
 }
 
+/* Names what makes the contacts of the squeezed grain stiffer. */
+static void name_stiffness(const struct simulation *s, char *text, size_t room) {
+    const int *m = s->timing.overlaps.material;
+    const char *one = s->scene->material[m[0]].name, *other = s->scene->material[m[1]].name;
+    const char *what = s->grains.law.moduli ? "young" : s->grains.user ? "the stiffness" : "k_n";
+    if (m[0] == m[1])
+        snprintf(text, room, "%s of '%s'", what, one);
+    else
+        snprintf(text, room, "%s of '%s' and '%s'", what, one, other);
+}
+
+/* Notes that a large grain may crush a small one, and what helps: the time step is as the overlap. */
+static void look_at_squeeze(const struct simulation *s, struct notes *notes) {
+    static const double small = 0.05;
+    const struct overlaps *o = &s->timing.overlaps;
+    const struct scene_guards *guards = &s->scene->guards;
+    char what[2 * LAW_NAME_MAX + 32];
+    if (guards->overlap == SCENE_GUARD_OFF || !(o->squeezed > guards->overlap_bound))
+        return;
+    name_stiffness(s, what, sizeof what);
+    add(notes, true,
+        "guards.overlap: a grain of mass %.3g may squeeze one of radius %.3g against its support, at up to "
+        "%.3g: "
+        "they overlap by up to %.3g of that radius (bound %g), and the guard may %s. %s times %.2g keeps the "
+        "overlap "
+        "below the bound, with a time step of %.2g of this one; times %.2g keeps it below %g, with %.2g. If "
+        "grains stay slower, "
+        "step.speed_max says so",
+        o->mass, o->radius, o->speed, o->squeezed, guards->overlap_bound,
+        guards->overlap == SCENE_GUARD_STOP ? "stop this run" : "warn", what,
+        overlaps_stiffening(o, guards->overlap_bound), guards->overlap_bound / o->squeezed,
+        overlaps_stiffening(o, small), small, small / o->squeezed);
+}
+
 static void look_at_guards(const struct simulation *s, struct notes *notes) {
     const struct scene_guards *guards = &s->scene->guards;
     char what[128];
@@ -185,11 +220,12 @@ static void look_at_guards(const struct simulation *s, struct notes *notes) {
                  notes_moved(s));
         look_at_guard(s, notes, guards->speed, "guards.speed", what);
     }
-    if (s->timing.overlap_expected > guards->overlap_bound) {
+    if (s->timing.overlaps.met > guards->overlap_bound) {
         snprintf(what, sizeof what, "particles overlap by %.3g of their radius (bound %g)",
-                 s->timing.overlap_expected, guards->overlap_bound);
+                 s->timing.overlaps.met, guards->overlap_bound);
         look_at_guard(s, notes, guards->overlap, "guards.overlap", what);
     }
+    look_at_squeeze(s, notes);
     if (s->clock.dt > s->timing.limits.stable)
         add(notes, true, "the time step is %.3g of the stable one: energy will grow",
             s->clock.dt / s->timing.limits.stable);

@@ -50,14 +50,24 @@ struct tuning {
     double start, seconds[TUNING_VARIANTS_MAX];
 };
 
+/* The overlaps that are expected, over the smaller radius (overlaps.h). */
+struct overlaps {
+    double met;      /* of the heaviest equal particles, or of one and a wall */
+    double squeezed; /* of the softer contact of a grain between a particle and a support */
+    double speed;    /* of that particle, length/time */
+    double mass;     /* of that particle */
+    double radius;   /* of that grain, length */
+    double exponent; /* of the energy of the contact in its overlap */
+    int material[2]; /* of the softer contact */
+};
+
 /* The stable step, and the data from which it was found (timing.h). */
 struct timing {
     struct timestep_limits limits;
-    double expected;         /* the stable step for future contacts, without the present contacts */
-    double overlap_started;  /* largest overlap at the start of a run, over the smaller radius */
-    double speed_expected;   /* speed of an impact for the stable step; length/time */
-    double overlap_expected; /* of the heaviest equal particles, or of one and a wall, at that speed, over the
-                                radius */
+    double expected;        /* the stable step for future contacts, without the present contacts */
+    double overlap_started; /* largest overlap at the start of a run, over the smaller radius */
+    double speed_expected;  /* the largest of an impact until the end of the run; length/time */
+    struct overlaps overlaps;
 };
 
 /* Data of grains (grains.c). */

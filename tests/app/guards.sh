@@ -93,6 +93,50 @@ check 'and says so at its end' ends 'would stop this run.*guards.speed, guards.o
     --set step.force=true --set material_pairs[0].k_n=0.1
 check 'and nothing where there is nothing' bash -c "$scree"' check scene.yaml >said 2>&1 && ! grep -q would said'
 
+# A boulder squeezes a light grain against the floor, without losses: two springs in a row
+cat >squeeze.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [60, 60, 60]}
+duration: 12
+contact: {law: hertz, tangential: none}
+materials: [{name: soft, density: 1, young: 1000, poisson: 0.3}, {name: hard, density: 1, young: 1000, poisson: 0.3}]
+material_pairs: [{restitution: 1}]
+walls: [{name: floor, shape: plane, point: [0, 0, 0], normal: [0, 0, 1], material: soft}]
+particles:
+  sources:
+    - {from: single, position: [30, 30, 1], radius: 1, material: soft, density: 0.1}
+    - {from: single, position: [30, 30, 12.0001], radius: 10, velocity: [0, 0, -0.1], material: hard}
+guards: {overlap_bound: 0.9}
+observables: {every: 1, list: [{name: overlap_max}]}
+EOS
+squeezes() { # DIR LEAST FLAG...: the overlap is at most that foretold (but for the grain's own mass), and LEAST of it at least
+    local foretold
+    "$scree" check squeeze.yaml "${@:3}" >checked || { cat checked; return 1; }
+    foretold=$(sed -n 's/.* under the heaviest, on a support, by up to \([-0-9.e+]*\).*/\1/p' checked)
+    run_scene 1 squeeze.yaml "$1" "${@:3}" || return 1
+    awk -F, -v foretold="$foretold" -v least="$2" 'NR > 1 && $NF > most { most = $NF }
+        END { print "  " most " of " foretold " foretold"; exit !(most <= 1.005 * foretold && most >= least * foretold) }' "$1/observables.csv"
+}
+linear=(--set contact.law=hooke --set materials[0].young=~ --set materials[0].poisson=~ --set materials[1].young=~ --set materials[1].poisson=~)
+check 'check foresees how far a boulder squeezes a grain' squeezes alike 0.8
+check 'between contacts of other stiffness' squeezes stiff 0.99 --set materials[0].young=10000
+check 'the other way round, too' squeezes stiffer 0.8 --set materials[1].young=10000
+check 'with springs' squeezes springs 0.99 "${linear[@]}" --set 'material_pairs=[{restitution: 1, k_n: 10000}, {between: [soft, hard], restitution: 1, k_n: 2000}]'
+remedy() { # the modulus that the warning names keeps the overlap foretold below the bound, at the time step that it names
+    local factor dt
+    "$scree" check squeeze.yaml --set guards.overlap_bound=0.1 >checked || { cat checked; return 1; }
+    set -- $(sed -n "s/^warning: guards.overlap: .* young of 'soft' times \([0-9.e+]*\) keeps .* time step of \([0-9.]*\) of this one; times .*/\1 \2/p" checked)
+    [ $# = 2 ] || { echo '  no remedy:'; cat checked; return 1; }
+    factor=$1 dt=$2
+    "$scree" check squeeze.yaml --set guards.overlap_bound=0.101 --set materials[0].young="$(awk "BEGIN { print 1000 * $factor }")" \
+        --set materials[1].young="$(awk "BEGIN { print 1000 * $factor }")" >stiffened || return 1
+    ! grep -q '^warning' stiffened || { cat stiffened; return 1; }
+    set -- $(sed -n 's/^  chosen *\([0-9.e-]*\) .*/\1/p' checked) $(sed -n 's/^  chosen *\([0-9.e-]*\) .*/\1/p' stiffened)
+    within "$(awk "BEGIN { print $2 / $1 }")" "$dt" 0.02
+}
+check 'and the warning names a remedy that holds, and its price' remedy
+check 'without a support nothing is squeezed' bash -c "$scree"' check squeeze.yaml --set "walls=[]" >said && ! grep -q "under the heaviest" said'
+
 # Where things are
 printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 2 0\nendloop\nendfacet\nendsolid\n' >far.stl
 meshes='walls=[{name: floor, shape: plane, point: [0, 0, 0.5], normal: [0, 0, 1]}, {name: far, shape: mesh, file: far.stl, offset: [20, 0, 0]},

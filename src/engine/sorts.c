@@ -1,0 +1,114 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Collects the sorts of grains of a run. Read sorts.h first. */
+#include "engine/sorts.h"
+#include "contact/material.h"
+#include "particles/kinds.h"
+#include "scene/region.h"
+#include <math.h>
+#include <string.h>
+
+/* A sphere of a sort. */
+struct sorts_sphere {
+    double radius, mass;
+    double start, fall; /* squares of speeds */
+};
+
+static double cube(double x) {
+    return x * x * x;
+}
+
+int sorts_material(int sort) {
+    return sort / SORTS_DENSITIES;
+}
+
+/* The sort of a sphere whose material has this density. */
+static int sort_of(int material, double density, double radius, double mass) {
+    double power = floor(log2(mass / particles_sphere_mass(radius, density))) + SORTS_DENSITIES / 2;
+    return material * SORTS_DENSITIES + (int)fmin(fmax(power, 0), SORTS_DENSITIES - 1);
+}
+
+static void sorts_put(struct sorts *sorts, int sort, const struct sorts_sphere *sphere) {
+    double ratio = sphere->mass / cube(sphere->radius);
+    sorts->radius_min[sort] = fmin(sorts->radius_min[sort], sphere->radius);
+    sorts->radius_max[sort] = fmax(sorts->radius_max[sort], sphere->radius);
+    sorts->lightest[sort] = fmin(sorts->lightest[sort], ratio);
+    sorts->heaviest[sort] = fmax(sorts->heaviest[sort], ratio);
+    sorts->start[sort] = fmax(sorts->start[sort], sphere->start);
+    sorts->fall[sort] = fmax(sorts->fall[sort], sphere->fall);
+}
+
+/* 2 g h of a fall from a place, the surface of a sphere, to the sides of the box; box-relative. */
+static double fall_from(const struct simulation *s, const double lower[3], const double upper[3]) {
+    double fall = 0;
+    for (int d = 0; d < 3; d++) {
+        double g = s->scene->gravity[d], height = g < 0 ? lower[d] : s->box.edge[d] - upper[d];
+        if (!s->box.periodic[d])
+            fall += 2 * fabs(g) * fmax(height, 0);
+    }
+    return fall;
+}
+
+/* Adds the sorts of an insertion. */
+static void sorts_insert(const struct simulation *s, struct sorts *sorts,
+                         const struct insertion_options *options) {
+    double radius[2], usual = s->scene->material[options->material].density, edge[2][3], v2 = 0;
+    double density = options->density > 0 ? options->density : usual, sigma = options->velocity_sigma;
+    sizes_bounds(&options->sizes, &radius[0], &radius[1]);
+    region_bounds(&options->region, edge[0], edge[1]);
+    for (int d = 0; d < 3; d++) {
+        edge[0][d] = fmin(edge[0][d] - s->box.origin[d], s->box.edge[d]);
+        edge[1][d] = fmax(edge[1][d] - s->box.origin[d], 0);
+        v2 += options->velocity[d] * options->velocity[d] + sigma * sigma;
+    }
+    sorts->fastest = fmax(sorts->fastest, v2);
+    /* the highest sphere touches the side of the region from which it falls deepest */
+    double fall = fall_from(s, edge[1], edge[0]);
+    for (int k = 0; k < 2; k++) {
+        struct sorts_sphere sphere = {radius[k], particles_sphere_mass(radius[k], density), v2, fall};
+        sorts_put(sorts, sort_of(options->material, usual, radius[k], sphere.mass), &sphere);
+    }
+}
+
+/* Adds a particle of this rank. */
+static void sorts_add(const struct simulation *s, struct sorts *sorts, size_t k, int material) {
+    const struct particle_state *p = &s->particles->state[k];
+    double lower[3], upper[3], v2 = p->v[0] * p->v[0] + p->v[1] * p->v[1] + p->v[2] * p->v[2];
+    if (s->box.motion.moves)
+        v2 = skin_speed2(&s->box, p, 0);
+    sorts->fastest = fmax(sorts->fastest, v2);
+    if (!(p->inverse_mass > 0)) {
+        sorts->fixed[material] = 1;
+        return;
+    }
+    for (int d = 0; d < 3; d++) {
+        lower[d] = p->x[d] - p->radius;
+        upper[d] = p->x[d] + p->radius;
+    }
+    struct sorts_sphere sphere = {p->radius, 1 / p->inverse_mass, v2, fall_from(s, lower, upper)};
+    double density = s->scene->material[material].density;
+    sorts_put(sorts, sort_of(material, density, p->radius, sphere.mass), &sphere);
+}
+
+void sorts_collect(const struct simulation *s, struct sorts *sorts) {
+    *sorts = (struct sorts){0};
+    for (int k = 0; k < SORTS_MAX; k++)
+        sorts->radius_min[k] = sorts->lightest[k] = INFINITY;
+    const uint8_t *number = material_numbers(s->particles), *kind = kinds_of(s->particles);
+    for (size_t k = 0; k < s->particles->owned; k++)
+        if (!kind || kind[k] == KIND_GRAIN)
+            sorts_add(s, sorts, k, material_of(number, k));
+    for (int k = 0; k < s->scene->insertions; k++)
+        sorts_insert(s, sorts, &s->scene->insertion[k]);
+    if (s->scene->materials == 0) /* nothing touches */
+        memset(sorts->radius_max, 0, sizeof sorts->radius_max);
+    for (int w = 0; w < s->scene->walls; w++)
+        sorts->fixed[s->scene->wall[w].material] = 1;
+    comm_min(s->comm, sorts->radius_min, SORTS_MAX);
+    comm_min(s->comm, sorts->lightest, SORTS_MAX);
+    comm_max(s->comm, sorts->radius_max, SORTS_MAX);
+    comm_max(s->comm, sorts->heaviest, SORTS_MAX);
+    comm_max(s->comm, sorts->start, SORTS_MAX);
+    comm_max(s->comm, sorts->fall, SORTS_MAX);
+    comm_max(s->comm, sorts->fixed, LAW_MATERIALS_MAX);
+    comm_max(s->comm, &sorts->fastest, 1);
+}
