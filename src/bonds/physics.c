@@ -3,6 +3,7 @@
 #include "bonds/bonds.h"
 #include "bonds/state.h"
 #include "contact/spin.h"
+#include "core/log.h"
 #include "core/memory.h"
 #include "integrate/groups.h"
 #include "integrate/stability.h"
@@ -83,6 +84,23 @@ static bool due(const struct physics_context *context) {
     return !bonds->made && at_time(bonds->options, context->clock);
 }
 
+/* Warns if there is no bond: units, or places, are then probably not what they should be. */
+static void none_tell(const struct bonds *bonds) {
+    const struct bonds_options *o = bonds->options;
+    int64_t sides = (int64_t)bonds->rows.count;
+    comm_sum_int(bonds->context->comm, &sides, 1);
+    if (sides > 0 || bonds->context->comm->rank > 0)
+        return;
+    if (o->list[0])
+        log_tell(bonds->context->log, "warning: bonds: there is no bond: %.300s lists none", o->list);
+    else
+        log_tell(bonds->context->log,
+                 "warning: bonds: there is no bond at t = %.6g: no two grains that bonds.laws serve are at "
+                 "most bonds.gap = "
+                 "%.6g apart",
+                 bonds->context->clock->time, o->gap);
+}
+
 /* True if the bonds were made in this rebuild: copies must then reach their partners. */
 static bool rebuilt_again(const struct physics_context *context) {
     struct bonds *bonds = context->self;
@@ -91,6 +109,8 @@ static bool rebuilt_again(const struct physics_context *context) {
         return false;
     }
     bonds_make(bonds);
+    if (bonds->error.kind == ERROR_NONE)
+        none_tell(bonds);
     bonds->links = 0; /* partners may be missing until the rebuild that follows */
     bonds->made = 1;
     bonds->made_step = context->clock->step;

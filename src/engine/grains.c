@@ -20,6 +20,11 @@ static void servo(const struct physics_context *context) {
         s->grains.push[w].impedance = *walls_impedance(s->grains.walls, w);
     }
     comm_sum(s->comm, s->grains.push[0].force, 4 * walls_count(s->grains.walls));
+    for (int w = 0; w < walls_count(s->grains.walls); w++) {
+        const double *f = s->grains.push[w].force;
+        if (f[0] != 0 || f[1] != 0 || f[2] != 0)
+            s->grains.pushed[w] = s->clock.step;
+    }
 }
 
 /* The largest squared speed relative to the mean flow, and at least `least`, which may be no number. */

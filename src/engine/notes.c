@@ -148,6 +148,30 @@ static void look_at_servos(const struct simulation *s, struct notes *notes) {
     }
 }
 
+/* Notes insertion regions that reach out of the box where the box does not keep particles. */
+static void look_at_insertions(const struct simulation *s, struct notes *notes) {
+    const struct box *box = &s->box;
+    for (int k = 0; k < s->scene->insertions; k++) {
+        const struct insertion_options *insertion = &s->sources.insertion[k].options;
+        double lower[3], upper[3], smallest, largest;
+        region_bounds(&insertion->region, lower, upper);
+        sizes_bounds(&insertion->sizes, &smallest, &largest);
+        for (int side = 0; side < 2 * box->dimension; side++) {
+            int d = side / 2;
+            double beyond = side % 2 ? upper[d] - smallest - box->origin[d] - box->edge[d]
+                                     : box->origin[d] - lower[d] - smallest;
+            if (box->periodic[d] || box->leave[d][side % 2] == BOX_KEEP || !(beyond > 1e-12 * box->edge[d]))
+                continue;
+            add(notes, true,
+                "insertions[%d].region reaches out of the box at its %s %c side, by up to %.4g for the "
+                "centre of a "
+                "particle; a particle that is placed there %s (box.leave)",
+                k, side % 2 ? "upper" : "lower", 'x' + d, beyond,
+                box->leave[d][side % 2] == BOX_DELETE ? "is deleted at once" : "ends the run");
+        }
+    }
+}
+
 /* Notes meshes with edges that spheres overlap so far that the contact with the second side begins with a jump
  * (wall_touch.h). */
 static void look_at_edges(const struct simulation *s, struct notes *notes) {
@@ -249,9 +273,31 @@ void notes_take(const struct simulation *s, struct notes *notes) {
         add(notes, false, "%s", s->scene->note);
     look_at_places(s, notes);
     look_at_servos(s, notes);
+    look_at_insertions(s, notes);
     look_at_edges(s, notes);
     look_at_output(s, notes);
     look_at_guards(s, notes);
+}
+
+void notes_seen(const struct simulation *s, uint64_t first, struct notes *notes) {
+    *notes = (struct notes){0};
+    for (int w = 0; w < s->scene->walls; w++)
+        for (int m = 0; m < s->scene->wall[w].motions; m++) {
+            const struct wall_motion *motion = &s->scene->wall[w].motion[m];
+            uint64_t pushed = s->grains.pushed[w] > first ? s->grains.pushed[w] : first;
+            if (motion->kind != WALL_SERVO || s->clock.step - pushed <= (s->clock.step - first) / 2 ||
+                motion->start > s->clock.time || motion->stop < s->clock.time)
+                continue;
+            struct wall_pose pose;
+            walls_pose(s->grains.walls, w, &pose);
+            add(notes, true,
+                "walls[%d].motion[%d]: nothing pushed on wall '%s' in the last %llu steps. Its servo moved "
+                "it by %.4g along its "
+                "direction: away from the particles (then turn the direction round), or it has not reached "
+                "them yet",
+                w, m, s->scene->wall[w].name, (unsigned long long)(s->clock.step - pushed),
+                pose.servo_offset);
+        }
 }
 
 void notes_print(const struct notes *notes, const char *before, FILE *file) {

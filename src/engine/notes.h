@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Notes on a scene, which people should read before they trust a run. `scree check` prints the notes, and
- * `scree run` repeats the notes before the first step. A setting that is probably a mistake, but no error,
+ * `scree run` repeats the notes before the first step, and tells at its end what it has seen. A setting that is probably a mistake, but no error,
  * gets a note here. */
 #ifndef SCREE_ENGINE_NOTES_H
 #define SCREE_ENGINE_NOTES_H
@@ -8,7 +8,7 @@
 #include "engine/state.h"
 #include <stdio.h>
 
-enum { NOTES_MAX = 2 * WALLS_MAX + 16, NOTE_TEXT_MAX = 560 };
+enum { NOTES_MAX = 2 * WALLS_MAX + 6 * INSERTIONS_MAX + 16, NOTE_TEXT_MAX = 560 };
 
 /* The smallest box around a set of points, in the user's coordinates; lower above upper: no points. */
 struct extent {
@@ -39,6 +39,9 @@ double notes_moved(const struct simulation *simulation);
 
 /* Makes all notes, before the first step. Collective. */
 void notes_take(const struct simulation *simulation, struct notes *notes);
+
+/* Makes the notes on what a run that began at step `first` has seen, at its end. Any rank, without communication. */
+void notes_seen(const struct simulation *simulation, uint64_t first, struct notes *notes);
 
 /* Prints a line each, "NOTE: ..." or "warning: ...", with `before` in front. */
 void notes_print(const struct notes *notes, const char *before, FILE *file);

@@ -264,11 +264,16 @@ static void run_loop(struct run *run, struct error *error) {
         stopped_checkpoint(run, error);
 }
 
-/* Prints the notes that `scree check` prints for the scene. */
-static void notes_tell(const struct simulation *s) {
+/* Prints the notes that `scree check` prints for the scene, or at the end of a run what it has seen. */
+static void notes_tell(const struct run *run, bool seen) {
+    if (run->options->quiet)
+        return;
     struct notes *notes = memory_allocate_zero(1, sizeof *notes, "notes");
-    notes_take(s, notes);
-    if (s->comm->rank == 0)
+    if (seen)
+        notes_seen(run->s, run->record.first, notes);
+    else
+        notes_take(run->s, notes);
+    if (run->s->comm->rank == 0)
         notes_print(notes, "scree: ", stderr);
     memory_free(notes);
 }
@@ -348,8 +353,7 @@ int run_one(const struct comm *comm, const struct scene *scene, const struct run
     run_signals_catch();
     if (run_stages_open(&run.stages, run.s, &run.output, error) && run_open(&run, error) &&
         watch_begin(&run, error)) {
-        if (!options->quiet)
-            notes_tell(run.s);
+        notes_tell(&run, false);
         run.record.setup = timer_now() - start;
         run_loop(&run, error);
         tables_end(&run, error);
@@ -360,6 +364,7 @@ int run_one(const struct comm *comm, const struct scene *scene, const struct run
             *report = own;
         else
             report_destroy(&own);
+        notes_tell(&run, true);
     }
     comm_agree(comm, error);
     outputs_close(&run.outputs, comm, error);

@@ -101,6 +101,7 @@ static void report_insertions(const struct simulation *s, struct report *report)
             snprintf(row->name, sizeof row->name, "insertions[%d]", k);
         row->asked = sources_asked(s, k);
         row->placed = s->sources.state[k].placed;
+        row->lost = s->sources.lost[k];
     }
 }
 

@@ -295,9 +295,13 @@ static void insertion_run(struct simulation *s, int number) {
         left = insertion_settle(insertion, candidate, blocked, n);
     }
     s->sources.inserted += insertion_end(insertion, state, candidate, n);
-    for (size_t k = 0; k < n; k++)
-        if (candidate[k].accepted)
-            candidate_append(s, &candidate[k]);
+    for (size_t k = 0; k < n; k++) {
+        enum box_leave leave = BOX_KEEP;
+        if (!candidate[k].accepted)
+            continue;
+        candidate_append(s, &candidate[k]);
+        s->sources.lost[number] += side_left(&s->box, candidate[k].x, &leave) >= 0;
+    }
     placegrid_destroy(&grid);
     memory_free(candidate);
     memory_free(blocked);

@@ -85,6 +85,7 @@ struct grains {
     bool sums_each_step;              /* dissipated energy is observed */
     double (*speed)[CLASS_MAX];       /* [thread][class]: largest squared speed of the last drift */
     struct wall_push push[WALLS_MAX]; /* of walls with servos */
+    uint64_t pushed[WALLS_MAX]; /* the last step in which something pushed on a wall with a servo; 0: none */
 };
 
 /* Edges and shear of the box that follow the stress (deform.c). */
@@ -135,6 +136,7 @@ struct sources {
     double placing_told; /* seconds: clock at the last progress line of a placement; 0: none yet */
     struct insertion insertion[INSERTIONS_MAX];
     struct insertion_state state[INSERTIONS_MAX];
+    uint64_t lost[INSERTIONS_MAX]; /* particles of this run that were placed where the box deletes them */
     uint64_t inserted, deleted;
     double deleted_mass; /* this rank's part */
     uint64_t last_step;  /* last step at which particles came or went */

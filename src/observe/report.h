@@ -35,6 +35,8 @@ struct report_class {
 struct report_insertion {
     char name[REPORT_NAME_MAX];
     uint64_t asked, placed;
+    uint64_t
+        lost; /* of those placed since the last start or resume: outside of the box, which deletes them */
 };
 
 /* A stage of the scene that this program has run, wholly or in part. */

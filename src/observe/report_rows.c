@@ -76,8 +76,11 @@ static const char *cpu(const void *report, char *text, size_t room) {
 
 static const char *insertion_note(const void *base, char *text, size_t room) {
     const struct report_insertion *insertion = base;
-    (void)text;
-    (void)room;
+    if (insertion->lost > 0) {
+        snprintf(text, room, ": NOTE: %llu of them outside of the box, which deletes them (box.leave)",
+                 (unsigned long long)insertion->lost);
+        return text;
+    }
     return (double)insertion->placed < 0.9 * (double)insertion->asked
                ? ": NOTE: its region is too full for the rest, or walls stand in it"
                : "";
@@ -158,8 +161,10 @@ static const struct report_row insertion_rows[] = {
      .help = "particles that were due at the last look at the region, since the start of the run"},
     {.name = "placed", .unit = "1", .type = REPORT_COUNT, AT(struct report_insertion, placed),
      .help = "the particles that found a place among these"},
+    {.name = "lost", .unit = "1", .type = REPORT_COUNT, AT(struct report_insertion, lost),
+     .help = "the particles among these that this run placed outside of the box, which deletes them (`box.leave`)"},
     {.name = "note", .unit = "", .type = REPORT_TEXT, .text = insertion_note, .terminal = true,
-     .help = "a note if more than a tenth of the due particles found no place"},
+     .help = "a note if particles were lost, or more than a tenth of those due found no place"},
     {0}};
 
 static const struct report_row stage_rows[] = {

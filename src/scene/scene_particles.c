@@ -14,7 +14,7 @@
 #include "integrate/groups.h"
 #include "scene/lattice.h"
 #include "scene/packing.h"
-#include "scene/source_sphere.h"
+#include "scene/source_ids.h"
 #include "scene/table.h"
 #include "scene/unique.h"
 
@@ -30,6 +30,7 @@ struct walk {
     struct scene_census census;
     struct unique ids, places; /* values that may occur only once */
     uint64_t stream;           /* spheres so far */
+    struct source_ids new_ids;
     struct error *error;
 };
 
@@ -40,16 +41,36 @@ static void remember(const struct walk *walk, struct unique *list, uint64_t key,
         unique_add(list, &(struct unique_entry){key, sphere->id, (uint32_t)sphere->line, (uint32_t)source});
 }
 
-/* Fails if a key was seen twice. */
-static bool check_unique(const struct walk *walk, struct unique *list, const char *what) {
+/* The place of an entry, as a message on another source names it. */
+static const char *entry_place(const struct scene *scene, const struct unique_entry *entry, char *text,
+                               size_t room) {
+    const struct source_options *options = &scene->source[entry->source];
+    char place[SCENE_PATH_MAX], key[96], line[32] = "";
+    if (entry->line > 0)
+        snprintf(line, sizeof(line), "line %u of ", entry->line);
+    source_key((int)entry->source, "from", key, sizeof(key));
+    bool file = options->kind == SOURCE_FILE;
+    snprintf(text, room, "%s%.300s", line,
+             file ? options->file : scene_place(scene, key, place, sizeof(place)));
+    return text;
+}
+
+/* Fails if a key was seen twice; `remedy` ends the message if two sources clash and one of them is a file. */
+static bool check_unique(const struct walk *walk, struct unique *list, const char *what, const char *remedy) {
     const struct unique_entry *first, *second;
     if (!unique_find_twice(list, &first, &second))
         return true;
-    char text[200], line[64] = "";
+    char text[600], place[400] = "";
+    const struct source_options *source = walk->scene->source;
     struct source_sphere sphere = {.id = second->id, .line = second->line};
-    if (first->line > 0)
-        snprintf(line, sizeof(line), ", line %u", first->line);
-    snprintf(text, sizeof(text), "%s particle %lld%s", what, (long long)first->id, line);
+    bool apart = first->source != second->source,
+         file = source[first->source].kind == SOURCE_FILE || source[second->source].kind == SOURCE_FILE;
+    if (apart)
+        entry_place(walk->scene, first, place, sizeof(place));
+    else if (first->line > 0)
+        snprintf(place, sizeof(place), "line %u", first->line);
+    snprintf(text, sizeof(text), "%s particle %lld%s%s%s", what, (long long)first->id, place[0] ? ", " : "",
+             place, apart && file ? remedy : "");
     return source_sphere_fail(walk->scene, (int)second->source, &sphere, text, walk->error);
 }
 
@@ -120,42 +141,17 @@ static void expect(struct walk *walk, size_t count) {
     unique_reserve(&walk->places, walk->places.count + share);
 }
 
-/* Gives a sphere its id: `number`, the file's or its place in the source, after the ids of earlier sources
- * (up to `base`), or the one that the scene names. An id below 1 becomes 0, which is refused with the sphere.
- */
-static bool give_id(const struct walk *walk, int source, int64_t number, int64_t base,
-                    struct source_sphere *sphere) {
-    const struct source_options *options = &walk->scene->source[source];
-    bool named = options->kind == SOURCE_SINGLE && options->id > 0;
-    int64_t before = named || number < 1 ? 0 : base;
-    sphere->id = named ? options->id : number < 1 ? 0 : number;
-    if (sphere->id <= SOURCE_ID_MAX - before) {
-        sphere->id += before;
-        return true;
-    }
-    char text[160];
-    snprintf(text, sizeof text, "the id, which follows those of earlier sources (up to %lld), is above 2^62",
-             (long long)before);
-    return source_sphere_fail(walk->scene, source, sphere, text, walk->error);
-}
-
-/* True if the source keeps to radii among which this one is not. */
-static bool left_out(const struct source_options *options, const struct source_sphere *sphere) {
-    return options->kind == SOURCE_FILE && sphere->radius > 0 &&
-           !(sphere->radius > options->radius_above && sphere->radius <= options->radius_upto);
-}
-
 static bool take_batch(struct walk *walk, int source, const struct source_batch *batch) {
     const struct source_options *options = &walk->scene->source[source];
     expect(walk, batch->rows.count);
-    int64_t base = walk->census.id_max, taken = 0;
+    size_t taken = 0;
     for (size_t k = 0; k < batch->rows.count; k++) {
         struct source_sphere sphere = source_sphere_of(options, batch, k);
-        if (left_out(options, &sphere))
+        if (source_sphere_left_out(options, &sphere))
             continue;
         taken++;
-        if (!give_id(walk, source, batch->rows.id ? batch->rows.id[k] : taken, base, &sphere) ||
-            !take_sphere(walk, source, batch, &sphere))
+        sphere.id = source_ids_give(&walk->new_ids, options, batch, k);
+        if (!take_sphere(walk, source, batch, &sphere))
             return false;
     }
     char key[96];
@@ -231,7 +227,7 @@ static bool place_random(const struct walk *walk, struct source_batch *batch, do
                 sound = sound && isfinite(sphere.x[d]);
                 sphere.x[d] = box_coordinate(&scene->box, d, sphere.x[d]);
             }
-            if (sound && !left_out(&scene->source[s], &sphere))
+            if (sound && !source_sphere_left_out(&scene->source[s], &sphere))
                 placegrid_add(grid, sphere.x, sphere.radius);
         }
     bool good = packing_make(scene, walk->share, grid, batch, walk->error);
@@ -239,18 +235,21 @@ static bool place_random(const struct walk *walk, struct source_batch *batch, do
     return good;
 }
 
-/* Sources are made in their order, but random ones last of all, as these avoid all others. */
+/* All sources are made before the first is taken: random ones last of all, as these avoid all others, and new
+ * ids leave out those of all files. */
 static bool take_sources(struct walk *walk) {
     const struct scene *scene = walk->scene;
     struct source_batch *batch =
         memory_allocate_zero((size_t)scene->sources, sizeof(*batch), "batches of particles");
     double unit = random_radius(scene);
-    bool good = true, mixed = isfinite(unit);
-    for (int s = 0; s < scene->sources && good && mixed; s++)
+    bool good = true;
+    for (int s = 0; s < scene->sources && good; s++)
         good = make_batch(walk, s, &batch[s]);
-    good = good && (!mixed || place_random(walk, batch, unit));
+    good = good && (!isfinite(unit) || place_random(walk, batch, unit));
+    if (good)
+        source_ids_begin(&walk->new_ids, scene, batch);
     for (int s = 0; s < scene->sources; s++) {
-        good = good && (mixed || make_batch(walk, s, &batch[s])) && take_batch(walk, s, &batch[s]);
+        good = good && take_batch(walk, s, &batch[s]);
         source_batch_free(&batch[s]);
     }
     memory_free(batch);
@@ -275,8 +274,10 @@ bool scene_particles(const struct scene *scene, const struct scene_share *share,
                      struct scene_census *census, struct error *error) {
     struct walk walk = {.scene = scene, .share = share, .particles = particles, .error = error};
     bool good = take_sources(&walk) && check_groups(&walk) &&
-                check_unique(&walk, &walk.ids, "has the id of") &&
-                check_unique(&walk, &walk.places, "its centre coincides with that of");
+                check_unique(&walk, &walk.ids, "has the id of",
+                             "; `ids: new` numbers the particles of a file anew") &&
+                check_unique(&walk, &walk.places, "its centre coincides with that of", "");
+    source_ids_free(&walk.new_ids);
     unique_free(&walk.ids);
     unique_free(&walk.places);
     if (census)

@@ -102,6 +102,10 @@ static const struct schema_name format_names[] = {
     {"table", SOURCE_TABLE, "numbers in columns"},
     {"h5md", SOURCE_H5MD, "H5MD, in the form that this program writes"},
     {0}};
+static const struct schema_name ids_names[] = {
+    {"file", SOURCE_IDS_FILE, "the ids of the file stand; an id that another source has, too, is refused"},
+    {"new", SOURCE_IDS_NEW, "new ids"},
+    {0}};
 static const struct schema_name lattice_names[] = {
     {"sc", SOURCE_SC, "simple cubic"},
     {"fcc", SOURCE_FCC, "face-centred cubic"},
@@ -135,6 +139,8 @@ static const struct schema_row source_rows[] = {
      SOURCE(scale), .help = "factor for lengths in the file"},
     {.key = "offset", .type = SCHEMA_VECTOR, .unit = "m", .fallback = "[0, 0, 0]", .when = "from=file",
      SOURCE(offset), .help = "added to positions, after scaling"},
+    {.key = "ids", .type = SCHEMA_NAME, .names = ids_names, .fallback = "file", .when = "from=file",
+     SOURCE(ids), .help = "ids of the particles; those of a file without ids are new, see `id`"},
     {.key = "types", .type = SCHEMA_REFS, .target = "materials", .when = "from=file",
      ARRAY_AT(struct source_options, type_material, type_count),
      .help = "materials of type 1, 2, ... of the file; left out: type t is material number t of the scene",
@@ -172,7 +178,7 @@ static const struct schema_row source_rows[] = {
      .required = true, SOURCE(radius), .help = "radius of the particle", .example = "1 cm"},
     {.key = "id", .type = SCHEMA_LONG, .range = "[0, inf)", .fallback = "0", .when = "from=single",
      SOURCE(id),
-     .help = "id of the particle, for observables; 0: the next free id (the first particle of the first source has id 1)"},
+     .help = "id of the particle; 0: a new one. New ids count from 1 in the order of the sources, without those that files or other sources name"},
     {.key = "material", .type = SCHEMA_REF, .target = "materials", SOURCE(material),
      .help = "the material, whatever the file says; may be left out if there is only one material or the file has types", .example = "glass"},
     {.key = "group", .type = SCHEMA_REF, .target = "groups", SOURCE(group),

@@ -3,15 +3,11 @@
  * meant. */
 #include "scene/source_batch.h"
 
-#include "core/memory.h"
-
 #include <stdio.h>
 #include <string.h>
 
 void source_batch_free(struct source_batch *batch) {
     rows_free(&batch->rows);
-    memory_free(batch->line);
-    batch->line = NULL;
 }
 
 const char *source_key(int source, const char *key, char *text, size_t room) {

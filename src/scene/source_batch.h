@@ -17,7 +17,6 @@ enum { SOURCE_SPHERES_MAX = 200000000 };
 /* The spheres of one source. */
 struct source_batch {
     struct rows rows;     /* position and radius always; mass 0: not given */
-    uint32_t *line;       /* line of each row in its file; NULL: the row has no line */
     bool materials_named; /* rows.material is a number of the scene's materials, not a type of the file */
 };
 

@@ -45,7 +45,7 @@ struct source_sphere source_sphere_of(const struct source_options *options, cons
     const struct rows *rows = &batch->rows;
     struct source_sphere sphere = {.radius = rows->radius[k],
                                    .material = rows->material ? rows->material[k] : 0,
-                                   .line = batch->line ? batch->line[k] : 0};
+                                   .line = rows->line ? rows->line[k] : 0};
     bool file = options->kind == SOURCE_FILE;
     if (rows->mass && rows->mass[k] > 0)
         sphere.density = rows->mass[k] / particles_sphere_mass(sphere.radius, 1);
@@ -61,6 +61,11 @@ struct source_sphere source_sphere_of(const struct source_options *options, cons
     return sphere;
 }
 
+bool source_sphere_left_out(const struct source_options *options, const struct source_sphere *sphere) {
+    return options->kind == SOURCE_FILE && sphere->radius > 0 &&
+           !(sphere->radius > options->radius_above && sphere->radius <= options->radius_upto);
+}
+
 /* Refuses values that no source may give. */
 static bool check_given(const struct subject *at) {
     const struct source_sphere *sphere = at->sphere;
@@ -69,8 +74,8 @@ static bool check_given(const struct subject *at) {
             return fail(at, "position, velocity or spin is not a finite number");
     if (!(sphere->radius > 0) || !isfinite(sphere->radius))
         return fail(at, "the radius must be > 0 and finite");
-    if (sphere->id < 1)
-        return fail(at, "ids must be >= 1");
+    if (sphere->id < 1 || sphere->id > SOURCE_ID_MAX)
+        return fail(at, "ids must lie between 1 and 2^62");
     return true;
 }
 

@@ -7,7 +7,7 @@
 
 /* One sphere of the stream, positions in the user's coordinates. */
 struct source_sphere {
-    int64_t id; /* 0: the next free one */
+    int64_t id;
     double x[3], v[3], omega[3];
     double radius, density; /* density 0: the material's */
     int material, group;    /* material -1: as the source says */
@@ -18,6 +18,9 @@ struct source_sphere {
 /* Row `k` of a batch as a sphere in the user's coordinates; no group yet, the material as the row says. */
 struct source_sphere source_sphere_of(const struct source_options *options, const struct source_batch *batch,
                                       size_t k);
+
+/* True if the source keeps to radii among which this one is not. */
+bool source_sphere_left_out(const struct source_options *options, const struct source_sphere *sphere);
 
 /* Gives a sphere its material, density, velocity and group by source and scene; x becomes its centre,
  * box-relative and wrapped, with the images counted. Fails (user), with the sphere's place in the file, if

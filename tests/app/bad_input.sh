@@ -305,7 +305,7 @@ data 'a word for a number' "case.data:12|not a number" lammps-data "$head$first"
 data 'too few columns' "case.data:12" lammps-data "$head$first"'2 1 0.002 2500\n'
 data 'more atoms than announced' "case.data" lammps-data \
     "$head$first"'2 1 0.002 2500 0.006 0.005 0.005\n3 1 0.002 2500 0.008 0.005 0.005\n'
-data 'an id twice' "case.data|id 1|twice" lammps-data "$head$first"'1 1 0.002 2500 0.006 0.005 0.005\n'
+data 'an id twice' "case.data:12|particle 1, line 11" lammps-data "$head$first"'1 1 0.002 2500 0.006 0.005 0.005\n'
 data 'another atom style' "case.data:9|molecular|sphere" lammps-data "${head/sphere/molecular}$first"
 data 'a type without material' "case.data|type" lammps-data "$head$first"'2 2 0.002 2500 0.006 0.005 0.005\n'
 data 'empty' "case.data" lammps-data ''
@@ -328,6 +328,10 @@ data 'no such column' "case.data:1|colour" table 'radius x y z colour\n0.001 0.0
 data 'a word for a number' "case.data:2|here" table 'radius x y z\n0.001 here 0.005 0.005\n'
 data 'truncated row' "case.data:3" table 'radius x y z\n0.001 0.002 0.005 0.005\n0.001 0.006\n'
 data 'coinciding centres' "case.data|coincide" table 'radius x y z\n0.001 0.002 0.005 0.005\n0.001 0.002 0.005 0.005\n'
+printf 'id radius x y z\n3 0.001 0.002 0.002 0.002\n7 0.001 0.002 0.002 0.005\n' >other.data
+printf 'id radius x y z\n7 0.001 0.006 0.005 0.005\n' >case.data
+scene 'an id of two files' 'case.data:2: |particle 7, line 3 of other.data|`ids: new`' \
+    'particles: {sources: [{file: other.data, format: table}, {file: case.data, format: table}]}'
 data 'an id twice' "case.data:3|particle 7|line 2" table 'id radius x y z\n7 0.001 0.002 0.005 0.005\n7 0.001 0.006 0.005 0.005\n'
 data 'a radius of zero' "case.data:2|radius" table 'radius x y z\n0 0.002 0.005 0.005\n'
 data 'infinite position' "case.data:2|x" table 'radius x y z\n0.001 inf 0.005 0.005\n'

@@ -66,6 +66,18 @@ later() { # made at t = 0.5: half of the way counts
 }
 check 'made at a time' later
 
+none() { # RANKS WORDS SETTING...: check and run warn that there is no bond
+    local ranks=$1 words=$2 verb
+    shift 2
+    for verb in check 'run -o unbonded --overwrite'; do
+        on "$ranks" "$scree" $verb pair.yaml --set 'particles.sources[1].position=[4.5, 2, 2]' "$@" >said 2>&1 && holds said "warning: bonds: there is no bond$words" || return 1
+    done
+}
+check 'no bond is told' none 1 ' at t = 0: no two grains'
+check 'no bond is told, 3 ranks, later' none 3 ' at t = 0.5: no two grains' --set bonds.when=time --set bonds.time=0.5
+echo '# nothing' >empty.txt
+check 'an empty list is told' none 1 ': ' --set bonds.list=empty.txt
+
 # Two free grains: the limit of the step, exact for this pair
 free() { # FACTOR: the energy after 20 steps over that at the start
     rm -rf free && run_scene 1 pair.yaml free --set 'groups=~' --set 'particles.sources=[{from: single, position: [3, 2, 2], radius: 0.5}, {from: single, position: [4.04, 2, 2], radius: 0.5, velocity: [1e-9, 0, 0]}]' \

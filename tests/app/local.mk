@@ -22,6 +22,7 @@ dist_check_SCRIPTS += \
 	tests/app/hard.sh \
 	tests/app/bonds.sh \
 	tests/app/heat.sh \
+	tests/app/ids.sh \
 	tests/app/lammps.sh \
 	tests/app/layouts.sh \
 	tests/app/needs.sh \

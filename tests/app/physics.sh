@@ -414,17 +414,46 @@ placed() { # those that are there from the start, too
         [ "$(number placed/report.json particles)" = 60 ] && [ "$(column placed/observables.csv energy_elastic_normal)" = 0 ]
 }
 check 'particles placed at random are clear of walls' placed
-check 'the report tells that all are placed' holds clear2/report.json '{"name": "insertions[0]", "asked": 40, "placed": 40}'
+check 'the report tells that all are placed' holds clear2/report.json '{"name": "insertions[0]", "asked": 40, "placed": 40, "lost": 0}'
 crowded() {
     on 1 "$scree" run clear.yaml -o crowded --set 'insertions=[{name: rain, rate: 1e9, count: 400, sizes: 1 mm, attempts: 2}]' \
         >said 2>&1 || { cat said; return 1; }
     local placed
     placed=$(number crowded/report.json inserted)
     [ "$placed" -gt 0 ] && [ "$placed" -lt 360 ] &&
-        holds crowded/report.json "{\"name\": \"rain\", \"asked\": 400, \"placed\": $placed}" &&
+        holds crowded/report.json "{\"name\": \"rain\", \"asked\": 400, \"placed\": $placed, \"lost\": 0}" &&
         holds said "insertion rain: $placed of the 400 particles due are placed: NOTE"
 }
 check 'and that many are not' crowded
+cat >lid.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [10, 10, 10], leave: {all: delete}}
+step: {count: 200, dt: 1e-3}
+contact: {law: hooke}
+materials: [{name: glass, density: 1}]
+material_pairs: [{restitution: 0.5, friction: 0.3, k_n: 1000}]
+particles: {from: lattice, lattice: sc, spacing: 2, sizes: 0.4, count: 12, region: {shape: box, lower: [1, 1, 1], upper: [9, 9, 4]}}
+insertions: [{sizes: 0.2, rate: 500, region: {shape: box, lower: [0, 0, 6], upper: [10, 10, 14]}}]
+walls: [{name: lid, shape: plane, point: [0, 0, 5], normal: [0, 0, -1], motion: [{kind: servo, direction: [0, 0, 1], force: 5, speed_max: 1}]}]
+YAML
+lost() { # RANKS: what check foretells, what the run tells, and what it counts
+    local k lost
+    on "$1" "$scree" check lid.yaml --set walls=[] >said 2>&1 && holds said 'warning: insertions[0].region reaches out of the box at its upper z side, by up to 3.8' || return 1
+    on "$1" "$scree" run lid.yaml -o lost --overwrite --set walls=[] >said 2>&1 && holds said 'scree: warning: insertions[0].region reaches out' || return 1
+    lost=$(number lost/report.json insertions[0].lost)
+    [ "$lost" -gt 20 ] && holds said "particles due are placed: NOTE: $lost of them outside of the box" || return 1
+    [ "$(number lost/report.json deleted)" -gt 0 ]
+}
+check 'an insertion out of the box is told' lost 1
+check 'so on two ranks' lost 2
+pushed() { # WORDS|LACKS WORD SETTING...: of the end of the run
+    local which=$1 word=$2
+    shift 2
+    on 2 "$scree" run lid.yaml -o pushed --overwrite --set insertions=[] "$@" >said 2>&1 || { cat said; return 1; }
+    "$which" said "$word"
+}
+check 'a servo that meets nothing is told' pushed holds "nothing pushed on wall 'lid' in the last 200 steps. Its servo moved it by -0.19"
+check 'one that meets grains is not' pushed lacks 'nothing pushed' --set walls[0].point='[0, 0, 1.8]'
 
 echo '== conversions'
 shape() { # without title and image counts

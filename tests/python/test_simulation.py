@@ -121,6 +121,15 @@ def test_particles_come_and_go():
         simulation.add([0, 0, 11], radius=0.1)
 
 
+def test_ids_of_files_stand_beside_added_particles(tmp_path):
+    (tmp_path / "rows.txt").write_text("id radius x y z\n7 0.3 1 1 1\n900 0.3 2 1 1\n")
+    sources = [{"file": str(tmp_path / "rows.txt"), "format": "table"}, {"from": "single", "position": [0, 1, 1], "radius": 0.3}]
+    simulation = scree.Simulation({**SCENE, "particles": {"sources": sources}})
+    simulation.add([-1, 1, 1], radius=0.3)
+    simulation.run(1)
+    assert sorted(simulation.id) == [1, 7, 900, 901]
+
+
 def test_mistakes_and_guards_are_told():
     said = []
     with pytest.raises(scree.Error, match="'mist'|mist") as raised:
