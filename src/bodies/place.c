@@ -61,8 +61,11 @@ static void body_make(struct bodies *bodies, const struct physics_context *conte
     const uint8_t *group = groups_of(p);
     const struct integrator_motion *motion = group ? &context->motion->motion[group[i]] : NULL;
     double *omega = spin_of(p)[i], *spin = bodies_spin(p)[i], *q = bodies_orientation(p)[i], turn[9];
+    double density = groups_mass(p, i) / particles_sphere_mass(state->radius, 1);
+    if (bodies->options->clump[number].size == CLUMP_AS_DRAWN)
+        state->radius = clump->extent;
     double scale = state->radius / clump->extent;
-    bodies_mass(p)[i] = clump_mass(clump, scale, groups_mass(p, i) / particles_sphere_mass(state->radius, 1));
+    bodies_mass(p)[i] = clump_mass(clump, scale, density);
     bodies_part(p)[i] = number;
     orientation_choose(context, &bodies->options->clump[number], clump, p->id[i], q);
     if (motion && motion->prescribed) {
