@@ -8,6 +8,7 @@
 #include "contact/spin.h"
 #include "core/random.h"
 #include "integrate/groups.h"
+#include "particles/fields.h"
 #include "particles/kinds.h"
 #include <inttypes.h>
 #include <math.h>
@@ -107,7 +108,8 @@ static void member_append(const struct bodies *bodies, const struct physics_cont
            r[3];
     int32_t(*image)[3] = particles_images(p);
     uint8_t *material = material_numbers(p), *group = groups_of(p);
-    double *density = groups_densities(p), (*omega)[4] = spin_of(p);
+    double *density = groups_densities(p), (*omega)[4] = spin_of(p),
+           *temperature = fields_numbers(p, "temperature");
     rotor_matrix(bodies_orientation(p)[i], turn);
     rotor_turn(turn, clump->sphere[number].centre, r);
     for (int d = 0; d < 3; d++) {
@@ -128,6 +130,8 @@ static void member_append(const struct bodies *bodies, const struct physics_cont
         group[m] = group[i];
     if (density)
         density[m] = mass / particles_sphere_mass(state->radius, 1);
+    if (temperature)
+        temperature[m] = temperature[i];
     p->id[m] = id;
     carried_by(p)[m] = p->id[i];
     bodies_part(p)[m] = number;
