@@ -136,6 +136,8 @@ static double wave_rate(const struct wall_motion *motion, double t, double durat
 static struct wall_transform motion_place(const struct wall_mover *mover, int k, double t, double servo) {
     const struct wall_motion *motion = &mover->motion[k];
     struct law_vector axis = wall_vector(motion->direction), point = wall_vector(motion->point), value[2];
+    if (motion->surface)
+        return wall_transform_identity();
     t = motion_time(motion, t);
     switch (motion->kind) {
     case WALL_TRANSLATE:
@@ -198,19 +200,39 @@ struct wall_transform wall_mover_place(const struct wall_mover *mover, double t,
     return all;
 }
 
-struct wall_twist wall_mover_twist(const struct wall_mover *mover, double t, double dt, double servo_offset,
-                                   double servo_speed) {
+/* The twist of the motions of the wall, or of those of its surface. */
+static struct wall_twist mover_twist(const struct wall_mover *mover, bool surface, double t, double dt,
+                                     double servo_offset, double servo_speed) {
     struct wall_twist all = {0};
     for (int k = 0; k < mover->motions; k++) {
         struct wall_transform half = motion_place(mover, k, t + 0.5 * dt, servo_offset);
-        struct wall_twist one = motion_twist(mover, k, t, dt, servo_speed);
         struct law_vector omega = wall_turn(half.rotation, all.omega);
         struct law_vector velocity = law_add(wall_turn(half.rotation, all.velocity), 1.0,
                                              law_cross(wall_vector(half.translation), omega));
+        struct wall_twist one = {0};
+        if (mover->motion[k].surface == surface)
+            one = motion_twist(mover, k, t, dt, servo_speed);
         all.omega = law_add(omega, 1.0, one.omega);
         all.velocity = law_add(velocity, 1.0, one.velocity);
     }
     return all;
+}
+
+struct wall_twist wall_mover_twist(const struct wall_mover *mover, double t, double dt, double servo_offset,
+                                   double servo_speed) {
+    return mover_twist(mover, false, t, dt, servo_offset, servo_speed);
+}
+
+struct wall_twist wall_mover_surface(const struct wall_mover *mover, double t, double dt,
+                                     double servo_offset) {
+    return mover_twist(mover, true, t, dt, servo_offset, 0.0);
+}
+
+bool wall_mover_slides(const struct wall_mover *mover) {
+    for (int k = 0; k < mover->motions; k++)
+        if (mover->motion[k].surface)
+            return true;
+    return false;
 }
 
 static int mover_servo(const struct wall_mover *mover) {
