@@ -41,6 +41,11 @@ static void numbers_list(struct simulation *s, struct resume_numbers *own, struc
     deform_restart(s, restart);
     skin_auto_restart(s, restart);
     restart_add(restart, RESTART_SUM, false, &own->wall_work, "work of walls");
+    for (int w = 0; w < s->scene->walls; w++) {
+        double *power = walls_surface_power(s->grains.walls, w);
+        if (power)
+            restart_add(restart, RESTART_SUM, true, power, "surface %s", s->scene->wall[w].name);
+    }
     restart_add(restart, RESTART_SUM, false, &own->load_fresh, "load: imbalance not measured");
     restart_add(restart, RESTART_SUM, false, &own->load_reached, "load: imbalance reached");
     for (int k = 0; k < s->scene->insertions; k++) {

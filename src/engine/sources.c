@@ -257,6 +257,7 @@ static void candidate_append(struct simulation *s, const struct insertion_candid
     p->inverse_mass = prescribed ? 0 : 1 / particles_sphere_mass(candidate->radius, candidate->density);
     particles->id[k] = id;
     double(*omega)[4] = spin_of(particles), *density = groups_densities(particles);
+    double *temperature = fields_numbers(particles, "temperature");
     uint8_t *material = material_numbers(particles), *group = groups_of(particles);
     if (omega)
         memcpy(omega[k], candidate->omega, sizeof candidate->omega);
@@ -266,6 +267,8 @@ static void candidate_append(struct simulation *s, const struct insertion_candid
         group[k] = (uint8_t)candidate->group;
     if (density)
         density[k] = candidate->density;
+    if (temperature)
+        temperature[k] = candidate->temperature;
     crossings_account(s, k, -1);
 }
 

@@ -8,6 +8,7 @@
 #include "contact/material.h"
 #include "core/memory.h"
 #include "engine/physics.h"
+#include "files/numbers.h"
 #include "heat/fields.h"
 #include "heat/heat_own.h"
 #include "heat/heat_work.h"
@@ -25,6 +26,7 @@ struct heat {
     double conductivity[LAW_MATERIALS_MAX], capacity[LAW_MATERIALS_MAX];
     double narrow;                           /* contact radius over that of the scene's grains */
     const struct heat_wall *wall[WALLS_MAX]; /* by wall; NULL: no heat */
+    struct numbers course[WALLS_MAX];        /* by wall: temperature over time; no rows: as the entry says */
     int wall_material[WALLS_MAX];
     double *temperature, *flow, *wall_flow; /* of the fields, since the last rebuild */
     const uint8_t *material;
@@ -73,6 +75,33 @@ static double range(const void *context, int kind_a, double radius_a, int kind_b
     return options->gas.conductivity > 0.0 ? options->gas.distance : 0.0;
 }
 
+/* Reads the temperature of a wall over time. */
+static bool course_read(struct numbers *course, const char *path, struct error *error) {
+    bool good = numbers_read(course, path, 2, error) && numbers_check_times(course, path, "t T", error);
+    for (size_t row = 0; good && row < course->rows; row++)
+        good = course->value[2 * row + 1] >= 0 ||
+               error_set(error, ERROR_USER, "%s:%u: the temperature %g is below 0 K", path, course->line[row],
+                         course->value[2 * row + 1]);
+    return good;
+}
+
+static bool check_wall(const struct physics_context *context, int k, struct error *error) {
+    const struct heat_options *o = context->options;
+    const struct heat_wall *wall = &o->wall[k];
+    char key[64];
+    snprintf(key, sizeof key, "heat.walls[%d]", k);
+    if (!isnan(wall->temperature) + !isnan(wall->flux) + (wall->table[0] != '\0') != 1)
+        return scene_fail(context->scene, error, key, "needs one of temperature, flux and table");
+    for (int before = 0; before < k; before++)
+        if (o->wall[before].wall == wall->wall)
+            return scene_fail(context->scene, error, key, "a second entry for wall '%s'",
+                              context->scene->wall[wall->wall].name);
+    struct numbers course = {0};
+    bool good = wall->table[0] == '\0' || course_read(&course, wall->table, error);
+    numbers_free(&course);
+    return good;
+}
+
 /* Refuses sections that leave a number open. */
 static bool check(const struct physics_context *context, struct error *error) {
     const struct heat_options *o = context->options;
@@ -94,15 +123,9 @@ static bool check(const struct physics_context *context, struct error *error) {
                 scene, error, "heat.materials",
                 "material '%s' is missing (an entry without `material` serves all that are not named)",
                 scene->material[m].name);
-    for (int k = 0; k < o->walls; k++) {
-        snprintf(key, sizeof key, "heat.walls[%d]", k);
-        if (isnan(o->wall[k].temperature) == isnan(o->wall[k].flux))
-            return scene_fail(scene, error, key, "needs one of temperature and flux");
-        for (int before = 0; before < k; before++)
-            if (o->wall[before].wall == o->wall[k].wall)
-                return scene_fail(scene, error, key, "a second entry for wall '%s'",
-                                  scene->wall[o->wall[k].wall].name);
-    }
+    for (int k = 0; k < o->walls; k++)
+        if (!check_wall(context, k, error))
+            return false;
     if (o->gas.conductivity > 0 && !(o->gas.roughness < o->gas.distance))
         return scene_fail(scene, error, "heat.gas", "needs a roughness and a distance above the roughness");
     return true;
@@ -124,8 +147,12 @@ static void *create(const struct physics_context *context) {
                     heat->conductivity[m] = o->material[k].conductivity;
                     heat->capacity[m] = o->material[k].capacity;
                 }
-    for (int k = 0; k < o->walls; k++)
+    for (int k = 0; k < o->walls; k++) {
+        struct error none = {0};
         heat->wall[o->wall[k].wall] = &o->wall[k];
+        if (o->wall[k].table[0] && !course_read(&heat->course[o->wall[k].wall], o->wall[k].table, &none))
+            error_fatal("%s", none.text); /* a file that has changed since the check */
+    }
     for (int w = 0; w < context->scene->walls; w++)
         heat->wall_material[w] = context->scene->wall[w].material;
     if (needs_walls(context))
@@ -146,6 +173,8 @@ static void destroy(void *self) {
     struct heat *heat = self;
     walk_destroy(&heat->walk);
     heat_work_destroy(&heat->work);
+    for (int w = 0; w < WALLS_MAX; w++)
+        numbers_free(&heat->course[w]);
     memory_free(heat->wall_power);
     memory_free(heat);
 }
@@ -205,8 +234,17 @@ static void abandon(const struct physics_context *context) {
 /* A thread on its way through the grains near walls. */
 struct at_walls {
     struct heat *heat;
-    double *power; /* by wall */
+    double *power;       /* by wall */
+    double *temperature; /* by wall, now; NAN: a flux */
 };
+
+/* The temperature of a wall at the time of the step in progress. */
+static double temperature_now(const struct heat *heat, int wall) {
+    double value = heat->wall[wall] ? heat->wall[wall]->temperature : NAN;
+    if (heat->course[wall].rows > 0)
+        numbers_at(&heat->course[wall], heat->context->clock->time, &value);
+    return value;
+}
 
 /* A grain that touches a wall, or is near one: called by the one thread that has the grain. */
 static void at_wall(void *self, size_t i, int wall, double gap) {
@@ -216,9 +254,9 @@ static void at_wall(void *self, size_t i, int wall, double gap) {
     double radius = heat->context->particles->state[i].radius, flow = 0.0;
     if (given == NULL)
         return;
-    if (!isnan(given->temperature)) {
+    if (!isnan(at->temperature[wall])) {
         flow = conductance(heat, material_of(heat->material, i), heat->wall_material[wall], radius, gap);
-        flow *= heat->conductance ? 1.0 : given->temperature - heat->temperature[i];
+        flow *= heat->conductance ? 1.0 : at->temperature[wall] - heat->temperature[i];
     } else if (gap < 0.0 && !heat->conductance) {
         flow = given->flux * M_PI * radius * radius;
     }
@@ -229,7 +267,10 @@ static void at_wall(void *self, size_t i, int wall, double gap) {
 
 static void at_walls(const struct physics_context *context, int thread) {
     struct heat *heat = context->self;
-    struct at_walls at = {heat, heat->wall_power[thread]};
+    double temperature[WALLS_MAX];
+    struct at_walls at = {heat, heat->wall_power[thread], temperature};
+    for (int w = 0; w < context->scene->walls; w++)
+        temperature[w] = temperature_now(heat, w);
     memset(at.power, 0, sizeof heat->wall_power[thread]);
     walls_visit(context->walls, context->particles, thread, heat->pairs.range, at_wall, &at);
 }

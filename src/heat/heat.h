@@ -27,6 +27,8 @@
 #include "contact/force.h"
 #include "walls/wall.h"
 
+enum { HEAT_PATH_MAX = 256 };
+
 /* One entry of `materials`. */
 struct heat_material {
     int material;                  /* -1: all materials that no other entry names */
@@ -37,7 +39,8 @@ struct heat_material {
 struct heat_wall {
     int wall;
     double temperature; /* K; NAN: not given, and then: */
-    double flux;        /* W/m2 of the cross-section of a grain that touches; NAN: not given */
+    double flux;        /* W/m2 of the cross-section of a grain that touches; NAN: not given, and then: */
+    char table[HEAT_PATH_MAX]; /* rows t T: the temperature over time */
 };
 
 struct heat_gas {
@@ -47,7 +50,7 @@ struct heat_gas {
 
 /* The section `heat` of a scene. */
 struct heat_options {
-    double temperature; /* of all grains at the start, K */
+    double temperature; /* of grains at the start, K, where their source gives no other */
     double dissipation; /* share of the energy lost in contacts that warms the grains, 0 ... 1 */
     double softening;
     struct heat_gas gas;

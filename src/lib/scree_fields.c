@@ -81,8 +81,11 @@ bool scree_add(struct scree_simulation *simulation, const struct scree_particle 
             return scree_parts_tell(&own, error);
     for (size_t k = 0; k < count; k++) {
         const struct scree_particle *p = &particles[k];
-        struct insertion_candidate given = {
-            .radius = p->radius, .density = p->density, .material = p->material, .group = p->group};
+        struct insertion_candidate given = {.radius = p->radius,
+                                            .density = p->density,
+                                            .temperature = NAN,
+                                            .material = p->material,
+                                            .group = p->group};
         if (given.density == 0)
             given.density = scene->material[p->material].density;
         for (int d = 0; d < 3; d++) {

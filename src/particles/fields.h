@@ -94,6 +94,9 @@ void *fields_base(const struct particles *particles, int f, size_t *stride);
 /* The values of a row's field in a set, NULL if the set has no such field. */
 void *fields_values(const struct particles *particles, const struct field *field);
 
+/* The values of a field of one double a particle, by its name; NULL if the set has no such field. */
+double *fields_numbers(const struct particles *particles, const char *name);
+
 /* Bytes of one particle's value of a field (components x size of the type). */
 size_t fields_bytes(const struct field *field);
 

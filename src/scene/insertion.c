@@ -69,8 +69,11 @@ void insertion_begin(const struct insertion *insertion, const struct insertion_s
     for (size_t k = 0; k < n; k++) {
         uint64_t number = state->placed + k;
         struct random_sequence random = sequence_of(insertion, number, 0);
-        candidate[k] = (struct insertion_candidate){
-            .number = number, .density = insertion->density, .material = o->material, .group = o->group};
+        candidate[k] = (struct insertion_candidate){.number = number,
+                                                    .density = insertion->density,
+                                                    .temperature = o->temperature,
+                                                    .material = o->material,
+                                                    .group = o->group};
         candidate[k].radius = sizes_draw(&insertion->sampler, &random);
         for (int d = 0; d < 3; d++) {
             bool flat = d == 2 && insertion->space.dimension == 2;

@@ -33,7 +33,8 @@ struct insertion_options {
     double velocity[3], velocity_sigma;
     double omega[3];
     int material, group;
-    double density; /* 0: the material's */
+    double density;     /* 0: the material's */
+    double temperature; /* NAN: that of the section heat */
 };
 
 struct deletion_options {
@@ -67,6 +68,7 @@ struct insertion_candidate {
     uint64_t number; /* number of the particle in this region: fixes radius and velocity */
     double x[3], v[3], omega[3];
     double radius, density;
+    double temperature; /* NAN: that of the section heat */
     int material, group;
     bool settled, accepted;
 };

@@ -89,7 +89,8 @@ static void count_sphere(struct walk *walk, const struct source_sphere *sphere) 
     census->volume += 4 * M_PI / 3 * r * r * r;
 }
 
-static void append_sphere(const struct walk *walk, const struct source_sphere *sphere, const double x[3]) {
+static void append_sphere(const struct walk *walk, int source, const struct source_sphere *sphere,
+                          const double x[3]) {
     struct particles *particles = walk->particles;
     size_t i = particles_append(particles);
     struct particle_state *state = &particles->state[i];
@@ -99,7 +100,8 @@ static void append_sphere(const struct walk *walk, const struct source_sphere *s
     state->radius = sphere->radius;
     state->inverse_mass = free ? 1 / particles_sphere_mass(sphere->radius, sphere->density) : 0;
     particles->id[i] = sphere->id;
-    double(*omega)[4] = spin_of(particles), *density = groups_densities(particles);
+    double(*omega)[4] = spin_of(particles), *density = groups_densities(particles),
+    *temperature = fields_numbers(particles, "temperature");
     uint8_t *material = material_numbers(particles), *group = groups_of(particles);
     int32_t(*image)[3] = particles_images(particles);
     if (omega)
@@ -110,6 +112,8 @@ static void append_sphere(const struct walk *walk, const struct source_sphere *s
         group[i] = (uint8_t)sphere->group;
     if (density)
         density[i] = sphere->density;
+    if (temperature)
+        temperature[i] = walk->scene->source[source].temperature;
     if (image)
         memcpy(image[i], sphere->image, sizeof(sphere->image));
 }
@@ -127,7 +131,7 @@ static bool take_sphere(struct walk *walk, int source, const struct source_batch
                             : (walk->stream / SHARE_BLOCK) % (uint64_t)share->size == (uint64_t)share->rank;
     walk->stream++;
     if (mine)
-        append_sphere(walk, sphere, x);
+        append_sphere(walk, source, sphere, x);
     return true;
 }
 

@@ -192,6 +192,8 @@ static const struct schema_row source_rows[] = {
     {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "[0, inf)", .fallback = "0",
      SOURCE(density), .help = "density of these particles; 0: the density of the file (1 in a packing by `scree pack` without density=), else the "
              "density of the material"},
+    {.key = "temperature", .type = SCHEMA_REAL, .unit = "K", .range = "[0, inf)", SOURCE(temperature),
+     .help = "temperature of these particles at the start; left out: heat.temperature; needs heat", .example = "400 K"},
 };
 static const struct schema_table source_table = TABLE(source_rows);
 
@@ -269,6 +271,8 @@ static const struct schema_row insertion_rows[] = {
      .help = "the group; left out: free"},
     {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "[0, inf)", .fallback = "0",
      INSERTION(density), .help = "density; 0: the density of the material"},
+    {.key = "temperature", .type = SCHEMA_REAL, .unit = "K", .range = "[0, inf)", INSERTION(temperature),
+     .help = "temperature of the particles as they come; left out: heat.temperature; needs heat", .example = "400 K"},
 };
 const struct schema_table schema_insertion = TABLE(insertion_rows);
 

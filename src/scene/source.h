@@ -59,7 +59,8 @@ struct source_options {
     double velocity[3];    /* added to the velocity in the file */
     double velocity_sigma; /* standard deviation of each component of a random velocity */
     double omega[3];
-    double density; /* 0: the file's, else the material's */
+    double density;     /* 0: the file's, else the material's */
+    double temperature; /* NAN: that of the section heat */
 };
 
 #endif

@@ -62,9 +62,12 @@ enum wall_motion_kind {
 /* One motion. Outside of start ... stop it rests where it was last: displacement and angle are functions of
  * the time, cut to that span. Several motions of a wall are applied one after another, the first one first:
  * rotate, then translate turns the wall about an axis that travels; translate, then rotate about a fixed one.
- */
+ *
+ * A motion of the surface gives the surface a velocity beside that of the wall. A contact takes the part of it that is
+ * at right angles to the contact's normal. Motions of the wall behind it turn and carry it, as those before it do not. */
 struct wall_motion {
     enum wall_motion_kind kind;
+    bool surface; /* the surface alone moves, within itself, as a belt does: the wall stays. Not a servo */
     double start, stop;      /* active while start <= t < stop; time */
     double direction[3];     /* axis or direction, any length but 0 */
     double point[3];         /* a point of the axis (TABLE: of all axes), user's coordinates */
@@ -185,7 +188,7 @@ bool walls_overlap(const struct walls *walls, const double x[3], double radius);
 
 /* The point of a wall nearest to a place, as the wall stands now, for physics to which walls are solids: the
  * distance, negative in the solid; the unit normal of the wall there, out of the solid; the velocity of the
- * wall there, and its spin (rad/time), in the last half step. Solid is
+ * wall's surface there, and its spin (rad/time), in the last half step. Solid is
  *
  *   plane      all that lies beyond it
  *   cylinder   particles outside: the cylinder, its ends included. Particles inside: all around the bore, of
@@ -233,8 +236,12 @@ void walls_close(struct walls *walls, double dt, bool mine);
 void walls_forces(const struct walls *walls, double (*force_torque)[6]);
 void walls_set_forces(struct walls *walls, double (*force_torque)[6]); /* sets this rank's part */
 
+/* The power of the moving surface of a wall on particles in the last evaluation, this rank's part; NULL if the surface
+ * has no motion of its own. May be set. Any thread. */
+double *walls_surface_power(struct walls *walls, int wall);
+
 /* Work that walls did on particles since the start, this rank's part; energy. Mean of the forces at both ends
- * of a step times the motion in it. */
+ * of a step times the motion in it; of a surface, mean of its powers at both ends. */
 double walls_work(const struct walls *walls);
 void walls_set_work(struct walls *walls, double work); /* for a resume */
 

@@ -38,6 +38,28 @@ flight() {
 }
 check 'free flight of a dumbbell across periodic sides: closed form, energy' flight 1
 
+# Bodies as drawn: members keep their radii and distances whatever the radius of the grain is, and `scree check` knows the body: of two balls of
+# radius 1/2, 1.5 apart, at a density of 2, M = 2 pi / 3, inertia 2/5 M r^2 about the axis and M (2/5 r^2 + (3/4)^2) across it
+drawn='bodies.clumps[0]={name: dumbbell, size: drawn, spheres: [{centre: [7, 7, 7], radius: 0.5}, {centre: [7, 7, 8.5], radius: 0.5}], orientation: given, quaternion: [1, 0, 0, 0], angular_velocity: [0, 1.5, 0]}'
+known_body() { # RANKS SETTING...
+    on "$1" "$scree" check flight.yaml --set "$drawn" --set particles.density=2 "${@:2}" | awk -v FS='[ ,]+' 'function off(a, b) { a = a / b - 1; return a < 0 ? -a : a }
+        /^bodies .dumbbell/ { print; about = index($0, "radius of the ball 1.25 about 7 7 7.75,") }
+        /^  each: radius 1.25,/ { print; pi = atan2(0, -1); m = 2 * pi / 3
+            good = off($6, m) < 1e-5 && off($11, m * 0.1) < 1e-5 && off($12, m * (0.1 + 0.5625)) < 1e-5 && off($13, m * (0.1 + 0.5625)) < 1e-5 }
+        END { exit !(about && good) }'
+}
+check 'a body as drawn: mass, radius and inertia' known_body 1
+check 'a body as drawn, on 2 ranks' known_body 2
+drawn_flight() { # RANKS
+    rm -rf drawn && run_scene "$1" flight.yaml drawn --set "$drawn" --set particles.radius=0.3 --set particles.density=2 --set "output.dump.fields=[id, kind, radius, position]" && grep -q "^ITEM: ATOMS id type radius x y z kind$" drawn/dump.lammpstrj && rows drawn | awk '
+        function same(a, b) { a -= b; a -= 5 * int(a / 5 + (a > 0 ? 0.5 : -0.5)); a = a < 0 ? -a : a; if (a > most) most = a }
+        { t = 2; side = $1 == 1 ? 0 : $1 % 2 == 0 ? -1 : 1; s = 0.75 * sin(1.5 * t); c = 0.75 * cos(1.5 * t)
+          same($4, 4.5 + t + side * s); same($5, 1 + 2 * t); same($6, 20 + 3 * t - t * t + side * c); if ($3 != ($1 == 1 ? 1.25 : 0.5) || $7 != ($1 == 1 ? 3 : 0)) bad = 1 }
+        END { printf "  %d rows, largest difference %.2g\n", NR, most; exit !(NR == 3 && most < 1e-11 && !bad) }'
+}
+check 'a body as drawn, of a grain of another radius: closed form' drawn_flight 1
+check 'a body as drawn, on 2 ranks: closed form' drawn_flight 2
+
 # Bodies of overlapping and of separate spheres meet without loss
 cat >collide.yaml <<'YAML'
 units: none

@@ -123,6 +123,68 @@ exponential() {
 }
 check 'one grain: exponential, of first order in the step' exponential
 
+# A wall whose temperature rises for a time unit from 300 to 350 and stays, by a table, and in the same way by stages: a grain of the time
+# constant s = m c / H that begins at T0 follows T(1) = 300 + 50 (1 - s (1 - e)) + (T0 - 300) e, T(2) = 350 + (T(1) - 350) e with e = exp(-1 / s)
+printf '# t T\n-1 300\n0 300\n1 350\n' >oven.txt
+oven() { # STEP COUNT RANKS SETTING...: the difference after two time units
+    local count=$2
+    rm -rf oven && run_scene "$3" chain.yaml oven --set step.dt="$1" --set step.count="$count" --set output.dump.every="$count" --set observables.every="$count" \
+        --set particles.sources='[{from: single, position: [0.5, 0.5, 0.198], radius: 0.2, group: bed, temperature: 320}]' "${@:4}" && tail -n 1 oven/dump.lammpstrj
+}
+by_table() { # RANKS
+    local coarse fine
+    coarse=$(oven 0.01 200 "$1" --set 'heat.walls=[{wall: hot, table: oven.txt}]') && fine=$(oven 0.005 400 "$1" --set 'heat.walls=[{wall: hot, table: oven.txt}]') &&
+        echo "$coarse $fine" | awk '{ s = 2 * 4 / 3 * atan2(0, -1) * 0.008 * 1.5 / (1.4 * sqrt(0.2 * 0.002)); e = exp(-1 / s)
+            t = 300 + 50 * (1 - s * (1 - e)) + 20 * e; t = 350 + (t - 350) * e; a = $3 - t; b = $7 - t; printf "  errors %g, %g\n", a, b
+            exit !(a < 0.2 && a > -0.2 && 2 * b - a < 0.0005 && 2 * b - a > -0.0005) }'
+}
+check 'the temperature of a wall by a table, the first temperature by the source' by_table 1
+check 'the same on 2 ranks' by_table 2
+cat >ramp.yaml <<'YAML'
+stages:
+  - {name: hot, duration: 1}
+  - {name: cold, duration: 1, set: {"heat.walls[0].temperature": 280}}
+YAML
+by_stages() { # two stages of constant temperatures, 400 and 280
+    { grep -v '^step:' chain.yaml && cat ramp.yaml && echo 'step: {dt: 0.002}'; } >staged.yaml
+    rm -rf staged && run_scene 1 staged.yaml staged --set output.dump.every=1000 --set observables.every=1000 \
+        --set particles.sources='[{from: single, position: [0.5, 0.5, 0.198], radius: 0.2, group: bed}]' && tail -n 1 staged/dump.lammpstrj |
+        awk '{ s = 2 * 4 / 3 * atan2(0, -1) * 0.008 * 1.5 / (1.4 * sqrt(0.2 * 0.002)); e = exp(-1 / s); t = 400 - 100 * e; t = 280 + (t - 280) * e
+            printf "  %g, exact %g\n", $3, t; exit !($3 - t < 0.1 && t - $3 < 0.1) }'
+}
+check 'the temperature of a wall by stages' by_stages
+by_resume() { # a resume in the middle of the table gives the same bits
+    local set=(--set step.count=200 --set output.dump.every=200 --set observables.every=200 --set output.checkpoint.every=100 --set step.dt=0.004 --set 'heat.walls=[{wall: hot, table: oven.txt}]')
+    rm -rf whole rest && run_scene 1 chain.yaml whole "${set[@]}" && run_scene 2 chain.yaml rest "${set[@]}" --resume whole/checkpoint-100.h5 &&
+        tail -n 5 whole/dump.lammpstrj | cmp - <(tail -n 5 rest/dump.lammpstrj)
+}
+check 'a resume within the table' by_resume
+sources() { # grains of two sources, inserted ones and the members of a body, with temperatures of their own; nothing touches
+    cat >sources.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [9, 9, 9], periodic: true}
+step: {count: 101, dt: 0.01}
+contact: {law: hooke}
+materials: [{name: a, density: 200}, {name: b, density: 200}]
+material_pairs: [{k_n: 10, restitution: 0.9}]
+particles:
+  sources:
+    - {from: single, position: [1, 1, 1], radius: 0.2, material: a, temperature: 350}
+    - {from: single, position: [3, 1, 1], radius: 0.2, material: a}
+    - {from: single, position: [5, 1, 1], radius: 0.2, material: b, temperature: 333}
+bodies: {clumps: [{material: b, spheres: [{centre: [-1, 0, 0], radius: 1}, {centre: [1, 0, 0], radius: 1}]}]}
+heat: {temperature: 300, materials: [{conductivity: 1, capacity: 1}]}
+observables: {every: 101, list: [{name: temperature}]}
+output: {dump: {every: 101, fields: [id, kind, temperature]}}
+YAML
+    rm -rf sources inserted && run_scene "$1" sources.yaml sources && tail -n 5 sources/dump.lammpstrj | sort -n | awk '$4 == 0 { t[n++] = $3 } END { exit !(n == 4 && t[0] == 350 && t[1] == 300 && t[2] == 333 && t[3] == 333) }' || return 1
+    run_scene "$1" sources.yaml inserted --set 'bodies=~' --set particles.sources='[{from: single, position: [1, 1, 1], radius: 0.2, material: a, temperature: 350}]' \
+        --set 'insertions=[{material: a, rate: 1, sizes: 0.1, temperature: 280, region: {shape: box, lower: [4, 4, 4], upper: [8, 8, 8]}}]' --set 'output.dump.fields=[id, temperature]' &&
+        tail -n 2 inserted/dump.lammpstrj | sort -n | awk '{ t[NR] = $3 } END { exit !(t[1] == 350 && t[2] == 280) }'
+}
+check 'temperatures of sources, of insertions and of bodies' sources 1
+check 'the same on 2 ranks' sources 2
+
 # Soft grains: the contact radius over the cube root of softening
 softened() {
     run_scene 1 chain.yaml soft --set heat.softening=1000 --set step.count=1 --set output.dump.every=1 --set observables.every=1 &&
@@ -217,8 +279,14 @@ refused() { # TEXT SCENE SETTING...
 check 'a step above the limit' refused 'above the stable one' chain.yaml --set step.dt=5
 check 'a material is missing' refused "material 'a' is missing" gas.yaml --set 'heat.materials=[{material: b, conductivity: 1, capacity: 1}]'
 check 'a material twice' refused 'a second entry for the same material' gas.yaml --set 'heat.materials=[{conductivity: 1, capacity: 1}, {conductivity: 1, capacity: 1}]'
-check 'neither temperature nor flux' refused 'needs one of temperature and flux' gas.yaml --set 'heat.walls=[{wall: heater}]'
+check 'neither temperature nor flux' refused 'needs one of temperature, flux and table' gas.yaml --set 'heat.walls=[{wall: heater}]'
 check 'a gas without distance' refused 'needs a roughness and a distance' gas.yaml --set 'heat.gas={conductivity: 0.1}'
+printf '0 300\n0 310\n' >flat.txt
+printf '0 300\n1 -3\n' >below.txt
+check 'a table whose time stands' refused 'flat.txt:2: time 0 does not increase' gas.yaml --set 'heat.walls=[{wall: heater, table: flat.txt}]'
+check 'a table below 0 K' refused 'below.txt:2: the temperature -3 is below 0 K' gas.yaml --set 'heat.walls=[{wall: heater, table: below.txt}]'
+check 'no table' refused 'nowhere.txt' gas.yaml --set 'heat.walls=[{wall: heater, table: nowhere.txt}]'
+check 'a temperature without heat' refused 'particles.sources[0].temperature: needs the section heat' gas.yaml --set 'heat=~' --set 'particles.sources[0].temperature=300' --set 'observables.list=[]'
 check 'an unknown wall' refused 'heat.walls[0].wall' gas.yaml --set 'heat.walls=[{wall: nobody, temperature: 1}]'
 check 'kelvins' refused 'heat.temperature' gas.yaml --set units=si --set 'heat.temperature=20 kg'
 finish

@@ -8,6 +8,7 @@ EXTRA_DIST += tests/app/lammps/hertz.data tests/app/lammps/hertz0.dump.gz tests/
 dist_check_SCRIPTS += \
 	tests/app/ablate.sh \
 	tests/app/bad_input.sh \
+	tests/app/belt.sh \
 	tests/app/bodies.sh \
 	tests/app/cohesion.sh \
 	tests/app/density.sh \
