@@ -208,6 +208,7 @@ tests_bench_triad_LDADD = $(CORE_LIBS)
 
 check_PROGRAMS += \
 	tests/test_mesh \
+	tests/test_mesh_ply \
 	tests/test_wall \
 	tests/test_wall_edge \
 	tests/test_wall_history \
@@ -219,6 +220,8 @@ check_PROGRAMS += \
 EXTRA_DIST += tests/mesh_by_hand.h tests/surface_by_hand.h tests/walls_by_hand.h
 tests_test_mesh_SOURCES = tests/test_mesh.c
 tests_test_mesh_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
+tests_test_mesh_ply_SOURCES = tests/test_mesh_ply.c
+tests_test_mesh_ply_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_wall_SOURCES = tests/test_wall.c
 tests_test_wall_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_wall_edge_SOURCES = tests/test_wall_edge.c

@@ -85,8 +85,8 @@ static const struct schema_name shape_names[] = {{"plane", WALL_PLANE, "infinite
 static const char *mesh_format_choice(int k, const char **help) {
     static const char *const names[][2] = {{"auto", "by content"},
                                            {"stl", "STL, ASCII or binary"},
-                                           {"obj", "Wavefront OBJ, by assimp"},
-                                           {"ply", "PLY, by assimp"},
+                                           {"obj", "Wavefront OBJ"},
+                                           {"ply", "PLY, ASCII or binary"},
                                            {"table", "nine numbers a row: three corners"}};
     if (k >= (int)(sizeof(names) / sizeof(names[0])))
         return NULL;
