@@ -55,6 +55,9 @@ breaks() { # MODE STEP SETTING...
         [ "$(value pair 12 1)$(value pair 6 1)" = 00 ] || { cat pair/bonds_broken.csv; return 1; }
 }
 check 'breaks by tension where the stress reaches the strength' breaks tension 60 --set 'bonds.laws=[{k_n: 1000, k_s: 400, tensile_strength: 5.95}]'
+# grain 1 rests at 11.6, grain 2 comes to 0.606 behind the side of the box at 12
+place() { within "$(sed -n 2p pair/bonds_broken.csv | cut -d , -f 6)" 0.103 1e-12 && [ "$(sed -n 2p pair/bonds_broken.csv | cut -d , -f 7,8)" = 2,2 ]; }
+check 'in the middle between the two grains' place
 check 'breaks by shear' breaks shear 70 --set 'groups[1].velocity=[0, 1e-3, 0]' --set 'bonds.laws=[{k_n: 1000, k_s: 400, shear_strength: 0.278}]'
 listed() { # over a gap, by ids
     printf '# two ids a line\n2 1\n' >ids.txt

@@ -89,6 +89,14 @@ sides() { # each edge by itself, on three ranks
         printf 'stress_xx 1\nstress_yy 2\nstress_zz 1.5\n' | reaches sides
 }
 
+# slow DIMENSION DENSITY: grains that do not touch resist by nothing but the bound of the rate, inertia sqrt(pressure / density) / diameter
+slow() {
+    local flat='{lower: [0, 0, 0], upper: [4.32, 4.32, 4.32], periodic: true, stress: {pressure: 2, inertia: 0.05}}'
+    [ "$1" = 3 ] || flat='{dimension: 2, lower: [0, 0], upper: [4.32, 4.32], periodic: true, stress: {pressure: 2, inertia: 0.05}}'
+    run_scene 1 press.yaml slow --overwrite --set "box=$flat" --set step.dt=0.001 --set step.count=200 --set particles.lattice="$3" --set particles.jitter=0 &&
+        within "$(column slow box_edges_x)" "$(awk -v density="$2" 'BEGIN { printf "%.14g", 4.32 * (1 - 0.001 * 0.05 * sqrt(2 / density)) ^ 200 }')" 1e-9
+}
+
 held() { # a packing under a pressure and a shear stress: alone with the plane of the stress, and along the other of its two directions
     run_scene 1 press.yaml held --overwrite --set threads=1 --set box.stress.xz=-0.2 --set step.count=15000 &&
         printf 'pressure 2\nstress_xz -0.2\n' | reaches held || return 1
@@ -133,6 +141,8 @@ for case in '200 8000' '2000 12000' '20000 125000'; do
     check "a packing of stiffness ${case% *} comes to its pressure" pressed $case
 done
 check 'three stresses, three edges' sides
+check 'a stress moves the box no faster than its bound' slow 3 1.9 sc
+check 'in two dimensions, where the density is that of an area' slow 2 "$(awk 'BEGIN { printf "%.15g", 1.9 * 2 / 3 }')" square
 check 'a packing is held to a shear stress' held
 check 'a resume needs the box to go on moving' refused 2 'must stay' "$scree" run gas.yaml -o gas --overwrite --resume last --set box.shear='~' --set box.strain='~'
 check 'an edge that gets too short ends the run' refused 3 'edge has shrunk' \

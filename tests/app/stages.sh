@@ -73,6 +73,11 @@ check 'a resume within the first stage has the same bits' same 300 1
 check 'a resume from the end of a stage has the same bits' same "$pour" 1
 check 'a resume within the second stage has the same bits' same $((pour - pour % 300 + 300)) 1
 check 'and on two ranks with another index' same "$open" 2 --set index=linkcell
+waits() { # from the end of the stage before, not from the start of the run
+    run_scene 1 silo.yaml wait --set 'stages=[{name: fall, duration: 0.2}, {name: wait, after: 0.1, every: 10, until: [{name: particles, at_least: 1}]}]' &&
+        [ "$(ends wait | tr '\n' ',')" = 'fall 100 duration,wait 151 conditions,' ] || { ends wait; return 1; }
+}
+check 'a stage looks at its conditions after a time of its own' waits
 two_ranks() {
     run_scene 2 silo.yaml two --set index=linkcell && [ "$(ends two)" = "$(cat ends.txt)" ] &&
         checkpoint_lines "two/checkpoint-$push.h5" >lines.txt && checkpoint_lines "one/checkpoint-$push.h5" | diff - lines.txt >/dev/null
