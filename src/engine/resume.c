@@ -11,7 +11,7 @@
 #include "engine/resume.h"
 #include "engine/skin_auto.h"
 #include "core/memory.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -164,11 +164,12 @@ static void walls_restore(struct simulation *s, const struct checkpoint_loaded *
 
 /* Finds walls by their names: the scene may have other walls, or the same walls in another order. */
 static void wall_rows_rename(const struct simulation *s, const struct checkpoint_loaded *loaded) {
-    const struct wall_rows *rows = &loaded->wall_history;
+    const struct rowset *rows = &loaded->wall_history;
+    struct wall_row *row = rows->row;
     for (size_t k = 0; k < rows->count; k++) {
-        int wall = rows->row[k].wall;
+        int wall = row[k].wall;
         bool known = wall >= 0 && wall < loaded->walls;
-        rows->row[k].wall = known ? scene_wall(s->scene, loaded->wall[wall].name) : -1;
+        row[k].wall = known ? scene_wall(s->scene, loaded->wall[wall].name) : -1;
     }
 }
 
@@ -214,7 +215,7 @@ static bool take(struct simulation *s, const char *path, struct checkpoint_loade
     }
     if (s->grains.walls && s->grains.law.history_components) {
         rows->walls = loaded->wall_history;
-        loaded->wall_history = (struct wall_rows){0};
+        loaded->wall_history = (struct rowset){0};
     }
     return carried_take(s, path, loaded, error);
 }

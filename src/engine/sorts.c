@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Collects the sorts of grains of a run. Read sorts.h first. */
 #include "engine/sorts.h"
-#include "contact/material.h"
+#include "particles/material.h"
 #include "particles/kinds.h"
 #include "scene/region.h"
 #include <math.h>
