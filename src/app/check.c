@@ -42,9 +42,29 @@ static void print_interactions(const struct simulation *s) {
                found->own[k] ? "in a list of its own" : "in the list of all");
 }
 
-static void print_levels(const struct simulation *s) {
+/* The levels of the index in one line. */
+static void print_cells(const struct simulation *s, const struct index_description *description) {
+    printf("index %s, rank 0", s->scene->index.name);
+    for (int l = 0; l < description->levels; l++) {
+        const struct index_level *level = &description->level[l];
+        printf("%s%.4g",
+               l                         ? ", "
+               : description->levels > 1 ? "; edges of the cells "
+                                         : "; edge of a cell ",
+               level->cell);
+        if (level->cells && !level->sparse)
+            printf(" (%.3g particles a cell)", (double)level->particles / (double)level->cells);
+    }
+    printf("\n");
+}
+
+static void print_levels(const struct simulation *s, bool all) {
     struct index_description description;
     index_describe(s->search.index, &description);
+    if (!all) {
+        print_cells(s, &description);
+        return;
+    }
     printf("\nindex %s, rank 0\n  %5s %12s %12s %12s %14s\n", s->scene->index.name, "level", "cell", "cells",
            "particles", "particles/cell");
     for (int l = 0; l < description.levels; l++) {
@@ -89,6 +109,27 @@ static void print_longer_steps(const struct simulation *s) {
            s->scene->law.cohesion == LAW_COHESION_NONE
                ? ""
                : "; cohesion stronger than the study's has larger ones");
+}
+
+/* The step in two lines. */
+static void print_step_short(const struct simulation *s) {
+    const struct timestep_limits *limits = &s->timing.limits;
+    printf("time step %.6g", s->clock.dt);
+    if (!isfinite(limits->stable)) {
+        printf("; any is stable\n");
+        return;
+    }
+    printf(" = %.3g of the stable %.6g", s->clock.dt / limits->stable, limits->stable);
+    if (s->scene->materials > 0)
+        printf(" (contact '%s' - '%s')", s->scene->material[limits->material_a].name,
+               s->scene->material[limits->material_b].name);
+    printf("\n");
+    double error = step_study_error(&s->scene->law, s->clock.dt / limits->stable),
+           longer = step_study_error(&s->scene->law, long_fraction);
+    if (s->scene->materials > 0 && s->clock.dt_fraction > 0 && !isnan(error) && !isnan(longer))
+        printf("  an impact is off by up to %.2g %%; step.fraction %.2g: %.2g of the steps, %.2g %% "
+               "(docs/speed-error.md)\n",
+               100 * error, long_fraction, s->clock.dt / limits->stable / long_fraction, 100 * longer);
 }
 
 static void print_step(const struct simulation *s) {
@@ -159,14 +200,18 @@ static void print_guards(const struct simulation *s) {
                s->clock.dt / s->timing.limits.stable);
 }
 
-static void print_memory(const struct simulation *s) {
+static void print_memory(const struct simulation *s, bool all) {
     double n = s->particles->owned ? (double)s->particles->owned : 1;
-    printf("\nmemory, rank 0: %.1f MiB, %.0f bytes a particle\n", (double)memory_in_use() / 1048576,
-           (double)memory_in_use() / n);
-    printf("  particles %.1f, pairs %.1f, index %.1f, history %.1f MiB\n",
-           (double)(particles_bytes_each(s->particles) * s->particles->capacity) / 1048576,
-           (double)pairlist_memory(s->grains.list) / 1048576, (double)index_memory(s->search.index) / 1048576,
-           s->grains.history ? (double)history_memory(s->grains.history) / 1048576 : 0);
+    printf("%smemory, rank 0: %.1f MiB, %.0f bytes a particle%s", all ? "\n" : "",
+           (double)memory_in_use() / 1048576, (double)memory_in_use() / n, all ? "\n" : "; ");
+    if (all)
+        printf("  particles %.1f, pairs %.1f, index %.1f, history %.1f MiB\n",
+               (double)(particles_bytes_each(s->particles) * s->particles->capacity) / 1048576,
+               (double)pairlist_memory(s->grains.list) / 1048576,
+               (double)index_memory(s->search.index) / 1048576,
+               s->grains.history ? (double)history_memory(s->grains.history) / 1048576 : 0);
+    else
+        check_parts_bytes(s);
     if (s->scene->classes.skin_auto)
         printf("  pairs up to %.1f MiB, as the run chooses the skin\n",
                fmax(SKIN_PAIRS_MOST * n * 2 * sizeof(uint32_t), (double)pairlist_memory(s->grains.list)) /
@@ -218,7 +263,15 @@ static void print_extents(const struct simulation *s, const struct notes *notes)
     }
 }
 
-static void print_all(const struct simulation *s, const struct notes *notes) {
+/* The parts of the program that work on the scene. */
+static void print_inside(const struct simulation *s) {
+    printf("\npasses of a step\n");
+    step_plan_print(s, stdout);
+    check_parts_fields(s);
+    check_parts_wire(s);
+}
+
+static void print_scene(const struct simulation *s, const struct notes *notes, bool all) {
     const struct scene *scene = s->scene;
     printf("%s: valid\n", scene->file);
     printf("  %llu particles, %d materials, %d walls, %d groups, %s, %s, %s\n", (unsigned long long)s->total,
@@ -231,17 +284,18 @@ static void print_all(const struct simulation *s, const struct notes *notes) {
     if (scene->reproducible)
         printf("  reproducible: pairs across ranks are computed on both sides (newton off, full copies)\n");
     print_extents(s, notes);
-    check_parts_terms(s);
-    printf("\npasses of a step\n");
-    step_plan_print(s, stdout);
-    check_parts_fields(s);
-    check_parts_wire(s);
+    check_parts_terms(s, all);
+    if (all)
+        print_inside(s);
     print_classes(s);
     print_interactions(s);
-    print_levels(s);
-    print_step(s);
+    print_levels(s, all);
+    if (all)
+        print_step(s);
+    else
+        print_step_short(s);
     print_guards(s);
-    print_memory(s);
+    print_memory(s, all);
 }
 
 /* Refuses scenes that a run would refuse before its first step although all parts can be made. */
@@ -286,11 +340,13 @@ int command_check(const struct comm *comm, const struct command_line *line, stru
         struct notes *notes = memory_allocate_zero(1, sizeof *notes, "notes");
         notes_take(s, notes);
         if (comm->rank == 0)
-            print_all(s, notes);
+            print_scene(s, notes, line->all);
         physics_print(&s->physics, stdout);
         if (ranks)
             layout_print(s, (int)ranks, threads ? (int)threads : s->threads, error);
-        cost_print(s);
+        cost_print(s, line->all);
+        if (comm->rank == 0 && !line->all)
+            printf("\n--all prints what is off, each field of a particle, and the passes of a step\n");
         if (comm->rank == 0)
             print_notes(notes);
         status = notes->stops[0] ? ERROR_PHYSICS : 0;

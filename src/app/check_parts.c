@@ -53,13 +53,22 @@ static void walls_list(const struct scene *scene, char *why, size_t room) {
         add(why, room, scene->wall[w].name);
 }
 
+/* What is printed of the terms. */
+struct terms {
+    bool all;          /* a line for each term that is off, too */
+    char off[WHY_MAX]; /* else: their names */
+};
+
 /* Prints one term of the model: on, with the setting that brings it, or off, with a setting that would bring
  * it. */
-static void print_term(const char *term, const char *brought_by, const char *would_bring) {
+static void print_term(struct terms *terms, const char *term, const char *brought_by,
+                       const char *would_bring) {
     if (brought_by[0])
         printf("  %-22s on   %s\n", term, brought_by);
-    else
+    else if (terms->all)
         printf("  %-22s off  %s\n", term, would_bring);
+    else
+        add(terms->off, sizeof terms->off, term);
 }
 
 /* Prints the effect of the end of contacts, at the least restitution of all pairs, and the effect of the
@@ -87,52 +96,58 @@ static void print_end(const struct simulation *s) {
 }
 
 /* Prints a kind of part of the law: the scene's choice, 0: none. */
-static void print_part(const char *term, enum law_part part, const char *key, int chosen) {
+static void print_part(struct terms *terms, const char *term, enum law_part part, const char *key,
+                       int chosen) {
     char text[WHY_MAX] = "", none[WHY_MAX];
     int count;
     snprintf(none, sizeof none, "%s: none", key);
     if (chosen)
         snprintf(text, sizeof text, "%s: %s", key, law_part_rows(part, &count)[chosen].name);
-    print_term(term, text, none);
+    print_term(terms, term, text, none);
 }
 
-void check_parts_terms(const struct simulation *s) {
+void check_parts_terms(const struct simulation *s, bool all) {
+    struct terms terms = {.all = all};
     const struct scene *scene = s->scene;
     char text[WHY_MAX] = "";
     printf("\nwhat is modelled, and why\n");
     char law[LAW_TITLE_MAX];
     law_title(&s->grains.law.options, law);
     snprintf(text, sizeof text, "contact.law: %s", law);
-    print_term("normal force", scene->materials > 0 ? text : "", "the scene has no materials");
+    print_term(&terms, "normal force", scene->materials > 0 ? text : "", "the scene has no materials");
     text[0] = '\0';
     if (scene->materials > 0)
         print_end(s);
     pairs_with(scene, offsetof(struct law_pair, friction), text, sizeof text);
-    print_term("friction, spin, history",
+    print_term(&terms, "friction, spin, history",
                s->grains.law.spin ? text[0] ? text : "contact.tangential: history" : "",
                "contact.tangential: none");
     text[0] = '\0';
     pairs_with(scene, offsetof(struct law_pair, rolling_friction), text, sizeof text);
-    print_term("rolling resistance",
+    print_term(&terms, "rolling resistance",
                s->grains.law.options.rolling ? text[0] ? text : "contact.rolling: spring" : "",
                "contact.rolling: none");
-    print_part("twisting resistance", LAW_PART_TWISTING, "contact.twisting",
+    print_part(&terms, "twisting resistance", LAW_PART_TWISTING, "contact.twisting",
                (int)s->grains.law.options.twisting);
-    print_part("cohesion", LAW_PART_COHESION, "contact.cohesion.law", (int)s->grains.law.options.cohesion);
+    print_part(&terms, "cohesion", LAW_PART_COHESION, "contact.cohesion.law",
+               (int)s->grains.law.options.cohesion);
     text[0] = '\0';
     walls_list(scene, text, sizeof text);
-    print_term("walls", scene->materials > 0 ? text : "",
+    print_term(&terms, "walls", scene->materials > 0 ? text : "",
                text[0] ? "the scene has no materials" : "the scene has none");
-    print_term("gravity",
+    print_term(&terms, "gravity",
                scene->gravity[0] != 0 || scene->gravity[1] != 0 || scene->gravity[2] != 0 ? "gravity" : "",
                "gravity is 0");
-    print_term("motion along z", scene->box.dimension == 3 ? "box.dimension: 3" : "", "box.dimension: 2");
-    print_term("exchange of copies", s->ranks.alone ? "" : "several ranks", "one rank");
-    print_term("energy sums",
+    print_term(&terms, "motion along z", scene->box.dimension == 3 ? "box.dimension: 3" : "",
+               "box.dimension: 2");
+    print_term(&terms, "exchange of copies", s->ranks.alone ? "" : "several ranks", "one rank");
+    print_term(&terms, "energy sums",
                s->grains.contact.want_work ? "heat.dissipation"
                : s->grains.sums_each_step  ? "guards.energy"
                                            : "",
                "at rows of observables alone; each step if dissipated energy is among them");
+    if (terms.off[0])
+        printf("  off: %s\n", terms.off);
 }
 
 /* Writes the setting that brings a field, and the parts of the scene with that setting. */
@@ -170,13 +185,18 @@ void check_parts_fields(const struct simulation *s) {
             printf("  %-18s %6s  not needed; it is for %s\n", field->name, "-", why);
     }
     particles_destroy(&known);
-    printf("  stored: %zu bytes a particle (all fields, forces and spins padded)\n",
+    printf("  ");
+    check_parts_bytes(s);
+}
+
+void check_parts_bytes(const struct simulation *s) {
+    printf("stored: %zu bytes a particle (all fields, forces and spins padded), ",
            particles_bytes_each(s->particles));
     if (s->grains.law.history_components)
-        printf("  history: %zu bytes a touching pair\n",
+        printf("history: %zu bytes a touching pair\n",
                2 * (sizeof(uint32_t) + (size_t)s->grains.law.history_components * sizeof(double)));
     else
-        printf("  history: none (no friction)\n");
+        printf("history: none (no friction)\n");
 }
 
 /* Bytes of a particle's fields with a use. */

@@ -26,7 +26,7 @@ static const struct command commands[] = {
      run_run},
     {"check", "SCENE.yaml",
      "validates a scene and prints what it needs and what a run will cost; writes nothing", 1, 1,
-     "set ranks threads", command_check},
+     "set all ranks threads", command_check},
     {"ablate", "SCENE.yaml -o DIR",
      "runs a scene over all indexes, threads and newton settings, a table of times; with --error over all "
      "that "

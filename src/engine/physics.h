@@ -23,7 +23,7 @@
  *      PASS_FIRST of the next step.
  *   2. Write its function: `whole`, `rows`, `block` or `share`, see struct physics_pass.
  *   3. Add its row to the array of passes of the physics, for grains in engine/grains.c, and count it in
- *      `passes`. `scree check SCENE` prints the plan in which the pass then is.
+ *      `passes`. `scree check --all SCENE` prints the plan in which the pass then is.
  *   4. The time of a pass is a stage of the report, unless its row names the stage of another pass as `timer`:
  *      `make pages` writes it to docs/output.md. (Passes of PASS_LOOK count as output.)
  *

@@ -42,7 +42,7 @@ check 'free flight of a dumbbell across periodic sides: closed form, energy' fli
 # radius 1/2, 1.5 apart, at a density of 2, M = 2 pi / 3, inertia 2/5 M r^2 about the axis and M (2/5 r^2 + (3/4)^2) across it
 drawn='bodies.clumps[0]={name: dumbbell, size: drawn, spheres: [{centre: [7, 7, 7], radius: 0.5}, {centre: [7, 7, 8.5], radius: 0.5}], orientation: given, quaternion: [1, 0, 0, 0], angular_velocity: [0, 1.5, 0]}'
 known_body() { # RANKS SETTING...
-    on "$1" "$scree" check flight.yaml --set "$drawn" --set particles.density=2 "${@:2}" | awk -v FS='[ ,]+' 'function off(a, b) { a = a / b - 1; return a < 0 ? -a : a }
+    on "$1" "$scree" check --all flight.yaml --set "$drawn" --set particles.density=2 "${@:2}" | awk -v FS='[ ,]+' 'function off(a, b) { a = a / b - 1; return a < 0 ? -a : a }
         /^bodies .dumbbell/ { print; about = index($0, "radius of the ball 1.25 about 7 7 7.75,") }
         /^  each: radius 1.25,/ { print; pi = atan2(0, -1); m = 2 * pi / 3
             good = off($6, m) < 1e-5 && off($11, m * 0.1) < 1e-5 && off($12, m * (0.1 + 0.5625)) < 1e-5 && off($13, m * (0.1 + 0.5625)) < 1e-5 }
@@ -104,7 +104,7 @@ awk 'BEGIN { split("0 2 3 1 4 5 7 6 0 1 5 4 2 6 7 3 0 4 6 2 1 3 7 5", v, " ")
         print line } }' >cube.txt
 cube='bodies.clumps[1]={name: cube, material: b, angular_velocity: [1, 2, 0.5], mesh: cube.txt, scale: 2, mesh_spheres: 40}'
 filled() {
-    "$scree" check collide.yaml --set "$cube" | awk -v FS='[ ,]+' '/^bodies .cube/ { print "  " $0
+    "$scree" check --all collide.yaml --set "$cube" | awk -v FS='[ ,]+' '/^bodies .cube/ { print "  " $0
         spheres = $3; part = $7; for (k = 1; k <= NF; k++) if ($k == "volume" && $(k + 1) ~ /^[0-9]/) volume = $(k + 1)
         good = spheres > 8 && part > 0.7 && part < 1 && volume == 8 && $NF == 0.666667 && $(NF - 1) == 0.666667 }
         END { exit !good }'
@@ -169,14 +169,14 @@ check 'a drum of dumbbells' env OMP_NUM_THREADS=1 SCREE="$scree" "$top_srcdir/ex
 
 # Without bodies nothing of them is there
 absent() {
-    ! "$scree" check crowd.yaml --set 'bodies=~' --set 'observables.list=[{name: energy}]' | grep -E '^  (orientation|body|body_part|kind) +[0-9]|^  bodies '
+    ! "$scree" check --all crowd.yaml --set 'bodies=~' --set 'observables.list=[{name: energy}]' | grep -E '^  (orientation|body|body_part|kind) +[0-9]|^  bodies '
 }
 check 'absent unless asked for' absent
 
 refused() { # TEXT SCENE SETTING...
     local text=$1 scene=$2
     shift 2
-    "$scree" check "$scene" "$@" >told 2>&1
+    "$scree" check --all "$scene" "$@" >told 2>&1
     [ $? = 2 ] && grep -qF -- "$text" told || { cat told; return 1; }
 }
 entry() { echo "bodies={clumps: [{material: a, $1}]}"; }

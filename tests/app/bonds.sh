@@ -89,7 +89,7 @@ free() { # FACTOR: the energy after 20 steps over that at the start
         awk -F , 'NR == 2 { a = $2 } END { printf "%.3g\n", $2 / a }' free/observables.csv
 }
 stable() {
-    limit_step=$("$scree" check pair.yaml --set 'groups=~' --set 'particles.sources=[{from: single, position: [3, 2, 2], radius: 0.5}, {from: single, position: [4.04, 2, 2], radius: 0.5}]' \
+    limit_step=$("$scree" check --all pair.yaml --set 'groups=~' --set 'particles.sources=[{from: single, position: [3, 2, 2], radius: 0.5}, {from: single, position: [4.04, 2, 2], radius: 0.5}]' \
         --set bonds.gap=0.05 --set 'bonds.laws=[{k_n: 1000, k_s: 10, radius: 0.5}]' --set 'material_pairs=[{k_n: 1, restitution: 0.9, friction: 0.3}]' --set step.dt=1e-4 --set 'output.dump=~' | sed -n 's/^  stable  *\([0-9.e-]*\).*/\1/p')
     within "$limit_step" "$(awk 'BEGIN { pi = atan2(0, -1); print sqrt(2 * (pi / 6) / (1000 * pi / 16)) }')" 2e-5 || return 1
     local below above
@@ -153,7 +153,7 @@ absent() {
     run_scene 1 ball.yaml none --set reproducible=true --set 'bonds.laws=[{between: [b], k_n: 1, k_s: 1}]' --set 'output.dump.fields=[id, position, velocity]' --set 'observables.list=[{name: energy_kinetic}]' &&
         run_scene 1 ball.yaml without --set reproducible=true --set 'bonds=~' --set 'output.dump.fields=[id, position, velocity]' --set 'observables.list=[{name: energy_kinetic}]' &&
         cmp <(ball_rows none) <(ball_rows without) && [ ! -e without/bonds_broken.csv ] &&
-        ! "$scree" check ball.yaml --set 'bonds=~' --set 'output.dump.fields=[id, position]' --set 'observables.list=[{name: energy_kinetic}]' |
+        ! "$scree" check --all ball.yaml --set 'bonds=~' --set 'output.dump.fields=[id, position]' --set 'observables.list=[{name: energy_kinetic}]' |
         grep -E '^  (bonds|own_reach|bond_group) +[0-9]|carry'
 }
 check 'absent unless asked for, and no grain moves otherwise' absent
@@ -163,7 +163,7 @@ check 'a ball is crushed' env SCREE="$scree" "$top_srcdir/examples/crushing/chec
 refused() { # TEXT SETTING...
     local text=$1
     shift
-    ! "$scree" check pair.yaml "$@" >told 2>&1 && grep -qF -- "$text" told || { cat told; return 1; }
+    ! "$scree" check --all pair.yaml "$@" >told 2>&1 && grep -qF -- "$text" told || { cat told; return 1; }
 }
 check 'half of the stiffness' refused 'needs k_n and k_s' --set 'bonds.laws=[{k_n: 1}]'
 check 'two kinds of stiffness' refused 'needs k_n and k_s' --set 'bonds.laws=[{k_n: 1, k_s: 1, modulus: 1}]'

@@ -48,7 +48,7 @@ check 'a resume with another cohesion is refused' another
 refused() { # TEXT SETTING...
     local text=$1
     shift
-    ! "$scree" check sticky.yaml "$@" >said 2>&1 && holds said "$text"
+    ! "$scree" check --all sticky.yaml "$@" >said 2>&1 && holds said "$text"
 }
 check 'JKR with a linear spring is refused, and what goes is named' refused 'with hooke go: none, sjkr, capillary, van_der_waals' \
     --set contact.law=hooke --set contact.tangential=history --set 'material_pairs[0].k_n=1e4' --set 'materials=[{name: a, density: 1}]'
@@ -67,7 +67,7 @@ particles:
     - {from: random, material: large, region: {shape: box, lower: [0, 0, 0], upper: [400, 400, 400]}, sizes: 40, count: 60}
     - {from: random, material: small, region: {shape: box, lower: [0, 0, 0], upper: [400, 400, 400]}, sizes: 10, count: 3000}
 YAML
-pairs() { "$scree" check two.yaml --set index="$1" "${@:2}" | sed -n 's/.*; \([0-9]*\) pairs and.*/\1/p'; }
+pairs() { "$scree" check --all two.yaml --set index="$1" "${@:2}" | sed -n 's/.*; \([0-9]*\) pairs and.*/\1/p'; }
 few_more() { # INDEX: pairs with JKR among the small ones over those without
     local without with
     without=$(pairs "$1") with=$(pairs "$1" --set contact.cohesion=jkr \

@@ -138,14 +138,14 @@ books() { # an error of second order in the step
 check 'the work of drag closes the balance of energies' books
 absent() {
     run_scene 1 bed.yaml without --set 'drag=~' --set step.count=20 --set 'observables.list=[{name: energy_kinetic}]' --set 'output.dump=~' &&
-        ! "$scree" check bed.yaml --set 'drag=~' --set 'observables.list=[]' --set 'output.dump.fields=[id]' | grep -E '^  (drag_force|porosity) +[0-9]'
+        ! "$scree" check --all bed.yaml --set 'drag=~' --set 'observables.list=[]' --set 'output.dump.fields=[id]' | grep -E '^  (drag_force|porosity) +[0-9]'
 }
 check 'absent unless asked for' absent
 
 refused() { # TEXT SETTING...
     local text=$1
     shift
-    ! "$scree" check bed.yaml "$@" >told 2>&1 && grep -qF -- "$text" told || { cat told; return 1; }
+    ! "$scree" check --all bed.yaml "$@" >told 2>&1 && grep -qF -- "$text" told || { cat told; return 1; }
 }
 check 'a step above the limit' refused 'drag: mass of a grain over its drag' --set drag.fluid.viscosity=20
 check 'a porosity without support' refused 'drag.porosity.support: is missing' --set 'drag.porosity.support=~'

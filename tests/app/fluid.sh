@@ -34,7 +34,7 @@ observables: {every: 1, list: [{name: fluid}]}
 output: {checkpoint: {every: 6}, dump: {every: 12, fields: [id, velocity, pressure, divergence, vorticity, drag]}}
 YAML
 
-if ! "$scree" check channel.yaml >said 2>&1; then
+if ! "$scree" check --all channel.yaml >said 2>&1; then
     grep -q 'built without PETSc' said || { cat said; check "a build without PETSc says so" false; }
     skip "fluid: $(cat said)"
     check "a build without PETSc names PETSc and status 2" grep -q PETSc said
@@ -90,12 +90,12 @@ rm -rf run
 check "body-centred lattice: one rank" run_scene 1 sphere.yaml run --set index=brute --set step.count=0 --set fluid.fill.arrangement=bcc
 frame run >first
 check "body-centred lattice: the same operators on 3 ranks, hgrid" operators 3 1 --set fluid.fill.arrangement=bcc --set index=hgrid
-check "body-centred lattice: check tells its steps" eval '"$scree" check sphere.yaml --set fluid.fill.arrangement=bcc >said 2>&1 && grep -q "lattice *steps of 0.05, 0.05, 0.05: stretched by 0.048" said && grep -q "neighbours *2[0-9.]* a fluid particle" said'
+check "body-centred lattice: check tells its steps" eval '"$scree" check --all sphere.yaml --set fluid.fill.arrangement=bcc >said 2>&1 && grep -q "lattice *steps of 0.05, 0.05, 0.05: stretched by 0.048" said && grep -q "neighbours *2[0-9.]* a fluid particle" said'
 
 # A lattice that is stretched to fit the box fills it: even flow has its velocity, energy and the porosity 1
 stretched() {
     rm -rf run
-    on 1 "$scree" check channel.yaml "$@" >told 2>&1 && grep -q 'lattice .*: stretched by 0.0[0-9]* to fit the box' told || { cat told; return 1; }
+    on 1 "$scree" check --all channel.yaml "$@" >told 2>&1 && grep -q 'lattice .*: stretched by 0.0[0-9]* to fit the box' told || { cat told; return 1; }
     run_scene 1 channel.yaml run --set threads=1 "$@" && within "$(last_of run fluid_velocity_x)" 1 1e-12 && within "$(last_of run fluid_velocity_y)" 0.5 1e-12 &&
         within "$(last_of run fluid_porosity)" 1 1e-12 && within "$(last_of run fluid_energy)" 0.625 1e-12
 }
@@ -261,7 +261,7 @@ YAML
 bodies '1 + 0.19 * cos(pi * k / 8)' '0.9 + 0.19 * sin(pi * k / 8)' >ring.yaml
 bodies '0.0625 + k / 8' '0.9' >row.yaml
 regions() { # SCENE WORDS RANKS: the flow has a small divergence, the drag is the force on the fluid less that of the walls
-    on 1 "$scree" check "$1.yaml" >told 2>&1
+    on 1 "$scree" check --all "$1.yaml" >told 2>&1
     grep -q "$2" told || { cat told; return 1; }
     rm -rf one other
     run_scene 1 "$1.yaml" one --set threads=1 --set fluid.solver.tolerance=1e-9 &&

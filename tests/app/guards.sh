@@ -30,7 +30,7 @@ stops() { # DIR WORDS FLAG...: exit status 3, one message with the words, a chec
     done
     "$scree" info "$dir"/checkpoint-*-stopped.h5 | grep -q whole
 }
-says() { "$scree" check scene.yaml "${@:2}" >said 2>&1; grep -q "$1" said || { cat said; return 1; }; }
+says() { "$scree" check --all scene.yaml "${@:2}" >said 2>&1; grep -q "$1" said || { cat said; return 1; }; }
 
 for ranks in 1 2; do
     echo "== $ranks ranks"
@@ -111,7 +111,7 @@ observables: {every: 1, list: [{name: overlap_max}]}
 EOS
 squeezes() { # DIR LEAST FLAG...: the overlap is at most that foretold (but for the grain's own mass), and LEAST of it at least
     local foretold
-    "$scree" check squeeze.yaml "${@:3}" >checked || { cat checked; return 1; }
+    "$scree" check --all squeeze.yaml "${@:3}" >checked || { cat checked; return 1; }
     foretold=$(sed -n 's/.* under the heaviest, on a support, by up to \([-0-9.e+]*\).*/\1/p' checked)
     run_scene 1 squeeze.yaml "$1" "${@:3}" || return 1
     awk -F, -v foretold="$foretold" -v least="$2" 'NR > 1 && $NF > most { most = $NF }
@@ -124,11 +124,11 @@ check 'the other way round, too' squeezes stiffer 0.8 --set materials[1].young=1
 check 'with springs' squeezes springs 0.99 "${linear[@]}" --set 'material_pairs=[{restitution: 1, k_n: 10000}, {between: [soft, hard], restitution: 1, k_n: 2000}]'
 remedy() { # the modulus that the warning names keeps the overlap foretold below the bound, at the time step that it names
     local factor dt
-    "$scree" check squeeze.yaml --set guards.overlap_bound=0.1 >checked || { cat checked; return 1; }
+    "$scree" check --all squeeze.yaml --set guards.overlap_bound=0.1 >checked || { cat checked; return 1; }
     set -- $(sed -n "s/^warning: guards.overlap: .* young of 'soft' times \([0-9.e+]*\) keeps .* time step of \([0-9.]*\) of this one; times .*/\1 \2/p" checked)
     [ $# = 2 ] || { echo '  no remedy:'; cat checked; return 1; }
     factor=$1 dt=$2
-    "$scree" check squeeze.yaml --set guards.overlap_bound=0.101 --set materials[0].young="$(awk "BEGIN { print 1000 * $factor }")" \
+    "$scree" check --all squeeze.yaml --set guards.overlap_bound=0.101 --set materials[0].young="$(awk "BEGIN { print 1000 * $factor }")" \
         --set materials[1].young="$(awk "BEGIN { print 1000 * $factor }")" >stiffened || return 1
     ! grep -q '^warning' stiffened || { cat stiffened; return 1; }
     set -- $(sed -n 's/^  chosen *\([0-9.e-]*\) .*/\1/p' checked) $(sed -n 's/^  chosen *\([0-9.e-]*\) .*/\1/p' stiffened)
@@ -147,7 +147,7 @@ check 'where a mesh is, outside' says "mesh 'far'  *20 \.\.\. 21  *0 \.\.\. 2  *
 check 'or inside' says "mesh 'near'  *0 \.\.\. 1  *0 \.\.\. 2  *0 \.\.\. 0 *$" --set "$meshes"
 check 'and the other walls' says "cylinder 'pipe'  *1 \.\.\. 9  *-inf \.\.\. inf  *1 \.\.\. 9 *$" --set "$meshes"
 spread() {
-    on 2 "$scree" check scene.yaml --set 'particles.sources[0].position=[12, 5, 5]' >said 2>&1
+    on 2 "$scree" check --all scene.yaml --set 'particles.sources[0].position=[12, 5, 5]' >said 2>&1
     grep -q 'particles  *4\.5 \.\.\. 13  *4 \.\.\. 6 .*NOTE: 1 of them' said || { cat said; return 1; }
 }
 check 'on two ranks, too' spread

@@ -266,7 +266,7 @@ check 'examples/heated_drum: the balance of heat, step by step' heated_drum
 absent() {
     run_scene 1 gas.yaml without --set threads=1 --set 'heat=~' --set 'observables.list=[{name: energy_kinetic}]' \
         --set 'output.dump.fields=[id, position]' && rows without | cut -d ' ' -f 1-5 >cold && cut -d ' ' -f 1-5 one.rows | cmp - cold &&
-        ! "$scree" check gas.yaml --set 'heat=~' --set 'observables.list=[{name: energy_kinetic}]' --set 'output.dump.fields=[id, position]' |
+        ! "$scree" check --all gas.yaml --set 'heat=~' --set 'observables.list=[{name: energy_kinetic}]' --set 'output.dump.fields=[id, position]' |
         grep -E '^  (temperature|heat_flow) +8'
 }
 check 'absent unless asked for, and no grain moves otherwise' absent
@@ -274,7 +274,7 @@ check 'absent unless asked for, and no grain moves otherwise' absent
 refused() { # TEXT SCENE SETTING...
     local text=$1 scene=$2
     shift 2
-    ! "$scree" check "$scene" "$@" >told 2>&1 && grep -qF -- "$text" told || { cat told; return 1; }
+    ! "$scree" check --all "$scene" "$@" >told 2>&1 && grep -qF -- "$text" told || { cat told; return 1; }
 }
 check 'a step above the limit' refused 'above the stable one' chain.yaml --set step.dt=5
 check 'a material is missing' refused "material 'a' is missing" gas.yaml --set 'heat.materials=[{material: b, conductivity: 1, capacity: 1}]'

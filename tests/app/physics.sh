@@ -88,7 +88,7 @@ check '96 facets, nearly' keeps 96 5e-4
 check '48 facets, of 7.5 degrees, too' keeps 48 5e-4
 check '24 facets, of 15 degrees, to two per cent' keeps 24 0.02
 notes() { # FACETS FLAG...: what `scree check` says of the edges
-    "$scree" check "tube$1.yaml" "${@:2}" | grep "^NOTE: mesh 'tube' turns by"
+    "$scree" check --all "tube$1.yaml" "${@:2}" | grep "^NOTE: mesh 'tube' turns by"
 }
 noted() { notes 24 | grep -F 'turns by 15 degrees at edges' | grep -F 'more than 0.034 of its radius (expected: up to 0.1)' || { notes 24; return 1; }; }
 check 'of which scree check tells' noted
@@ -109,7 +109,7 @@ particles: {from: random, count: 60, sizes: 0.6, velocity_sigma: 3}
 output: {trajectory: {every: 50}}
 EOF
 check 'the scene runs' run_scene 1 smooth.yaml smooth
-"$scree" check smooth.yaml >needs.txt 2>&1
+"$scree" check --all smooth.yaml >needs.txt 2>&1
 "$scree" info smooth/trajectory.h5 >inside.txt 2>&1
 "$scree" info smooth/checkpoint-100.h5 >kept.txt 2>&1
 not_needed() {
@@ -228,7 +228,7 @@ EOF
 light light.yaml ''
 light heavy.yaml '    - {from: single, position: [30, 30, 30], radius: 1}'
 stable() {
-    "$scree" check "$1" | sed -n 's/^ *stable  *\([-0-9.e+]*\) .*/\1/p'
+    "$scree" check --all "$1" | sed -n 's/^ *stable  *\([-0-9.e+]*\) .*/\1/p'
 }
 no_longer() { # small dense spheres beside them give no leave for a longer step
     awk -v alone="$(stable light.yaml)" -v beside="$(stable heavy.yaml)" 'BEGIN {
@@ -240,14 +240,14 @@ check 'the lightest spheres of a material decide' no_longer
 # price FRACTION: the share of the steps, and the error of an impact in %, that the last check tells of at this part of the stable step
 price() { awk -v part="$1" '$1 == part && $NF == "%" { print $2, $3 } $1 == part && $NF == "studied" { print $2, "unknown" }' told; }
 price_of_step() { # the default, 0.15, against 0.9; 0.3 against 0.9; nothing beyond 0.9
-    "$scree" check light.yaml >told && [ "$(price 0.15)" = '1 0.21' ] && [ "$(price 0.5)" = '0.3 0.75' ] && [ "$(price 0.9)" = '0.17 1.5' ] || { cat told; return 1; }
-    "$scree" check light.yaml --set step.fraction=0.3 >told && [ "$(price 0.3)" = '1 0.5' ] && [ "$(price 0.5)" = '0.6 0.75' ] || { cat told; return 1; }
-    "$scree" check light.yaml --set step.fraction=0.9 >told && [ "$(price 0.9)" = '1 1.5' ] && [ "$(grep -c '%$' told)" = 1 ] || { cat told; return 1; }
+    "$scree" check --all light.yaml >told && [ "$(price 0.15)" = '1 0.21' ] && [ "$(price 0.5)" = '0.3 0.75' ] && [ "$(price 0.9)" = '0.17 1.5' ] || { cat told; return 1; }
+    "$scree" check --all light.yaml --set step.fraction=0.3 >told && [ "$(price 0.3)" = '1 0.5' ] && [ "$(price 0.5)" = '0.6 0.75' ] || { cat told; return 1; }
+    "$scree" check --all light.yaml --set step.fraction=0.9 >told && [ "$(price 0.9)" = '1 1.5' ] && [ "$(grep -c '%$' told)" = 1 ] || { cat told; return 1; }
 }
 check 'check says what the step costs' price_of_step
 price_of_cohesion() { # the larger of the law's error and the cohesion's; between the parts studied along a power of the step
-    "$scree" check light.yaml --set contact.cohesion=jkr --set 'material_pairs[0].surface_energy=1e-9' >told && [ "$(price 0.15)" = '1 0.75' ] && holds told "cohesion stronger than the study's has larger ones" || { cat told; return 1; }
-    "$scree" check light.yaml --set step.fraction=0.2 >told && [ "$(price 0.2)" = '1 0.3' ] || { cat told; return 1; }
+    "$scree" check --all light.yaml --set contact.cohesion=jkr --set 'material_pairs[0].surface_energy=1e-9' >told && [ "$(price 0.15)" = '1 0.75' ] && holds told "cohesion stronger than the study's has larger ones" || { cat told; return 1; }
+    "$scree" check --all light.yaml --set step.fraction=0.2 >told && [ "$(price 0.2)" = '1 0.3' ] || { cat told; return 1; }
 }
 check 'with cohesion, and between the steps of the study' price_of_cohesion
 studied() { # the study again, for the impacts that decide the figures of Hertz's law and of Hooke's
@@ -257,8 +257,8 @@ studied() { # the study again, for the impacts that decide the figures of Hertz'
         STEP_IMPACT=$name STEP_FRACTION_OUT=$out/study SCREE=$scree bash "$top_srcdir/examples/step-fraction.sh" impacts >study.tsv || return 1
         error=$(awk -F'\t' '{ print 100 * $4 }' study.tsv)
         case $law in
-        hooke) "$scree" check light.yaml --set contact.law=hooke --set 'materials=[{name: any, density: 1}]' --set 'material_pairs=[{restitution: 0.5, k_n: 1000}]' >told ;;
-        hertz) "$scree" check light.yaml >told ;;
+        hooke) "$scree" check --all light.yaml --set contact.law=hooke --set 'materials=[{name: any, density: 1}]' --set 'material_pairs=[{restitution: 0.5, k_n: 1000}]' >told ;;
+        hertz) "$scree" check --all light.yaml >told ;;
         esac
         within "$(price 0.15 | cut -d ' ' -f 2)" "$error" 0.02 || { cat told study.tsv; return 1; }
     done
@@ -438,7 +438,7 @@ walls: [{name: lid, shape: plane, point: [0, 0, 5], normal: [0, 0, -1], motion: 
 YAML
 lost() { # RANKS: what check foretells, what the run tells, and what it counts
     local k lost
-    on "$1" "$scree" check lid.yaml --set walls=[] >said 2>&1 && holds said 'warning: insertions[0].region reaches out of the box at its upper z side, by up to 3.8' || return 1
+    on "$1" "$scree" check --all lid.yaml --set walls=[] >said 2>&1 && holds said 'warning: insertions[0].region reaches out of the box at its upper z side, by up to 3.8' || return 1
     on "$1" "$scree" run lid.yaml -o lost --overwrite --set walls=[] >said 2>&1 && holds said 'scree: warning: insertions[0].region reaches out' || return 1
     lost=$(number lost/report.json insertions[0].lost)
     [ "$lost" -gt 20 ] && holds said "particles due are placed: NOTE: $lost of them outside of the box" || return 1

@@ -97,7 +97,7 @@ over() {
 }
 check 'a run whose stages are over has nothing to do' over
 shows() {
-    "$scree" check silo.yaml >said 2>&1 && holds said 'until energy_kinetic_mean <= 0.001 and count/above >= 40' && holds said 'sets {"walls[gate]": ~}'
+    "$scree" check --all silo.yaml >said 2>&1 && holds said 'until energy_kinetic_mean <= 0.001 and count/above >= 40' && holds said 'sets {"walls[gate]": ~}'
 }
 check 'scree check shows the stages' shows
 

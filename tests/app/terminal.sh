@@ -91,7 +91,7 @@ echo '== what a run will cost'
 costs() { # COUNT WORDS FLAG...: check prints so many such lines
     local count=$1 words=$2
     shift 2
-    "$scree" check scene.yaml "$@" >said 2>&1
+    "$scree" check --all scene.yaml "$@" >said 2>&1
     sed -n '/^what a run will cost/,/^$/p' said >cost
     [ "$(grep -cE "$words" cost)" = "$count" ] || { cat said; return 1; }
 }
@@ -100,7 +100,7 @@ check 'steps, time and files' costs 6 '^  steps +100 of 0.001$|^    trajectory.h
 check 'nothing is written' costs 1 '^    nothing else will be written' --set 'observables=~' --set step.count=1
 check 'no end' costs 1 '^  steps +without end' --set duration=1e300
 sized() { # the size that check tells is that of the file, within a tenth
-    "$scree" run scene.yaml -o sized --quiet --set step.count=100 --set output.trajectory.every=1 && "$scree" check scene.yaml --set step.count=100 --set output.trajectory.every=1 >said 2>&1
+    "$scree" run scene.yaml -o sized --quiet --set step.count=100 --set output.trajectory.every=1 && "$scree" check --all scene.yaml --set step.count=100 --set output.trajectory.every=1 >said 2>&1
     awk -v size="$(stat -c %s sized/trajectory.h5)" '$1 == "trajectory.h5" { told = $5 * ($6 == "MB" ? 1e6 : 1e3); print told, size; good = told > 0.9 * size && told < 1.1 * size } END { exit !good }' said
 }
 check 'the size of a trajectory' sized
@@ -111,7 +111,7 @@ printf 'solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nver
 repeats() {
     local status=$1 count=$2 given
     shift 2
-    "$scree" check scene.yaml --set step.count=1 "$@" >said 2>&1
+    "$scree" check --all scene.yaml --set step.count=1 "$@" >said 2>&1
     given=$?
     [ "$given" = "$status" ] || { echo "  status $given"; tail -n 3 said; return 1; }
     rm -rf noted
@@ -196,13 +196,13 @@ if command -v zsh >/dev/null; then check 'zsh completes commands and flags' zsh_
 
 echo '== a layout'
 foretold() { # by one rank: the copies of two
-    "$scree" check scene.yaml --ranks 2 --threads 3 --set step.count=1 >told && holds told "on 2 ranks of 3 threads (6 cores)" || return 1
+    "$scree" check --all scene.yaml --ranks 2 --threads 3 --set step.count=1 >told && holds told "on 2 ranks of 3 threads (6 cores)" || return 1
     run_scene 2 scene.yaml two --set step.count=1 --set output.checkpoint.at_end=false || return 1
     sed -n 's/^  "ghosts": \[\([0-9]*\), \([0-9]*\)\],/\1\n\2/p' two/report.json | sort -n >held
     [ "$(wc -l <held)" = 2 ] && holds told "copies of a rank       $(head -n 1 held) to $(tail -n 1 held), "
 }
 check 'copies of two ranks' foretold
-refused() { "$scree" check scene.yaml "$@" >/dev/null 2>said; [ $? = 2 ]; }
+refused() { "$scree" check --all scene.yaml "$@" >/dev/null 2>said; [ $? = 2 ]; }
 check 'no ranks' refused --ranks 0
 check 'threads without ranks' refused --threads 2
 
