@@ -139,8 +139,6 @@ void march_rebuilt(const struct physics_context *context) {
         electrolyte_forget(fluid->electrolyte);
         input_of(context, fluid);
         weights_of(context, fluid);
-        if (!motion_moves(fluid->options) && !dust_any(fluid->options))
-            pair_rows_free(&fluid->pairs);
         fluid->regions = regions_of(context, fluid);
     } else if (dust_any(fluid->options)) {
         pair_rows_build(&fluid->pairs, context->list[0], context->particles->owned);
@@ -155,10 +153,15 @@ void march_rebuilt(const struct physics_context *context) {
         flow_forward(&fluid->flow, FLOW_WHOLE);
     if (dust_any(fluid->options) && context->clock->step == 0)
         dust_look(context); /* the first limit of a step reads what grains see */
-    if (changed)
+    if (changed) {
         flow_number(&fluid->flow);
-    else
+        scalars_rebuilt(context);
+        electrolyte_rebuilt(context);
+    } else {
         flow_forward(&fluid->flow, FLOW_ROW);
+    }
+    if (!motion_moves(fluid->options) && !dust_any(fluid->options))
+        pair_rows_free(&fluid->pairs);
     /* points move from the start; particles without a shift yet have no drift */
     if (fluid->options->motion.name == FLUID_ALE && fluid->past.steps == 0 &&
         context->clock->step == fluid->done)
