@@ -308,11 +308,7 @@ static void check_speed(const struct physics_context *context, struct fluid *flu
             &fluid->error, ERROR_PHYSICS,
             "fluid: the fluid moves by %.3g spacings in step %llu, t = %.9g; advection wants %g or less: "
             "shorten step.dt (or step.force: true)%s",
-            moved, (unsigned long long)clock->step, clock->time, COURANT,
-            couple_free(fluid->options)
-                ? "; where grains close pockets of fluid between them no step is short enough "
-                  "(docs/fluid.md, Limits)"
-                : "");
+            moved, (unsigned long long)clock->step, clock->time, COURANT, couple_pockets(fluid->options));
 }
 
 static void step_run(const struct physics_context *context, struct fluid *fluid) {

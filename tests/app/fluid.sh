@@ -450,6 +450,12 @@ too_fast() {
     [ $? = 3 ] && grep -q 'spacings in step .*close pockets of fluid between them' said || { cat said; return 1; }
 }
 check "a flow that grains make too fast" too_fast
+# the other ending: a solver that diverges, here as its bound says so at once
+diverged() {
+    "$scree" run pile.yaml -o diverged --quiet --set threads=1 --petsc '-fluid_p_ksp_divtol 1e-3' >/dev/null 2>said
+    [ $? = 3 ] && grep -q 'did not converge: .*DIVERGED_DTOL.*(step .*close pockets of fluid between them' said || { cat said; return 1; }
+}
+check "a solver that diverges where grains move names pockets, too" diverged
 # One disc of a fiftieth of the fluid's density: it rises the same way in long and short steps of the fluid
 light() {
     local every
