@@ -223,7 +223,9 @@ static void step_transient(const struct physics_context *context, struct fluid *
     if (old && fluid->renew)
         projection_renew(fluid->projection);
     fluid->renew = false;
-    drive_adjust(&fluid->drive, options, context->box, &fluid->flow, dt);
+    /* the scheme of particles at rest has the force of the middle of a step, the other one that of its end */
+    drive_adjust(&fluid->drive, options, context->box, &fluid->flow,
+                 context->clock->time - (moves ? 0 : 0.5 * dt), dt);
     if (!moves)
         projection_step(fluid->projection, &fluid->flow, &fluid->past, dt, fluid->drive.force, &fluid->error);
     else
@@ -377,6 +379,7 @@ void march_end(void *self) {
         if (fluid->first && unused[0])
             log_tell(fluid->log, "warning: fluid.solver.petsc: PETSc knows nothing to do with %s", unused);
     }
+    drive_free(&fluid->drive);
     weights_free(&fluid->weights);
     pair_rows_free(&fluid->pairs);
     forces_free(&fluid->forces);
