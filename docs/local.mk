@@ -42,8 +42,10 @@ EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-drift-hooke.svg \
 	docs/images/verify-drum-angle.svg \
 	docs/images/verify-end-of-contact.svg \
+	docs/images/verify-fluid-annulus.svg \
 	docs/images/verify-fluid-cavity.svg \
 	docs/images/verify-fluid-couette.svg \
+	docs/images/verify-fluid-diffusion.svg \
 	docs/images/verify-fluid-electroosmosis.svg \
 	docs/images/verify-fluid-fluidised-bed.svg \
 	docs/images/verify-fluid-operators.svg \

@@ -267,6 +267,15 @@ check_PROGRAMS += tests/test_fluid_operators
 tests_test_fluid_operators_SOURCES = tests/test_fluid_operators.c tests/fluid_cloud.c tests/fluid_cloud.h
 tests_test_fluid_operators_LDADD = $(FLUID_LIBS) $(SCENE_LIBS) $(TEST_LIBS)
 
+check_PROGRAMS += tests/test_fluid_drive
+tests_test_fluid_drive_SOURCES = tests/test_fluid_drive.c
+tests_test_fluid_drive_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_fluid_drive_LDADD = $(FLUID_LIBS) $(SCENE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_fluid_layer
+tests_test_fluid_layer_SOURCES = tests/test_fluid_layer.c
+tests_test_fluid_layer_LDADD = $(FLUID_LIBS) $(TEST_LIBS)
+
 check_PROGRAMS += tests/test_fluid_walls
 tests_test_fluid_walls_SOURCES = tests/test_fluid_walls.c tests/fluid_cloud.c tests/fluid_cloud.h
 tests_test_fluid_walls_CPPFLAGS = $(TEST_MPI_CPPFLAGS)

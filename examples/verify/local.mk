@@ -54,6 +54,7 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/fluid-cavity/scene.yaml \
 	examples/verify/fluid-couette/scene.yaml \
 	examples/verify/fluid-cylinder/scene.yaml \
+	examples/verify/fluid-diffusion/scene.yaml \
 	examples/verify/fluid-electroosmosis/porous.yaml \
 	examples/verify/fluid-electroosmosis/scene.yaml \
 	examples/verify/fluid-fluidised-bed/scene.yaml \
@@ -145,6 +146,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/fluid-cavity/check \
 	examples/verify/fluid-couette/check \
 	examples/verify/fluid-cylinder/check \
+	examples/verify/fluid-diffusion/check \
 	examples/verify/fluid-electroosmosis/check \
 	examples/verify/fluid-fluidised-bed/check \
 	examples/verify/fluid-operators/check \

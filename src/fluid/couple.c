@@ -85,6 +85,13 @@ uint64_t couple_every(const struct physics_context *context) {
     return couple_free(options) || dust_any(options) ? (uint64_t)options->grains.every : 1;
 }
 
+const char *couple_pockets(const struct fluid_options *options) {
+    return couple_free(options)
+               ? "; where grains close pockets of fluid between them no step is short enough "
+                 "(docs/fluid.md, Limits)"
+               : "";
+}
+
 bool couple_due(const struct physics_context *context) {
     return context->clock->step % couple_every(context) == 0;
 }

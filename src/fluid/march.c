@@ -139,8 +139,6 @@ void march_rebuilt(const struct physics_context *context) {
         electrolyte_forget(fluid->electrolyte);
         input_of(context, fluid);
         weights_of(context, fluid);
-        if (!motion_moves(fluid->options) && !dust_any(fluid->options))
-            pair_rows_free(&fluid->pairs);
         fluid->regions = regions_of(context, fluid);
     } else if (dust_any(fluid->options)) {
         pair_rows_build(&fluid->pairs, context->list[0], context->particles->owned);
@@ -155,10 +153,15 @@ void march_rebuilt(const struct physics_context *context) {
         flow_forward(&fluid->flow, FLOW_WHOLE);
     if (dust_any(fluid->options) && context->clock->step == 0)
         dust_look(context); /* the first limit of a step reads what grains see */
-    if (changed)
+    if (changed) {
         flow_number(&fluid->flow);
-    else
+        scalars_rebuilt(context);
+        electrolyte_rebuilt(context);
+    } else {
         flow_forward(&fluid->flow, FLOW_ROW);
+    }
+    if (!motion_moves(fluid->options) && !dust_any(fluid->options))
+        pair_rows_free(&fluid->pairs);
     /* points move from the start; particles without a shift yet have no drift */
     if (fluid->options->motion.name == FLUID_ALE && fluid->past.steps == 0 &&
         context->clock->step == fluid->done)
@@ -220,7 +223,9 @@ static void step_transient(const struct physics_context *context, struct fluid *
     if (old && fluid->renew)
         projection_renew(fluid->projection);
     fluid->renew = false;
-    drive_adjust(&fluid->drive, options, context->box, &fluid->flow, dt);
+    /* the scheme of particles at rest has the force of the middle of a step, the other one that of its end */
+    drive_adjust(&fluid->drive, options, context->box, &fluid->flow,
+                 context->clock->time - (moves ? 0 : 0.5 * dt), dt);
     if (!moves)
         projection_step(fluid->projection, &fluid->flow, &fluid->past, dt, fluid->drive.force, &fluid->error);
     else
@@ -305,11 +310,7 @@ static void check_speed(const struct physics_context *context, struct fluid *flu
             &fluid->error, ERROR_PHYSICS,
             "fluid: the fluid moves by %.3g spacings in step %llu, t = %.9g; advection wants %g or less: "
             "shorten step.dt (or step.force: true)%s",
-            moved, (unsigned long long)clock->step, clock->time, COURANT,
-            couple_free(fluid->options)
-                ? "; where grains close pockets of fluid between them no step is short enough "
-                  "(docs/fluid.md, Limits)"
-                : "");
+            moved, (unsigned long long)clock->step, clock->time, COURANT, couple_pockets(fluid->options));
 }
 
 static void step_run(const struct physics_context *context, struct fluid *fluid) {
@@ -378,6 +379,7 @@ void march_end(void *self) {
         if (fluid->first && unused[0])
             log_tell(fluid->log, "warning: fluid.solver.petsc: PETSc knows nothing to do with %s", unused);
     }
+    drive_free(&fluid->drive);
     weights_free(&fluid->weights);
     pair_rows_free(&fluid->pairs);
     forces_free(&fluid->forces);

@@ -36,7 +36,7 @@ static double range(const void *context, int kind_a, double radius_a, int kind_b
 static void *create(const struct physics_context *context) {
     struct fluid *fluid = memory_allocate_zero(1, sizeof *fluid, "fluid");
     fluid->options = context->options;
-    fluid->drive = drive_begin(fluid->options, context->box);
+    fluid->drive = drive_begin(fluid->options, context->box, &fluid->error);
     fluid->support = fluid_support(fluid->options, context->box->dimension);
     fluid->lattice = arrangement_make(fluid->options, context->box);
     if (fluid->options->fill.jitter > 0 || motion_moves(fluid->options))

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The solvers of a fluid under a run's eyes. Read watch.h first. */
 #include "fluid/watch.h"
+#include "fluid/couple.h"
 #include "fluid/state.h"
 #include <stdio.h>
 #include <string.h>
@@ -26,13 +27,14 @@ bool watch_begin(const struct physics_context *context) {
     return fluid->solve != NULL;
 }
 
-/* Adds step and time to the error of a solver. */
+/* Adds step and time to the error of a solver, and what else may stop a flow around grains that it moves. */
 static void name_step(const struct physics_context *context, struct error *error) {
     char text[ERROR_TEXT_MAX];
     snprintf(text, sizeof text, "%s", error->text);
     *error = (struct error){0};
-    error_set(error, ERROR_PHYSICS, "%s (step %llu, t = %.9g)", text,
-              (unsigned long long)context->clock->step, context->clock->time);
+    error_set(error, ERROR_PHYSICS, "%s (step %llu, t = %.9g)%s", text,
+              (unsigned long long)context->clock->step, context->clock->time,
+              couple_pockets(context->options));
 }
 
 static void doubt(const struct physics_context *context, int system) {

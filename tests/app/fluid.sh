@@ -173,6 +173,25 @@ driven() { # a flow of given mass goes on as if it had not stopped
         awk -F , 'NR == 1 { for (k = 1; k <= NF; k++) if ($k ~ /^flow_rate_x/) c = k } END { exit !($c > 0.695 && $c < 0.705) }' whole/observables.csv
 }
 check "a resume of a flow of given mass" driven
+# A drive that pulsates: a table of time and factor, which begins again; the same bits after a resume
+printf '%s\n' '# t factor' '0 1' '0.05 3' '0.1 -1' '0.15 1' >pulse.txt
+pulse='fluid.drive={body_force: [1, 0, 0], table: pulse.txt, repeat: true}'
+pulsating() {
+    rm -rf whole half
+    run_scene 1 channel.yaml whole --set threads=1 --set "$pulse" --set 'observables={every: 1, list: [{name: pressure_drop}]}' &&
+        run_scene 1 channel.yaml half --set threads=1 --set "$pulse" --set 'observables={every: 1, list: [{name: pressure_drop}]}' --resume whole/checkpoint-6.h5 &&
+        cmp <(tail -n 1 whole/observables.csv) <(tail -n 1 half/observables.csv) &&
+        awk -F , 'NR == 2 { first = $2 } NR == 3 || NR == 4 || NR == 11 { print "  t " $1 ": " $2 / first }
+            NR == 3 && ($2 / first - 1.4) ^ 2 > 1e-20 || NR == 4 && ($2 / first - 2.2) ^ 2 > 1e-20 || NR == 11 && ($2 / first - 1.8) ^ 2 > 1e-20 { bad = 1 } END { exit bad || NR < 10 }' whole/observables.csv
+}
+check "a drive by a table, and a resume" pulsating
+check "a table of a steady drive" scene_refused 'fluid.drive.table|steady' sphere.yaml --set "$pulse" --set fluid.time=steady --set fluid.equations=stokes
+check "a table of a given mass flow" scene_refused 'fluid.drive.table|body_force or pressure_drop' channel.yaml --set 'fluid.drive={mass_flow: 0.7, table: pulse.txt}'
+printf '0 1\n0 2\n' >still.txt
+printf '0 1\n' >one.txt
+check "a table whose time stands" scene_refused 'still.txt:2|does not increase' channel.yaml --set 'fluid.drive={body_force: [1, 0, 0], table: still.txt}'
+check "a table of one row that repeats" scene_refused 'two or more' channel.yaml --set 'fluid.drive={body_force: [1, 0, 0], table: one.txt, repeat: true}'
+check "a table that is not there" scene_refused 'fluid.drive.table|none.txt' channel.yaml --set 'fluid.drive={body_force: [1, 0, 0], table: none.txt}'
 rm -rf whole
 run_scene 2 channel.yaml whole --set threads=1
 other_ranks() {
@@ -450,6 +469,12 @@ too_fast() {
     [ $? = 3 ] && grep -q 'spacings in step .*close pockets of fluid between them' said || { cat said; return 1; }
 }
 check "a flow that grains make too fast" too_fast
+# the other ending: a solver that diverges, here as its bound says so at once
+diverged() {
+    "$scree" run pile.yaml -o diverged --quiet --set threads=1 --petsc '-fluid_p_ksp_divtol 1e-3' >/dev/null 2>said
+    [ $? = 3 ] && grep -q 'did not converge: .*DIVERGED_DTOL.*(step .*close pockets of fluid between them' said || { cat said; return 1; }
+}
+check "a solver that diverges where grains move names pockets, too" diverged
 # One disc of a fiftieth of the fluid's density: it rises the same way in long and short steps of the fluid
 light() {
     local every
