@@ -93,10 +93,11 @@ static void append_sphere(const struct walk *walk, const struct source_sphere *s
         memcpy(image[i], sphere->image, sizeof(sphere->image));
 }
 
+/* Takes a sphere, with `shake` added to its velocity. */
 static bool take_sphere(struct walk *walk, int source, const struct source_batch *batch,
-                        struct source_sphere *sphere) {
+                        const double shake[3], struct source_sphere *sphere) {
     double x[3];
-    if (!source_sphere_complete(walk->scene, source, batch, sphere, x, walk->error))
+    if (!source_sphere_complete(walk->scene, source, batch, shake, sphere, x, walk->error))
         return false;
     remember(walk, &walk->ids, checksum_row(1, &sphere->id, sizeof(sphere->id)), source, sphere);
     remember(walk, &walk->places, checksum_row(0, x, sizeof(x)), source, sphere);
@@ -145,17 +146,67 @@ static bool left_out(const struct source_options *options, const struct source_s
            !(sphere->radius > options->radius_above && sphere->radius <= options->radius_upto);
 }
 
+/* Row k of a batch with its id; `taken`: rows so far, this one included. False, without an error, if the source leaves it
+ * out. */
+static bool next_sphere(const struct walk *walk, int source, const struct source_batch *batch, size_t k,
+                        int64_t base, int64_t *taken, struct source_sphere *sphere) {
+    const struct source_options *options = &walk->scene->source[source];
+    *sphere = source_sphere_of(options, batch, k);
+    if (left_out(options, sphere))
+        return false;
+    ++*taken;
+    return give_id(walk, source, batch->rows.id ? batch->rows.id[k] : *taken, base, sphere);
+}
+
+/* The mean random velocity of the free spheres of a batch, weighted by mass: without it they have no momentum. 0 for
+ * a sphere alone. Every rank goes over all rows, and finds the same. */
+static bool mean_shake(const struct walk *walk, int source, const struct source_batch *batch, int64_t base,
+                       double mean[3]) {
+    double mass = 0, x[3], shake[3];
+    int64_t taken = 0, free = 0;
+    for (int d = 0; d < 3; d++)
+        mean[d] = 0;
+    for (size_t k = 0; walk->scene->source[source].velocity_sigma > 0 && k < batch->rows.count; k++) {
+        struct source_sphere sphere;
+        if (!next_sphere(walk, source, batch, k, base, &taken, &sphere)) {
+            if (walk->error->kind != ERROR_NONE)
+                return false;
+            continue;
+        }
+        if (!source_sphere_complete(walk->scene, source, batch, (double[3]){0}, &sphere, x, walk->error))
+            return false;
+        if (walk->scene->group[sphere.group].motion != SCENE_FREE)
+            continue;
+        double own = particles_sphere_mass(sphere.radius, sphere.density);
+        source_sphere_shake(walk->scene, source, sphere.id, shake);
+        mass += own;
+        free++;
+        for (int d = 0; d < 3; d++)
+            mean[d] += own * shake[d];
+    }
+    for (int d = 0; d < 3; d++)
+        mean[d] = free > 1 ? mean[d] / mass : 0;
+    return true;
+}
+
 static bool take_batch(struct walk *walk, int source, const struct source_batch *batch) {
     const struct source_options *options = &walk->scene->source[source];
-    expect(walk, batch->rows.count);
     int64_t base = walk->census.id_max, taken = 0;
+    double mean[3], shake[3];
+    expect(walk, batch->rows.count);
+    if (!mean_shake(walk, source, batch, base, mean))
+        return false;
     for (size_t k = 0; k < batch->rows.count; k++) {
-        struct source_sphere sphere = source_sphere_of(options, batch, k);
-        if (left_out(options, &sphere))
+        struct source_sphere sphere;
+        if (!next_sphere(walk, source, batch, k, base, &taken, &sphere)) {
+            if (walk->error->kind != ERROR_NONE)
+                return false;
             continue;
-        taken++;
-        if (!give_id(walk, source, batch->rows.id ? batch->rows.id[k] : taken, base, &sphere) ||
-            !take_sphere(walk, source, batch, &sphere))
+        }
+        source_sphere_shake(walk->scene, source, sphere.id, shake);
+        for (int d = 0; d < 3; d++)
+            shake[d] -= mean[d];
+        if (!take_sphere(walk, source, batch, shake, &sphere))
             return false;
     }
     char key[96];
