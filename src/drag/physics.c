@@ -140,12 +140,14 @@ static double factor_of(const struct physics_context *context, size_t i, double 
                            .viscosity = drag->viscosity,
                            .diameter = 2 * state->radius,
                            .porosity = porosity ? porosity[i] : 1};
-    double square = 0, moved = drag->resolved ? 1 : at.porosity;
+    double square = 0, moved = drag->resolved ? 1 : at.porosity, flow[3] = {0};
     drag_velocity(drag, time, slip);
     if (drag->resolved) /* before the first lists no grain has seen the fluid: without slip K is least */
         memcpy(slip, context->list[0] ? dust_seen(context->particles)[i] : state->v, 3 * sizeof *slip);
+    if (context->box->motion.moves) /* the fluid moves with the box, or an image would feel another drag */
+        box_flow(context->box, state->x, flow);
     for (int d = 0; d < 3; d++) {
-        slip[d] = d < context->box->dimension ? slip[d] - moved * state->v[d] : 0;
+        slip[d] = d < context->box->dimension ? slip[d] - moved * (state->v[d] - flow[d]) : 0;
         square += slip[d] * slip[d];
     }
     at.speed = sqrt(square);

@@ -7,7 +7,7 @@
 #include "fluid/feet.h"
 #include "fluid/given.h"
 #include "fluid/layer.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/kinds.h"
 #include <math.h>
 #include <string.h>

@@ -12,15 +12,20 @@ static double dot(const double a[3], const double b[3]) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Position in the user's coordinates, not wrapped where crossings are counted. */
-static void unwrapped(const struct output_view *view, size_t i, double x[3]) {
+/* Position in the user's coordinates, not wrapped where crossings are counted; the velocity `v` of the particle becomes that of
+ * this image (NULL: not wanted). */
+static void unwrapped(const struct output_view *view, size_t i, double x[3], double *v) {
     const struct particles *p = view->particles;
     int32_t(*const image)[3] = particles_images(p);
-    double shift[3] = {0, 0, 0};
+    double shift[3] = {0, 0, 0}, change[3] = {0, 0, 0};
     if (image)
         box_unwrap(view->box, image[i], shift);
+    if (image && v && view->box->motion.moves)
+        box_unwrap_velocity(view->box, image[i], change);
     for (int d = 0; d < 3; d++)
         x[d] = p->state[i].x[d] + view->box->origin[d] + shift[d];
+    for (int d = 0; v && d < 3; d++)
+        v[d] += change[d];
 }
 
 static bool is_free(const struct particles *particles, size_t i) {
@@ -38,7 +43,7 @@ static void add_kinetic(const struct output_view *view, const struct observable_
                         double *part) {
     (void)item;
     double v[3];
-    integrator_full_step(view->particles, view->motion, i, v, NULL);
+    observables_velocity(view, i, v, NULL);
     if (is_free(view->particles, i))
         part[0] += 0.5 * dot(v, v) / view->particles->state[i].inverse_mass;
 }
@@ -61,7 +66,7 @@ static void add_gravity(const struct output_view *view, const struct observable_
                         double *part) {
     (void)item;
     double x[3];
-    unwrapped(view, i, x);
+    unwrapped(view, i, x, NULL);
     if (is_free(view->particles, i))
         part[0] -= dot(view->motion->gravity, x) / view->particles->state[i].inverse_mass;
 }
@@ -70,7 +75,7 @@ static void add_momentum(const struct output_view *view, const struct observable
                          double *part) {
     (void)item;
     double v[3];
-    integrator_full_step(view->particles, view->motion, i, v, NULL);
+    observables_velocity(view, i, v, NULL);
     for (int d = 0; is_free(view->particles, i) && d < 3; d++)
         part[d] += v[d] / view->particles->state[i].inverse_mass;
 }
@@ -85,8 +90,8 @@ static void add_angular_momentum(const struct output_view *view, const struct ob
         part[d] += body->rest[d];
     if (!is_free(view->particles, i))
         return;
-    unwrapped(view, i, x);
     integrator_full_step(view->particles, view->motion, i, v, spin_of(view->particles) ? w : NULL);
+    unwrapped(view, i, x, v);
     for (int d = 0; d < 3; d++) {
         int e = (d + 1) % 3, f = (d + 2) % 3;
         part[d] +=
@@ -98,7 +103,7 @@ static void add_centre(const struct output_view *view, const struct observable_i
                        double *part) {
     (void)item;
     double x[3], mass = groups_mass(view->particles, i);
-    unwrapped(view, i, x);
+    unwrapped(view, i, x, NULL);
     for (int d = 0; d < 3; d++)
         part[d] += mass * x[d];
     part[3] += mass;
@@ -120,7 +125,7 @@ static void take_speed(const struct output_view *view, const struct observable_i
                        double *part) {
     (void)item;
     double v[3];
-    integrator_full_step(view->particles, view->motion, i, v, NULL);
+    observables_velocity(view, i, v, NULL);
     part[0] = fmax(part[0], sqrt(dot(v, v)));
 }
 

@@ -16,7 +16,7 @@ static void add_kinetic_mean(const struct output_view *view, const struct observ
     double v[3], inverse = view->particles->state[i].inverse_mass;
     if (!(inverse > 0) || !observables_item_counts(view, item, i))
         return;
-    integrator_full_step(view->particles, view->motion, i, v, NULL);
+    observables_velocity(view, i, v, NULL);
     part[0] += 0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]) / inverse;
     part[1] += 1;
 }

@@ -118,10 +118,14 @@ static void append_sphere(const struct walk *walk, int source, const struct sour
         memcpy(image[i], sphere->image, sizeof(sphere->image));
 }
 
+/* The id of a row that its source leaves out. */
+static const int64_t id_left_out = INT64_MIN;
+
+/* Takes a sphere, with `shake` added to its velocity. */
 static bool take_sphere(struct walk *walk, int source, const struct source_batch *batch,
-                        struct source_sphere *sphere) {
+                        const double shake[3], struct source_sphere *sphere) {
     double x[3];
-    if (!source_sphere_complete(walk->scene, source, batch, sphere, x, walk->error))
+    if (!source_sphere_complete(walk->scene, source, batch, shake, sphere, x, walk->error))
         return false;
     remember(walk, &walk->ids, checksum_row(1, &sphere->id, sizeof(sphere->id)), source, sphere);
     remember(walk, &walk->places, checksum_row(0, x, sizeof(x)), source, sphere);
@@ -145,19 +149,77 @@ static void expect(struct walk *walk, size_t count) {
     unique_reserve(&walk->places, walk->places.count + share);
 }
 
-static bool take_batch(struct walk *walk, int source, const struct source_batch *batch) {
+/* Gives the rows of a batch their ids, and id_left_out to those that the source leaves out. Returns how many it takes. */
+static size_t give_ids(struct walk *walk, int source, const struct source_batch *batch, int64_t *id) {
     const struct source_options *options = &walk->scene->source[source];
-    expect(walk, batch->rows.count);
     size_t taken = 0;
     for (size_t k = 0; k < batch->rows.count; k++) {
         struct source_sphere sphere = source_sphere_of(options, batch, k);
-        if (source_sphere_left_out(options, &sphere))
+        bool left_out = source_sphere_left_out(options, &sphere);
+        id[k] = left_out ? id_left_out : source_ids_give(&walk->new_ids, options, batch, k);
+        taken += !left_out;
+    }
+    return taken;
+}
+
+/* The mean random velocity of the free spheres of a batch, weighted by mass: without it they have no momentum. 0 for
+ * a sphere alone. Every rank goes over all rows, and finds the same. */
+static bool mean_shake(const struct walk *walk, int source, const struct source_batch *batch,
+                       const int64_t *id, double mean[3]) {
+    const struct source_options *options = &walk->scene->source[source];
+    double mass = 0, x[3], shake[3];
+    int64_t free = 0;
+    for (int d = 0; d < 3; d++)
+        mean[d] = 0;
+    for (size_t k = 0; options->velocity_sigma > 0 && k < batch->rows.count; k++) {
+        struct source_sphere sphere = source_sphere_of(options, batch, k);
+        if (id[k] == id_left_out)
             continue;
-        taken++;
-        sphere.id = source_ids_give(&walk->new_ids, options, batch, k);
-        if (!take_sphere(walk, source, batch, &sphere))
+        sphere.id = id[k];
+        if (!source_sphere_complete(walk->scene, source, batch, (double[3]){0}, &sphere, x, walk->error))
+            return false;
+        if (walk->scene->group[sphere.group].motion != SCENE_FREE)
+            continue;
+        double own = particles_sphere_mass(sphere.radius, sphere.density);
+        source_sphere_shake(walk->scene, source, sphere.id, shake);
+        mass += own;
+        free++;
+        for (int d = 0; d < 3; d++)
+            mean[d] += own * shake[d];
+    }
+    for (int d = 0; d < 3; d++)
+        mean[d] = free > 1 ? mean[d] / mass : 0;
+    return true;
+}
+
+/* Takes the rows that have an id. */
+static bool take_rows(struct walk *walk, int source, const struct source_batch *batch, const int64_t *id) {
+    double mean[3], shake[3];
+    if (!mean_shake(walk, source, batch, id, mean))
+        return false;
+    for (size_t k = 0; k < batch->rows.count; k++) {
+        if (id[k] == id_left_out)
+            continue;
+        struct source_sphere sphere = source_sphere_of(&walk->scene->source[source], batch, k);
+        sphere.id = id[k];
+        source_sphere_shake(walk->scene, source, sphere.id, shake);
+        for (int d = 0; d < 3; d++)
+            shake[d] -= mean[d];
+        if (!take_sphere(walk, source, batch, shake, &sphere))
             return false;
     }
+    return true;
+}
+
+static bool take_batch(struct walk *walk, int source, const struct source_batch *batch) {
+    const struct source_options *options = &walk->scene->source[source];
+    expect(walk, batch->rows.count);
+    int64_t *id = memory_allocate(batch->rows.count + 1, sizeof *id, "ids of a source");
+    size_t taken = give_ids(walk, source, batch, id);
+    bool good = take_rows(walk, source, batch, id);
+    memory_free(id);
+    if (!good)
+        return false;
     char key[96];
     return taken > 0 ||
            scene_fail(walk->scene, walk->error, source_key(source, "radius_upto", key, sizeof(key)),

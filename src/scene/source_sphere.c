@@ -129,8 +129,17 @@ static int select_group(const struct scene *scene, const struct source_sphere *s
     return chosen;
 }
 
+void source_sphere_shake(const struct scene *scene, int source, int64_t id, double v[3]) {
+    const struct source_options *options = &scene->source[source];
+    struct random_sequence random = random_sequence(scene->seed, RANDOM_VELOCITY, (uint64_t)id);
+    for (int d = 0; d < 3; d++) {
+        bool flat = scene->box.dimension == 2 && d == 2;
+        v[d] = options->velocity_sigma > 0 && !flat ? options->velocity_sigma * random_normal(&random) : 0;
+    }
+}
+
 /* Density and velocity, once the material is known. */
-static bool complete(const struct subject *at, struct source_sphere *sphere) {
+static bool complete(const struct subject *at, const double shake[3], struct source_sphere *sphere) {
     const struct scene *scene = at->scene;
     const struct source_options *options = &scene->source[at->source];
     if (options->density > 0)
@@ -139,12 +148,8 @@ static bool complete(const struct subject *at, struct source_sphere *sphere) {
         sphere->density = scene->material[sphere->material].density;
     if (!(sphere->density > 0))
         return fail(at, "has no density: the scene has no materials, so the source needs `density`");
-    struct random_sequence random = random_sequence(scene->seed, RANDOM_VELOCITY, (uint64_t)sphere->id);
     for (int d = 0; d < 3; d++) {
-        bool flat = scene->box.dimension == 2 && d == 2;
-        sphere->v[d] +=
-            options->velocity[d] +
-            (options->velocity_sigma > 0 && !flat ? options->velocity_sigma * random_normal(&random) : 0);
+        sphere->v[d] += options->velocity[d] + shake[d];
         sphere->omega[d] += options->omega[d];
     }
     if (scene->box.dimension == 2 && (sphere->v[2] != 0 || sphere->omega[0] != 0 || sphere->omega[1] != 0))
@@ -206,9 +211,10 @@ static bool check_range(const struct subject *at, const double x[3]) {
 }
 
 bool source_sphere_complete(const struct scene *scene, int source, const struct source_batch *batch,
-                            struct source_sphere *sphere, double x[3], struct error *error) {
+                            const double shake[3], struct source_sphere *sphere, double x[3],
+                            struct error *error) {
     const struct subject at = {scene, source, sphere, error};
-    if (!check_given(&at) || !choose_material(&at, batch, sphere) || !complete(&at, sphere) ||
+    if (!check_given(&at) || !choose_material(&at, batch, sphere) || !complete(&at, shake, sphere) ||
         !place_in_box(&at, sphere, x))
         return false;
     int group = scene->source[source].group;

@@ -22,11 +22,15 @@ struct source_sphere source_sphere_of(const struct source_options *options, cons
 /* True if the source keeps to radii among which this one is not. */
 bool source_sphere_left_out(const struct source_options *options, const struct source_sphere *sphere);
 
-/* Gives a sphere its material, density, velocity and group by source and scene; x becomes its centre,
+/* The random part of the velocity of the sphere with this id (velocity_sigma of its source). */
+void source_sphere_shake(const struct scene *scene, int source, int64_t id, double v[3]);
+
+/* Gives a sphere its material, density, velocity (`shake` added to it) and group by source and scene; x becomes its centre,
  * box-relative and wrapped, with the images counted. Fails (user), with the sphere's place in the file, if
  * the sphere is not allowed. */
 bool source_sphere_complete(const struct scene *scene, int source, const struct source_batch *batch,
-                            struct source_sphere *sphere, double x[3], struct error *error);
+                            const double shake[3], struct source_sphere *sphere, double x[3],
+                            struct error *error);
 
 /* Fills `error` with the place of a sphere (line of its file, else its id) and the text; returns false. */
 bool source_sphere_fail(const struct scene *scene, int source, const struct source_sphere *sphere,
