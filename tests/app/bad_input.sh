@@ -305,7 +305,7 @@ piped 'a mesh' 'walls[0].file' 'walls: [{shape: mesh, file: pipe}]'
 piped 'sizes' 'sizes.file' 'particles: {from: random, count: 3, sizes: {law: table, file: pipe}}'
 piped 'bonds' 'bonds.list' 'bonds: {list: pipe, laws: [{k_n: 1, k_s: 1}]}'
 piped 'a motion' 'walls[0].motion[0].file' 'walls: [{shape: plane, point: [0, 0, 0], normal: [0, 0, 1], motion: [{kind: table, file: pipe}]}]'
-write_scene case.yaml 'contact: {law: {file: pipe}}' 'materials: [{name: glass, density: 2500}]' 'material_pairs: [{friction: 0.3}]'
+write_scene case.yaml 'contact: {law: {file: pipe}}' 'materials: [{name: glass, density: 2500}]' 'material_pairs: [{restitution: 0.5, friction: 0.3, k_n: 1e5}]'
 bad mistake 'a named pipe: a law' 'pipe is a named pipe' "$scree" run case.yaml -o new --quiet
 bad mistake 'a named pipe: a scene' 'pipe: is a named pipe' "$scree" run pipe -o new --quiet
 bad mistake 'a named pipe: info' 'pipe: is a named pipe' "$scree" info pipe
