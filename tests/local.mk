@@ -192,7 +192,8 @@ EXTRA_DIST += tests/granular/base.yaml tests/granular/dmt.dump.gz tests/granular
 	tests/granular/in.granular tests/granular/jkr.dump.gz tests/granular/laws tests/granular/mindlin_rescale.dump.gz \
 	tests/granular/rescale_force.dump.gz tests/granular/rolling_sds.dump.gz tests/granular/twisting_marshall.dump.gz \
 	tests/granular/in.sheared tests/granular/sheared.data tests/granular/sheared_0.dump.gz tests/granular/sheared_2.5.dump.gz \
-	tests/granular/twisting_sds.dump.gz
+	tests/granular/twisting_sds.dump.gz tests/granular/in.wall tests/granular/wall.data tests/granular/wall_laws \
+	tests/granular/wall_hertz.dump.gz tests/granular/wall_rolling.dump.gz tests/granular/wall_twisting.dump.gz
 
 # make tests/bench_force: times of the force loop
 EXTRA_PROGRAMS += tests/bench_force

@@ -129,6 +129,21 @@ bool outputs_create(struct outputs **outputs, const struct simulation *s, const 
     return false;
 }
 
+bool outputs_go_on(const struct outputs *o, const struct comm *comm, struct error *error) {
+    const char *directory = o->run->directory;
+    char path[FILE_PATH_MAX];
+    if (comm->rank == 0 && o->observables)
+        observables_suit(o->observables, directory, error);
+    for (int k = 0; comm->rank == 0 && k < o->options->observables.grids; k++)
+        grid_suits(&o->options->observables.grid[k], directory, error);
+    if (!comm_agree(comm, error))
+        return false;
+    snprintf(path, sizeof path, "%s/trajectory.h5", directory);
+    int64_t present = h5md_wanted(o) && comm->rank == 0 && file_size(path) >= 0;
+    comm_max_int(comm, &present, 1);
+    return !present || h5md_suits(comm, path, o->run->varying, error);
+}
+
 bool outputs_open(struct outputs *o, const struct simulation *s, bool resumed, struct error *error) {
     bool good = o->observables == NULL || observables_open(o->observables, s->comm, o->run->directory,
                                                            resumed ? s->clock.time : -1, error);

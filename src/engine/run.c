@@ -208,12 +208,16 @@ static void stopped_checkpoint(struct run *run, const struct error *why) {
         fprintf(stderr, "scree: the state at the stop could not be written: %s\n", second.text);
 }
 
-/* Deletes files of an earlier run that could be mistaken for files of this run. */
+/* Deletes files of an earlier run that could be mistaken for files of this run. A run that goes on first looks
+ * whether it can go on with the files in its folder. */
 static bool folder_prepare(const struct run *run, struct error *error) {
     const struct comm *comm = run->s->comm;
     const char *directory = run->options->directory;
-    return run->options->resume ? folder_rewind(comm, directory, run->s->clock.step, error)
-                                : folder_clear(comm, directory, error);
+    if (run->options->resume == NULL)
+        return folder_clear(comm, directory, error);
+    return folder_suits(comm, directory, run->output.lineage, error) &&
+           outputs_go_on(run->outputs, comm, error) &&
+           folder_rewind(comm, directory, run->s->clock.step, error);
 }
 
 static bool run_open(struct run *run, struct error *error) {

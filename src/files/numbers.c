@@ -2,6 +2,7 @@
 /* Reads a table of numbers. Read numbers.h first. */
 #include "files/numbers.h"
 #include "core/memory.h"
+#include "files/file.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -11,6 +12,11 @@
 static const char numbers_separators[] = " \t\v\f\r,;";
 
 char *numbers_load(const char *path, size_t *size, struct error *error) {
+    const char *waits = file_waits(path);
+    if (waits) {
+        error_set(error, ERROR_USER, "%s: %s", path, waits);
+        return NULL;
+    }
     FILE *file = fopen(path, "rb");
     if (file == NULL) {
         error_set(error, ERROR_USER, "%s: cannot be opened: %s", path, strerror(errno));

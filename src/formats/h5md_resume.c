@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Continues a trajectory: data after the step of the checkpoint are cut off, the rest is kept. */
 #include "formats/h5md_resume.h"
+#include "formats/h5md.h"
 #include "formats/h5md_head.h"
 
 #include "core/memory.h"
@@ -154,6 +155,15 @@ static bool check_varying(const struct h5md *h5md, const struct h5 *h5, struct e
         "%s: was made for particles that stay the same, and now the scene inserts or deletes some "
         "(insertions, deletions, box.leave: delete); resume into another output directory",
         h5->path);
+}
+
+bool h5md_suits(const struct comm *comm, const char *path, bool varying, struct error *error) {
+    struct h5md h5md = {.varying = varying};
+    struct h5 h5;
+    if (!h5_open(&h5, path, comm, false, error))
+        return false;
+    bool good = check_varying(&h5md, &h5, error);
+    return h5_close(&h5, error) && good;
 }
 
 bool h5md_resume(struct h5md *h5md, int64_t step, struct error *error) {

@@ -5,6 +5,7 @@
 #include "formats/checkpoint.h"
 #include "formats/checkpoint_table.h"
 #include "core/memory.h"
+#include "files/file.h"
 #include "formats/dump.h"
 #include "formats/h5.h"
 #include "formats/h5md_read.h"
@@ -22,6 +23,9 @@ bool info_kind(const char *path, enum info_kind *kind, struct error *error) {
     static const char hdf5_mark[] = "\211HDF\r\n\032\n";
     char head[4096] = {0};
     *kind = INFO_UNKNOWN;
+    const char *waits = file_waits(path);
+    if (waits)
+        return error_set(error, ERROR_USER, "%s: %s", path, waits);
     gzFile file = gzopen(path, "rb");
     if (!file)
         return error_set(error, ERROR_USER, "%s: cannot be opened: %s", path, strerror(errno));

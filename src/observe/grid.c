@@ -221,6 +221,33 @@ bool grid_write(struct grid *g, const struct output_view *view, struct error *er
     return comm_agree(view->comm, error);
 }
 
+/* Reads the header of a file; false if it is another. */
+static bool header_suits(struct lines *lines, struct error *error) {
+    return (lines_next(lines) && strncmp(lines->text, header, sizeof header - 2) == 0) ||
+           error_set(error, ERROR_USER, "%s: is no file of a grid; choose another output directory",
+                     lines->path);
+}
+
+/* The path of a grid's file; false if it is too long. */
+static bool file_path(const struct output_grid *options, const char *directory, char path[FILE_PATH_MAX],
+                      struct error *error) {
+    char name[OUTPUT_NAME_MAX + 16];
+    snprintf(name, sizeof name, "grid-%s.csv", options->name);
+    return file_join(path, directory, name, error);
+}
+
+bool grid_suits(const struct output_grid *options, const char *directory, struct error *error) {
+    struct lines lines;
+    char path[FILE_PATH_MAX];
+    if (!file_path(options, directory, path, error))
+        return false;
+    if (file_size(path) <= 0)
+        return true;
+    bool good = lines_open(&lines, path, error) && header_suits(&lines, error);
+    lines_close(&lines);
+    return good;
+}
+
 /* Cuts a present file behind the last row up to a time. */
 static bool cut(const struct grid *g, double time, struct error *error) {
     struct lines lines;
@@ -228,23 +255,20 @@ static bool cut(const struct grid *g, double time, struct error *error) {
     double row;
     if (!lines_open(&lines, g->path, error))
         return false;
-    bool same = lines_next(&lines) && strncmp(lines.text, header, sizeof header - 2) == 0;
+    bool same = header_suits(&lines, error);
     end = lines_place(&lines);
     while (same && lines_next(&lines) && lines.whole && sscanf(lines.text, "%lf", &row) == 1 &&
            row <= time + 1e-12 * fabs(time))
         end = lines_place(&lines);
     lines_close(&lines);
     if (!same)
-        return error_set(error, ERROR_USER, "%s: is no file of a grid; choose another output directory",
-                         g->path);
+        return false;
     return truncate(g->path, end) == 0 ||
            error_set_errno(error, "%s: cannot be cut to go on with it", g->path);
 }
 
 static void file_open(struct grid *g, const char *directory, double resume_time, struct error *error) {
-    char name[OUTPUT_NAME_MAX + 16];
-    snprintf(name, sizeof name, "grid-%s.csv", g->options->name);
-    if (!file_join(g->path, directory, name, error))
+    if (!file_path(g->options, directory, g->path, error))
         return;
     bool go_on = resume_time >= 0 && file_size(g->path) > 0;
     if (go_on && !cut(g, resume_time, error))

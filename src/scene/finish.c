@@ -113,6 +113,13 @@ static void finish_motion(struct scene *scene) {
     box_follow(&scene->box, (double[4]){0});
 }
 
+/* LAMMPS ends contacts at zero overlap. */
+static void finish_law(struct scene *scene) {
+    bool lammps = scene->law.lammps_history || scene->law.lammps_granular;
+    if (lammps && !scene_gives(scene, "contact", "end"))
+        scene->law.end = LAW_END_OVERLAP;
+}
+
 static void finish_newton(struct scene *scene) {
     for (int k = 0; k < PHYSICS_COUNT; k++)
         if (scene->physics_given[k] && physics_particles(k) == PHYSICS_OWN)
@@ -403,6 +410,7 @@ bool finish_scene(struct scene *scene, struct error *error) {
     finish_step(scene);
     scene_stages_finish(scene);
     finish_motion(scene);
+    finish_law(scene);
     finish_newton(scene);
     /* both ends of a bond compute the same bits, from the same positions */
     if (scene->physics_given[PHYSICS_bonds])

@@ -332,9 +332,11 @@ static bool check_law(const struct scene *scene, struct error *error) {
     if (scene->law.lammps_history && scene->law.damping != LAW_DAMPING_COEFFICIENT)
         return scene_fail(scene, error, "contact.lammps_history", "needs contact.damping: coefficient");
     if (scene->law.lammps_history && scene->law.end != LAW_END_OVERLAP)
-        return scene_fail(scene, error, "contact.lammps_history", "needs contact.end: overlap");
+        return scene_fail(scene, error, "contact.end",
+                          "lammps_history goes with end: overlap, which it takes by itself");
     if (scene->law.lammps_granular && scene->law.end != LAW_END_OVERLAP)
-        return scene_fail(scene, error, "contact.lammps_granular", "needs contact.end: overlap");
+        return scene_fail(scene, error, "contact.end",
+                          "lammps_granular goes with end: overlap, which it takes by itself");
     if (scene->law.lammps_history && scene->law.rolling != LAW_ROLLING_NONE)
         return scene_fail(scene, error, "contact.lammps_history", "has no rolling resistance");
     return true;

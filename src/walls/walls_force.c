@@ -79,11 +79,16 @@ static void recall_parts(const struct wall_task *task, int w, const struct wall_
         put(b->walk.history + c, k, walls_carry(get(b->walk.history + c, k), before, touch->normal));
 }
 
+/* The lever of force and torque: at walls pair_style granular of LAMMPS has the radius. */
+static double lever_of(const struct wall_task *task, double radius, double overlap) {
+    if (task->context->law->options.lammps_granular)
+        return radius;
+    return law_max(law_lever(task->law, radius, overlap), 0.0);
+}
+
 /* The lever for the slip velocity: the lever of half a step ago, if springs advance in that plane. */
 static double lever_of_slip(const struct wall_task *task, int k, double lever, double radius) {
     struct force_batch *b = &task->scratch->batch->contact;
-    if (task->context->law->options.lammps_granular)
-        return radius;
     if (!task->law.synchronised)
         return lever;
     double growth = -law_dot(get(b->velocity, k), get(b->normal, k)); /* of the overlap */
@@ -103,7 +108,7 @@ static void collect(const struct wall_task *task, int w, const struct wall_touch
         .v = wall_vector(state->v),
         .radius = state->radius};
     double overlap = state->radius - touch->distance;
-    double lever = law_max(law_lever(task->law, state->radius, overlap), 0.0);
+    double lever = lever_of(task, state->radius, overlap);
     struct law_vector at = law_add(sphere.x, lever, touch->normal);
     *entry = (struct wall_entry){
         .candidate = task->candidate,

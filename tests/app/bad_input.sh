@@ -297,6 +297,24 @@ fits() { "$scree" run good.yaml --quiet -o "$1" >/dev/null 2>&1 && [ -e "$1/repo
 check 'an empty folder is taken' fits empty
 check 'a folder in folders that are missing is made' fits deep/er/new
 
+echo '== pipes'
+mkfifo pipe
+piped() { mistake "a named pipe: $1" "$2: pipe is a named pipe" "$3"; }
+piped 'a table' 'particles.sources[0].file' 'particles: {file: pipe, format: table}'
+piped 'a mesh' 'walls[0].file' 'walls: [{shape: mesh, file: pipe}]'
+piped 'sizes' 'sizes.file' 'particles: {from: random, count: 3, sizes: {law: table, file: pipe}}'
+piped 'bonds' 'bonds.list' 'bonds: {list: pipe, laws: [{k_n: 1, k_s: 1}]}'
+piped 'a motion' 'walls[0].motion[0].file' 'walls: [{shape: plane, point: [0, 0, 0], normal: [0, 0, 1], motion: [{kind: table, file: pipe}]}]'
+write_scene case.yaml 'contact: {law: {file: pipe}}' 'materials: [{name: glass, density: 2500}]' 'material_pairs: [{restitution: 0.5, friction: 0.3, k_n: 1e5}]'
+bad mistake 'a named pipe: a law' 'pipe is a named pipe' "$scree" run case.yaml -o new --quiet
+bad mistake 'a named pipe: a scene' 'pipe: is a named pipe' "$scree" run pipe -o new --quiet
+bad mistake 'a named pipe: info' 'pipe: is a named pipe' "$scree" info pipe
+bad mistake 'a named pipe: convert' 'pipe: is a named pipe' "$scree" convert pipe new.data
+bad mistake 'a named pipe: resume' 'pipe: is not a file' "$scree" run good.yaml -o new --resume pipe
+rm pipe
+unnamed() { "$scree" check <(cat good.yaml) | grep -q ': valid'; }
+check 'a pipe without a name is read' unnamed
+
 echo '== data files'
 head='LAMMPS\n\n2 atoms\n1 atom types\n0 0.01 xlo xhi\n0 0.01 ylo yhi\n0 0.01 zlo zhi\n\nAtoms # sphere\n\n'
 first='1 1 0.002 2500 0.002 0.005 0.005\n'
