@@ -28,8 +28,13 @@ static double cube(double x) {
     return x * x * x;
 }
 
-/* The sort of a grain whose material has this density. */
-static int kind_of(int material, double density, double radius, double mass) {
+/* The sort of a grain. Of discs, whose masses over volumes depend on their sizes, the largest has the density of the
+ * material. */
+static int kind_of(const struct simulation *s, int material, double radius, double mass) {
+    double largest = radius;
+    for (int c = 0; c < s->classes.count; c++)
+        largest = fmax(largest, s->classes.radius_max[c]);
+    double density = particles_density(&s->box, largest, s->scene->material[material].density);
     double power = floor(log2(mass / particles_sphere_mass(radius, density))) + DENSITIES / 2;
     return material * DENSITIES + (int)fmin(fmax(power, 0), DENSITIES - 1);
 }
@@ -44,12 +49,13 @@ static void sorts_put(struct sorts *sorts, int kind, double radius, double mass)
 /* Adds the sorts of an insertion. */
 static void sorts_insert(const struct simulation *s, struct sorts *sorts,
                          const struct insertion_options *options) {
-    double radius[2], usual = s->scene->material[options->material].density;
-    double density = options->density > 0 ? options->density : usual;
+    double radius[2], density = options->density;
+    if (!(density > 0))
+        density = s->scene->material[options->material].density;
     sizes_bounds(&options->sizes, &radius[0], &radius[1]);
     for (int k = 0; k < 2; k++) {
-        double mass = particles_sphere_mass(radius[k], density);
-        sorts_put(sorts, kind_of(options->material, usual, radius[k], mass), radius[k], mass);
+        double mass = particles_sphere_mass(radius[k], particles_density(&s->box, radius[k], density));
+        sorts_put(sorts, kind_of(s, options->material, radius[k], mass), radius[k], mass);
     }
 }
 
@@ -65,9 +71,8 @@ static void sorts_collect(const struct simulation *s, struct sorts *sorts) {
         if (sort && sort[k] != KIND_GRAIN)
             continue;
         int material = material_of(number, k);
-        double density = s->scene->material[material].density;
         if (p->inverse_mass > 0)
-            sorts_put(sorts, kind_of(material, density, p->radius, 1 / p->inverse_mass), p->radius,
+            sorts_put(sorts, kind_of(s, material, p->radius, 1 / p->inverse_mass), p->radius,
                       1 / p->inverse_mass);
         else
             sorts->fixed[material] = 1;

@@ -128,10 +128,11 @@ static int select_group(const struct scene *scene, const struct source_sphere *s
 static bool complete(const struct subject *at, struct source_sphere *sphere) {
     const struct scene *scene = at->scene;
     const struct source_options *options = &scene->source[at->source];
-    if (options->density > 0)
-        sphere->density = options->density;
-    else if (!(sphere->density > 0))
-        sphere->density = scene->material[sphere->material].density;
+    double given = options->density;
+    if (!(given > 0) && !(sphere->density > 0))
+        given = scene->material[sphere->material].density;
+    if (given > 0)
+        sphere->density = particles_density(&scene->box, sphere->radius, given);
     if (!(sphere->density > 0))
         return fail(at, "has no density: the scene has no materials, so the source needs `density`");
     struct random_sequence random = random_sequence(scene->seed, RANDOM_VELOCITY, (uint64_t)sphere->id);
