@@ -136,7 +136,7 @@ struct scree_particle {
     double position[3];         /* in the coordinates of the scene, inside the box */
     double velocity[3];         /* length/time */
     double angular_velocity[3]; /* 1/time; only with friction */
-    double radius, density;     /* density 0: that of the material */
+    double radius, density;     /* density as the scene means it (box.density); 0: that of the material */
     int material, group;        /* numbers in the scene, from 0; group 0 is "free" */
 };
 

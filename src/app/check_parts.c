@@ -138,6 +138,10 @@ void check_parts_terms(const struct simulation *s, bool all) {
     print_term(&terms, "gravity",
                scene->gravity[0] != 0 || scene->gravity[1] != 0 || scene->gravity[2] != 0 ? "gravity" : "",
                "gravity is 0");
+    if (scene->box.dimension == 2)
+        printf("  %-22s      %s\n", "mass of a grain",
+               scene->box.density == BOX_DENSITY_AREA ? "density x pi r^2 (box.density: area)"
+                                                      : "density x 4/3 pi r^3 (box.density: volume)");
     print_term(&terms, "motion along z", scene->box.dimension == 3 ? "box.dimension: 3" : "",
                "box.dimension: 2");
     print_term(&terms, "exchange of copies", s->ranks.alone ? "" : "several ranks", "one rank");

@@ -82,15 +82,20 @@ static bool check_names(const struct simulation *s, const char *path, const stru
 /* Lists the keys that differ; refuses changes of some keys. */
 static bool check_scene(struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
                         struct error *error) {
+    static const struct {
+        const char *key, *fallback;
+    } fixed[] = {{"units", "si"}, {"box.density", "volume"}};
     char *now = scene_echo(s->scene);
     bool good = scene_compare(path, loaded->scene, now, &s->resumed.changes, error);
     memory_free(now);
     for (size_t k = 0; good && k < s->resumed.changes.count; k++) {
         const struct scene_change *change = &s->resumed.changes.change[k];
-        if (strcmp(change->key, "units") == 0)
-            return error_set(error, ERROR_USER,
-                             "%s: it was written with units: %s, the scene has %s: units must stay", path,
-                             change->then ? change->then : "si", change->now ? change->now : "si");
+        for (size_t f = 0; f < sizeof fixed / sizeof fixed[0]; f++)
+            if (strcmp(change->key, fixed[f].key) == 0)
+                return error_set(error, ERROR_USER,
+                                 "%s: it was written with %s: %s, the scene has %s: %s must stay", path,
+                                 change->key, change->then ? change->then : fixed[f].fallback,
+                                 change->now ? change->now : fixed[f].fallback, change->key);
     }
     return good;
 }
@@ -116,11 +121,13 @@ static double density_of(const struct particles *p, const double *density, size_
                    : 1 / (p->state[i].inverse_mass * particles_sphere_mass(p->state[i].radius, 1));
 }
 
-/* Changes the mass of a particle of material `then`, whose density has changed to `density`. */
-static bool change_mass(struct particles *p, size_t i, const struct checkpoint_kind *then, double density) {
-    double *kept = groups_densities(p);
-    if (density == then->density ||
-        !(fabs(density_of(p, kept, i) - then->density) <= same_density * then->density))
+/* Changes the mass of a particle of material `then`, whose density has changed to `now`. */
+static bool change_mass(struct simulation *s, size_t i, const struct checkpoint_kind *then, double now) {
+    struct particles *p = s->particles;
+    double *kept = groups_densities(p),
+           before = particles_density(&s->box, p->state[i].radius, then->density),
+           density = particles_density(&s->box, p->state[i].radius, now);
+    if (now == then->density || !(fabs(density_of(p, kept, i) - before) <= same_density * before))
         return false;
     if (kept)
         kept[i] = density;
@@ -142,7 +149,7 @@ static void apply_materials(struct simulation *s, const struct checkpoint_loaded
         if (kind && kind[i] != KIND_GRAIN)
             continue;
         int then = written ? material[i] : first;
-        changed += change_mass(p, i, &loaded->material[then], s->scene->material[place[then]].density);
+        changed += change_mass(s, i, &loaded->material[then], s->scene->material[place[then]].density);
         if (material)
             material[i] = (uint8_t)place[then];
     }

@@ -21,8 +21,13 @@ int sorts_material(int sort) {
     return sort / SORTS_DENSITIES;
 }
 
-/* The sort of a sphere whose material has this density. */
-static int sort_of(int material, double density, double radius, double mass) {
+/* The sort of a sphere. Of discs, whose masses over volumes depend on their sizes, the largest has the density of the
+ * material. */
+static int sort_of(const struct simulation *s, int material, double radius, double mass) {
+    double largest = radius;
+    for (int c = 0; c < s->classes.count; c++)
+        largest = fmax(largest, s->classes.radius_max[c]);
+    double density = particles_density(&s->box, largest, s->scene->material[material].density);
     double power = floor(log2(mass / particles_sphere_mass(radius, density))) + SORTS_DENSITIES / 2;
     return material * SORTS_DENSITIES + (int)fmin(fmax(power, 0), SORTS_DENSITIES - 1);
 }
@@ -51,8 +56,9 @@ static double fall_from(const struct simulation *s, const double lower[3], const
 /* Adds the sorts of an insertion. */
 static void sorts_insert(const struct simulation *s, struct sorts *sorts,
                          const struct insertion_options *options) {
-    double radius[2], usual = s->scene->material[options->material].density, edge[2][3], v2 = 0;
-    double density = options->density > 0 ? options->density : usual, sigma = options->velocity_sigma;
+    double radius[2], edge[2][3], v2 = 0, sigma = options->velocity_sigma, density = options->density;
+    if (!(density > 0))
+        density = s->scene->material[options->material].density;
     sizes_bounds(&options->sizes, &radius[0], &radius[1]);
     region_bounds(&options->region, edge[0], edge[1]);
     for (int d = 0; d < 3; d++) {
@@ -64,8 +70,9 @@ static void sorts_insert(const struct simulation *s, struct sorts *sorts,
     /* the highest sphere touches the side of the region from which it falls deepest */
     double fall = fall_from(s, edge[1], edge[0]);
     for (int k = 0; k < 2; k++) {
-        struct sorts_sphere sphere = {radius[k], particles_sphere_mass(radius[k], density), v2, fall};
-        sorts_put(sorts, sort_of(options->material, usual, radius[k], sphere.mass), &sphere);
+        double mass = particles_sphere_mass(radius[k], particles_density(&s->box, radius[k], density));
+        struct sorts_sphere sphere = {radius[k], mass, v2, fall};
+        sorts_put(sorts, sort_of(s, options->material, radius[k], mass), &sphere);
     }
 }
 
@@ -85,8 +92,7 @@ static void sorts_add(const struct simulation *s, struct sorts *sorts, size_t k,
         upper[d] = p->x[d] + p->radius;
     }
     struct sorts_sphere sphere = {p->radius, 1 / p->inverse_mass, v2, fall_from(s, lower, upper)};
-    double density = s->scene->material[material].density;
-    sorts_put(sorts, sort_of(material, density, p->radius, sphere.mass), &sphere);
+    sorts_put(sorts, sort_of(s, material, p->radius, sphere.mass), &sphere);
 }
 
 void sorts_collect(const struct simulation *s, struct sorts *sorts) {

@@ -174,9 +174,10 @@ static void timestep_consider(struct timestep_limits *limits, const struct times
 }
 
 /* Rayleigh's time pi r sqrt(density / G) / (0.1631 nu + 0.8766). */
-static double timestep_rayleigh(const struct law_material *m, double radius) {
+static double timestep_rayleigh(const struct law_material *m, double radius, double mass) {
     double shear = m->young / (2.0 * (1.0 + m->poisson));
-    return M_PI * radius * sqrt(m->density / shear) / (0.1631 * m->poisson + 0.8766);
+    double density = mass / (4.0 / 3.0 * M_PI * radius * radius * radius);
+    return M_PI * radius * sqrt(density / shear) / (0.1631 * m->poisson + 0.8766);
 }
 
 static bool timestep_meets(const struct timestep_side *a, const struct timestep_side *b) {
@@ -209,6 +210,6 @@ void timestep_limits(struct timestep_limits *limits, const struct timestep_input
     for (int k = 0; k < input->kinds; k++)
         if (input->law->moduli && !input->kind[k].wall)
             rayleigh = fmin(rayleigh, timestep_rayleigh(&input->material[input->kind[k].material],
-                                                        input->kind[k].radius_min));
+                                                        input->kind[k].radius_min, input->kind[k].mass_min));
     limits->rayleigh = isfinite(rayleigh) ? rayleigh : 0.0;
 }

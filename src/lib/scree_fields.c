@@ -88,6 +88,7 @@ bool scree_add(struct scree_simulation *simulation, const struct scree_particle 
                                             .group = p->group};
         if (given.density == 0)
             given.density = scene->material[p->material].density;
+        given.density = particles_density(box, p->radius, given.density);
         for (int d = 0; d < 3; d++) {
             given.x[d] = p->position[d] - box->origin[d];
             given.v[d] = p->velocity[d];

@@ -29,6 +29,9 @@ struct box_motion {
     double slide;       /* change of the offset, length/time */
 };
 
+/* What densities of a scene mean: mass over the volume of a sphere; in two dimensions also over the area of its disc. */
+enum box_density { BOX_DENSITY_VOLUME, BOX_DENSITY_AREA };
+
 struct box {
     int dimension;              /* 2 or 3; in 2D nothing moves in z and the box is one particle thick */
     double origin[3];           /* lower corner in the user's coordinates, length unit */
@@ -36,6 +39,7 @@ struct box {
     bool periodic[3];           /* per direction; never set for z in 2D */
     enum box_leave leave[3][2]; /* per direction, lower and upper side; ignored where periodic */
     struct box_motion motion;
+    enum box_density density; /* AREA in 2D alone */
 };
 
 /* Smallest squared distance of two points of the box at rest over their periodic images. */

@@ -58,8 +58,8 @@ struct insertion {
     struct region_space space;
     struct box box;
     uint64_t seed;
-    int number; /* of the region in the scene: chooses its random numbers */
-    double density;
+    int number;       /* of the region in the scene: chooses its random numbers */
+    double density;   /* as the scene means it (enum box_density) */
     double mean_mass; /* of a particle, for mass_rate */
 };
 

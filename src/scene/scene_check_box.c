@@ -92,8 +92,18 @@ static bool check_shear(const struct scene *scene, struct error *error) {
     return check_alone(scene, "box.shear", error);
 }
 
+/* Densities of discs: in a plane, and where grains alone have masses by them. */
+static bool check_density(const struct scene *scene, struct error *error) {
+    if (scene->box.dimension != 2)
+        return scene_fail(scene, error, "box.density", "area needs box.dimension: 2");
+    if (scene->physics_given[PHYSICS_bodies])
+        return scene_fail(scene, error, "box.density", "area together with bodies: not built yet");
+    return true;
+}
+
 bool scene_check_box(const struct scene *scene, struct error *error) {
-    return (!scene->shear_given || check_shear(scene, error)) &&
+    return (scene->box.density == BOX_DENSITY_VOLUME || check_density(scene, error)) &&
+           (!scene->shear_given || check_shear(scene, error)) &&
            (!scene->strain_given || check_strain(scene, error)) &&
            (!scene->stress_given || check_stress(scene, error));
 }

@@ -9,9 +9,11 @@
 static const struct schema_row material_rows[] = {
     {.key = "name", .type = SCHEMA_TEXT, .required = true, .in_column = true, AT(struct law_material, name),
      .help = "name of the material for other keys", .example = "glass"},
-    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "(0, inf)", .required = true,
-     AT(struct law_material, density), .help = "mass of a sphere over its volume, in two dimensions too",
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .when = "/box.density=volume", .range = "(0, inf)", .required = true,
+     AT(struct law_material, density), .help = "mass of a sphere over its volume, in two dimensions too (box.density: area changes that)",
      .example = "2500"},
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m2", .when = "/box.density=area", .range = "(0, inf)", .required = true,
+     AT(struct law_material, density), .help = "mass of a disc over its area", .example = "5"},
     {.key = "young", .type = SCHEMA_REAL, .unit = "Pa", .range = "(0, inf)", .when = "/contact.law:moduli & /contact.damping=restitution|viscoelastic|tsuji",
      .required = true, AT(struct law_material, young), .help = "Young's modulus", .example = "70 GPa"},
     {.key = "poisson", .type = SCHEMA_REAL, .range = "(-1, 0.5]", .when = "/contact.law:moduli & /contact.damping=restitution|viscoelastic|tsuji",

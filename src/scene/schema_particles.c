@@ -189,9 +189,11 @@ static const struct schema_row source_rows[] = {
      SOURCE(velocity_sigma), .help = "standard deviation of each component of a random velocity, added too; the mean over the free particles of the source, weighted by mass, is taken off, so that it adds no momentum, in any box (but for a particle alone)"},
     {.key = "omega", .type = SCHEMA_VECTOR, .unit = "rad/s", .fallback = "[0, 0, 0]", SOURCE(omega),
      .help = "angular velocity, added to the angular velocities of the file"},
-    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "[0, inf)", .fallback = "0",
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .when = "/box.density=volume", .range = "[0, inf)", .fallback = "0",
      SOURCE(density), .help = "density of these particles; 0: the density of the file (1 in a packing by `scree pack` without density=), else the "
              "density of the material"},
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m2", .when = "/box.density=area", .range = "[0, inf)", .fallback = "0",
+     SOURCE(density), .help = "mass of a disc over its area; 0: the mass of the file, else the density of the material"},
     {.key = "temperature", .type = SCHEMA_REAL, .unit = "K", .range = "[0, inf)", SOURCE(temperature),
      .help = "temperature of these particles at the start; left out: heat.temperature; needs heat", .example = "400 K"},
 };
@@ -269,8 +271,10 @@ static const struct schema_row insertion_rows[] = {
      .help = "the material; may be left out if there is only one material", .example = "glass"},
     {.key = "group", .type = SCHEMA_REF, .target = "groups", INSERTION(group),
      .help = "the group; left out: free"},
-    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .range = "[0, inf)", .fallback = "0",
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m3", .when = "/box.density=volume", .range = "[0, inf)", .fallback = "0",
      INSERTION(density), .help = "density; 0: the density of the material"},
+    {.key = "density", .type = SCHEMA_REAL, .unit = "kg/m2", .when = "/box.density=area", .range = "[0, inf)", .fallback = "0",
+     INSERTION(density), .help = "mass of a disc over its area; 0: the density of the material"},
     {.key = "temperature", .type = SCHEMA_REAL, .unit = "K", .range = "[0, inf)", INSERTION(temperature),
      .help = "temperature of the particles as they come; left out: heat.temperature; needs heat", .example = "400 K"},
 };

@@ -86,10 +86,17 @@ static const struct schema_row stress_rows[] = {
 };
 static const struct schema_table stress_table = TABLE(stress_rows);
 
+static const struct schema_name density_names[] = {
+    {"volume", BOX_DENSITY_VOLUME, "mass of a sphere over its volume, in two dimensions too"},
+    {"area", BOX_DENSITY_AREA, "in two dimensions: mass over the area pi r2 of a disc, in kg/m2"},
+    {0}};
+
 static const struct schema_row box_rows[] = {
     {.key = "dimension", .type = SCHEMA_INT, .fallback = "3", .range = "[2, 3]",
      AT(struct scene, box.dimension),
      .help = "2: centres stay in the middle plane of z, and particles turn about z alone"},
+    {.key = "density", .type = SCHEMA_NAME, .names = density_names, .fallback = "volume", AT(struct scene, box.density),
+     .help = "what `density` means in materials, sources and insertions"},
     {.key = "lower", .type = SCHEMA_VECTOR, .unit = "m", AT(struct scene, box_lower),
      .help = "lower corner; may be left out, with upper, if the first particle file has a box",
      .example = "[0, 0, 0]"},

@@ -142,10 +142,11 @@ void source_sphere_shake(const struct scene *scene, int source, int64_t id, doub
 static bool complete(const struct subject *at, const double shake[3], struct source_sphere *sphere) {
     const struct scene *scene = at->scene;
     const struct source_options *options = &scene->source[at->source];
-    if (options->density > 0)
-        sphere->density = options->density;
-    else if (!(sphere->density > 0))
-        sphere->density = scene->material[sphere->material].density;
+    double given = options->density;
+    if (!(given > 0) && !(sphere->density > 0))
+        given = scene->material[sphere->material].density;
+    if (given > 0)
+        sphere->density = particles_density(&scene->box, sphere->radius, given);
     if (!(sphere->density > 0))
         return fail(at, "has no density: the scene has no materials, so the source needs `density`");
     for (int d = 0; d < 3; d++) {

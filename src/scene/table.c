@@ -303,6 +303,9 @@ static bool read_row(const struct table *table, struct source_batch *batch, size
     double *radius = &batch->rows.radius[row];
     if (!(*radius > 0))
         return fail(table, "%s", "the radius must be > 0");
+    if (has_column(table, COLUMN_DENSITY) && table->scene->box.density == BOX_DENSITY_AREA)
+        return fail(table, "%s",
+                    "a column of densities is mass over volume, which box.density: area excludes");
     if (has_column(table, COLUMN_DENSITY) && !(batch->rows.mass[row] > 0))
         return fail(table, "%s", "the density must be > 0");
     if (has_column(table, COLUMN_DENSITY))

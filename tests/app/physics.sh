@@ -513,4 +513,38 @@ ablated() {
 }
 check 'a row a variant, the same pairs in each' ablated
 
+
+# Discs: in two dimensions `density` may be a mass over the area of a disc, of materials, sources and insertions, also after a resume with another
+cat >discs.yaml <<'YAML'
+box: {dimension: 2, density: area, lower: [0, 0], upper: [1, 1]}
+step: {count: 100, dt: 10 us}
+contact: {law: hooke}
+materials: [{name: a, density: 5 kg/m2}]
+material_pairs: [{k_n: 1000, restitution: 0.9}]
+groups: [{name: some, motion: free, select: {radius_above: 25 cm}}]
+particles:
+  sources:
+    - {from: single, position: [0.2, 0.2], radius: 0.1}
+    - {from: single, position: [0.7, 0.3], radius: 0.3}
+    - {from: single, position: [0.2, 0.5], radius: 0.1, density: 8000 g/m2}
+insertions: [{sizes: 0.05, rate: 1 MHz, count: 1, density: 6, region: {shape: box, lower: [0.1, 0.8], upper: [0.9, 0.95]}}]
+output: {dump: {every: 100, fields: [id, mass]}, checkpoint: {every: 100}}
+YAML
+masses() { # DIR M1 M2 M3 M4: as densities of discs
+    tail -n 4 "$1/dump.lammpstrj" | sort -n | awk -v want="$2 $3 $4 $5" 'BEGIN { split(want, w, " "); split("0.1 0.3 0.1 0.05", r, " "); pi = atan2(0, -1) }
+        { d = $3 / (w[NR] * pi * r[NR]^2) - 1; if (d > 1e-12 || d < -1e-12) { bad = 1; print } } END { exit NR != 4 || bad }'
+}
+discs() { run_scene 1 discs.yaml discs && masses discs 5 5 8 6; }
+check 'discs: mass over area' discs
+discs_resumed() { run_scene 2 discs.yaml denser --resume discs/checkpoint-100.h5 --set step.count=200 --set 'materials[a].density=7' --set output.dump.every=200 && masses denser 7 7 8 6; }
+check 'discs: another density at a resume, on 2 ranks' discs_resumed
+refused_discs() { # TEXT COMMAND...
+    ! "$scree" "${@:2}" >told 2>&1 && grep -qF -- "$1" told || { cat told; return 1; }
+}
+printf 'box: {density: area, lower: [0, 0, 0], upper: [1, 1, 1]}\ncontact: {law: hooke}\nmaterials: [{name: a, density: 5}]\nmaterial_pairs: [{k_n: 1000, restitution: 0.9}]\nparticles: {from: single, position: [0.5, 0.5, 0.5], radius: 0.1}\nstep: {count: 1, dt: 10 us}\n' >balls.yaml
+check 'discs: not in three dimensions' refused_discs 'box.density: area needs box.dimension: 2' check balls.yaml
+check 'discs: the unit' refused_discs 'materials[0].density' check discs.yaml --set 'materials[a].density=5 kg/m3'
+check 'discs: what density means stays at a resume' refused_discs 'box.density must stay' run discs.yaml -o volume --resume discs/checkpoint-100.h5 --set box.density=volume --set 'materials[a].density=5' --set 'particles.sources[2].density=8' --set step.count=200
+echo_discs() { "$scree" check discs.yaml | grep -q 'density x pi r^2 (box.density: area)'; }
+check 'discs: check tells it' echo_discs
 finish
