@@ -3,7 +3,7 @@
 #include "app/page.h"
 #include "core/memory.h"
 #include "files/file.h"
-#include "files/program.h"
+#include "core/program.h"
 #include "picture/source.h"
 #include <string.h>
 #include <sys/stat.h>
@@ -59,7 +59,7 @@ int command_report(const struct comm *comm, const struct command_line *line, str
     bool has_scene = write_scene(comm, folder, scene, error);
     const char *const command[] = {"python3", "-B", script, folder, out, has_scene ? scene : NULL, NULL};
     if (error->kind == ERROR_NONE)
-        program_run(command, told, "python3", error);
+        program_run(command, NULL, told, "python3", error);
     remove(scene);
     remove(told);
     return error->kind;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Guards: physical nonsense stops the run (or warns, once), naming particles, place and time. */
 #include "engine/guards.h"
+#include "contact/spin.h"
 #include "core/memory.h"
 #include "particles/kinds.h"
 #include <math.h>
@@ -108,7 +109,7 @@ static void guard_speed(struct simulation *s) {
     bool finite;
     double fastest = fastest_drift(s, &finite), bound = least_radius(s), speed;
     if (!finite) {
-        guards_check_positions(s);
+        guards_check_finite(s);
         return;
     }
     if (s->scene->guards.speed == SCENE_GUARD_OFF || s->classes.count == 0 ||
@@ -149,31 +150,75 @@ bool guards_calm(const struct simulation *s) {
            (s->scene->guards.overlap == SCENE_GUARD_OFF || overlap < s->scene->guards.overlap_bound);
 }
 
-static bool state_finite(const struct particle_state *p) {
-    return isfinite(p->x[0] + p->x[1] + p->x[2] + p->v[0] + p->v[1] + p->v[2]);
+/* True if the sum of these numbers is finite. */
+static bool all_finite(const double *value, int count) {
+    double sum = 0;
+    for (int k = 0; k < count; k++)
+        sum += value[k];
+    return isfinite(sum);
 }
 
-/* Positions that are not numbers would break the search, so such positions always stop the run. */
-void guards_check_positions(struct simulation *s) {
-    size_t bad = s->particles->owned;
-#pragma omp parallel for schedule(static) reduction(min : bad)
-    for (size_t k = 0; k < s->particles->owned; k++)
-        if (!state_finite(&s->particles->state[k]) && k < bad)
-            bad = k;
-    if (bad == s->particles->owned)
+/* True if position and speed of a particle are finite; the square of the speed is, too, as in integrator_advance. */
+static bool state_finite(const struct particle_state *p) {
+    const double square[3] = {p->v[0] * p->v[0], p->v[1] * p->v[1], p->v[2] * p->v[2]};
+    return all_finite(p->x, 3) && all_finite(square, 3);
+}
+
+/* What of an owned particle is not finite; NULL: all is. */
+static const char *strange_of(const struct particles *p, const double (*omega)[4], size_t k) {
+    if (!state_finite(&p->state[k]))
+        return "position or velocity";
+    if (omega && !all_finite(omega[k], 3))
+        return "angular velocity";
+    return all_finite(p->force + k * (size_t)p->force_stride, p->force_stride) ? NULL : "force or torque";
+}
+
+/* The pose of a wall, and the force on it. */
+static void guard_walls(struct simulation *s) {
+    double force[WALLS_MAX][6];
+    if (s->grains.walls == NULL)
         return;
-    char one[160];
+    walls_forces(s->grains.walls, force);
+    for (int w = 0; w < walls_count(s->grains.walls); w++) {
+        struct wall_pose pose;
+        walls_pose(s->grains.walls, w, &pose);
+        bool place = all_finite(pose.rotation, 9) && all_finite(pose.translation, 3) &&
+                     all_finite(pose.velocity, 3) && all_finite(pose.omega, 3);
+        if (!place || !all_finite(force[w], 6))
+            error_set(&s->error, ERROR_PHYSICS,
+                      "guards.nan: %s wall '%s' is not finite at step %llu, t = %.9g",
+                      place ? "the force on" : "the motion of", s->scene->wall[w].name,
+                      (unsigned long long)s->clock.step, s->clock.time);
+    }
+}
+
+/* Places that are not numbers would break the search, and other numbers spoil one another, so they always stop the run. */
+void guards_check_finite(struct simulation *s) {
+    const struct particles *p = s->particles;
+    const double(*omega)[4] = spin_values(p);
+    size_t bad = p->owned, count = 0;
+#pragma omp parallel for schedule(static) reduction(min : bad) reduction(+ : count)
+    for (size_t k = 0; k < p->owned; k++)
+        if (strange_of(p, omega, k)) {
+            bad = k < bad ? k : bad;
+            count++;
+        }
+    guard_walls(s);
+    if (count == 0)
+        return;
+    char one[160], others[64] = "";
     name_at(s, bad, one, sizeof one);
+    if (count > 1)
+        snprintf(others, sizeof others, " (and of %zu more)", count - 1);
     error_set(&s->error, ERROR_PHYSICS,
-              "guards.nan: position or velocity of %s is not finite at step %llu, t = %.9g: the time step is "
-              "too large, or particles coincide",
-              one, (unsigned long long)s->clock.step, s->clock.time);
-    for (size_t k = bad; k < s->particles->owned; k++) {
-        struct particle_state *p = &s->particles->state[k];
-        if (state_finite(p))
-            continue;
-        for (int d = 0; d < 3; d++)
-            p->x[d] = p->v[d] = 0;
+              "guards.nan: %s of %s%s is not finite at step %llu, t = %.9g: the time step is too large, "
+              "particles coincide, or a law or a force of the user's gives no number",
+              strange_of(p, omega, bad), one, others, (unsigned long long)s->clock.step, s->clock.time);
+    for (size_t k = bad; k < p->owned; k++) {
+        struct particle_state *state = &p->state[k];
+        bool lost = !state_finite(state);
+        for (int d = 0; lost && d < 3; d++)
+            state->x[d] = state->v[d] = 0;
     }
 }
 
@@ -319,6 +364,10 @@ void guards_check_energy(struct simulation *s) {
     energy->last = balance;
     energy->step = s->clock.step;
     double growth = balance - energy->start - energy->gained;
+    if (!isfinite(balance))
+        error_set(&s->error, ERROR_PHYSICS,
+                  "guards.nan: the energy of contacts or particles is not finite at step %llu, t = %.9g",
+                  (unsigned long long)s->clock.step, s->clock.time);
     double bound = s->scene->guards.energy_bound * (energy->mechanical ? ENERGY_AUTO : 1);
     if (energy->mechanical) /* losses of energy are no fault: the lowest balance counts */
         energy->start = fmin(energy->start, balance - energy->gained);

@@ -23,8 +23,10 @@ void guards_check(struct simulation *simulation);
  * bounded. */
 bool guards_calm(const struct simulation *simulation);
 
-/* Finds positions and velocities that are not numbers; a pass over all particles. */
-void guards_check_positions(struct simulation *simulation);
+/* Stops the run if a position, velocity, spin or force of an owned particle, or the motion of a wall or the force on it, is
+ * not finite; a pass over all particles. Between two calls guards_check finds velocities and spins as particles move.
+ * Places and velocities that are not finite become 0, so that a search ends. */
+void guards_check_finite(struct simulation *simulation);
 
 /* Finds particles that particles_wrap left outside of a periodic box because it could not count their
  * crossings; a pass over all particles. */

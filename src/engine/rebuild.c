@@ -269,7 +269,7 @@ static void wrap(struct simulation *s, struct rebuild_rows *rows) {
     rows->revision = s->particles->revision;
     if (particles_wrap(s->particles, &box))
         return;
-    guards_check_positions(s);
+    guards_check_finite(s);
     guards_check_images(s);
 }
 

@@ -33,6 +33,7 @@ struct heat {
     bool conductance;                /* sums of H instead of flows */
     struct heat_work *work;          /* NULL: dissipation makes no heat */
     double (*wall_power)[WALLS_MAX]; /* [thread][wall]: power into grains in the last step, W */
+    int64_t *strange; /* [thread]: 1 + id of a grain whose temperature has become not finite, 0: none */
 };
 
 /* The power over one kelvin between bodies whose surfaces are `gap` apart (overlap: negative). */
@@ -158,6 +159,7 @@ static void *create(const struct physics_context *context) {
     if (needs_walls(context))
         walls_visit_fixed(context->walls);
     heat->wall_power = memory_allocate_zero((size_t)context->threads, sizeof *heat->wall_power, "heat");
+    heat->strange = memory_allocate_zero((size_t)context->threads, sizeof *heat->strange, "heat");
     heat->work = o->dissipation > 0.0 ? heat_work_create(context) : NULL;
     heat->walk = walk_create(&client, context->threads);
     heat->pairs = (struct walk_work){.context = heat,
@@ -175,6 +177,7 @@ static void destroy(void *self) {
     heat_work_destroy(&heat->work);
     for (int w = 0; w < WALLS_MAX; w++)
         numbers_free(&heat->course[w]);
+    memory_free(heat->strange);
     memory_free(heat->wall_power);
     memory_free(heat);
 }
@@ -208,7 +211,7 @@ static void rebuilt(const struct physics_context *context) {
 static void warm(const struct physics_context *context, int thread, size_t first, size_t last,
                  int size_class) {
     struct heat *heat = context->self;
-    (void)thread;
+    double poison = 0.0; /* NaN once a temperature is not finite */
     if (context->classes->kind[size_class] != KIND_GRAIN)
         return;
     for (size_t i = first; i < last; i++) {
@@ -217,7 +220,22 @@ static void warm(const struct physics_context *context, int thread, size_t first
         if (heat->work)
             heat->temperature[i] += heat->options->dissipation * heat_work_take(heat->work, i) / capacity;
         heat->flow[i] = heat->wall_flow[i] = 0.0;
+        poison += 0.0 * heat->temperature[i];
     }
+    for (size_t i = first; isnan(poison) && i < last; i++)
+        if (!isfinite(heat->temperature[i]))
+            heat->strange[thread] = 1 + context->particles->id[i];
+}
+
+/* A temperature that is not finite stops the run. */
+static void guard(const struct physics_context *context, struct error *error) {
+    const struct heat *heat = context->self;
+    for (int t = 0; t < context->threads; t++)
+        if (heat->strange[t] != 0)
+            error_set(error, ERROR_PHYSICS,
+                      "guards.nan: the temperature of particle %lld is not finite at step %llu, t = %.9g",
+                      (long long)heat->strange[t] - 1, (unsigned long long)context->clock->step,
+                      context->clock->time);
 }
 
 static void conduct(const struct physics_context *context, int thread, int block) {
@@ -385,4 +403,5 @@ const struct physics heat_physics = {.name = "heat",
                                      .create = create,
                                      .destroy = destroy,
                                      .rebuilt = rebuilt,
-                                     .limit = limit};
+                                     .limit = limit,
+                                     .guard = guard};

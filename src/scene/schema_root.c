@@ -286,7 +286,7 @@ static const struct schema_row guards_rows[] = {
      AT(struct scene_guards, overlap_bound),
      .help = "largest overlap allowed, as a part of the smaller radius"},
     {.key = "nan", .type = SCHEMA_NAME, .names = nan_names, .fallback = "stop",
-     AT(struct scene_guards, nan), .help = "a position or velocity that is not a number"},
+     AT(struct scene_guards, nan), .help = "a position, velocity, spin, temperature, energy or force that is not finite"},
     {.key = "speed", .type = SCHEMA_NAME, .names = guard_names, .fallback = "stop",
      AT(struct scene_guards, speed),
      .help = "a particle that moves by more than the smallest radius in a step: such a particle may pass through others unseen"},

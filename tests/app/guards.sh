@@ -203,8 +203,52 @@ thrown() { # THREADS
     on 1 "$scree" run thrown.yaml -o thrown$1 --quiet --set threads="$1" >said 2>&1
     [ $? = 3 ] && holds said 'guards.nan: position or velocity of particle 1 at' && holds said 'at step 1, '
 }
+spun() { # turned by order beyond what a number holds
+    on 1 "$scree" run thrown.yaml -o spun --overwrite --quiet --set 'groups[0].velocity=[0, 0, 0]' --set 'groups[0].omega=[1.5e308, 1.5e308, 0]' \
+        --set contact.tangential=history >said 2>&1
+    [ $? = 3 ] || { cat said; return 1; }
+    holds said 'guards.nan: angular velocity of particle 1 at' && holds said 'at step 1, '
+}
 check 'a speed that is no number shows at once, whoever moves after it' thrown 1
 check 'and on whatever thread' thrown 2
+check 'a spin that is no number stops the run, too' spun
+
+# A law that gives no number: its force is no number either, in every order of the step and on every layout
+cat >none.c <<'EOF'
+#include <scree_law.h>
+static inline struct scree_law_springs springs(struct scree_law_contact c) {
+    double force = c.k_n * c.overlap / 0.0 * 0.0;
+    return (struct scree_law_springs){
+        .force = force, .stiffness = c.k_n, .tangent = c.k_n, .tangential = c.k_t, .contact = 1.0, .energy = force};
+}
+SCREE_LAW(springs, .name = "none")
+EOF
+none() { # RANKS FLAG...
+    on "$1" "$scree" run scene.yaml -o none --overwrite --quiet --set 'contact.law={file: none.c}' "${@:2}" >said 2>&1
+    [ $? = 3 ] && holds said 'guards.nan: position or velocity of particle 71 at' && holds said 'is not finite at step 127, ' &&
+        "$scree" info none/checkpoint-*-stopped.h5 | grep -q whole
+}
+check 'a law that gives no number stops the run' none 1
+check 'and friction does not hide it' none 1 --set contact.tangential=history
+check 'nor does the plain order' none 1 --set step.fused=false
+check 'nor does the reproducible mode' none 1 --set reproducible=true
+check 'nor do parts of a law' none 1 --set contact.cohesion=sjkr --set 'material_pairs[0].cohesion_density=1'
+check 'nor do ranks' none 2
+last() { # what the last step gives is seen, though nobody moves by it
+    on "$1" "$scree" run scene.yaml -o none --overwrite --quiet --set 'contact.law={file: none.c}' --set step.count=126 >said 2>&1
+    [ $? = 3 ] || { cat said; return 1; }
+    holds said 'guards.nan: force or torque of particle 71 at'
+}
+check 'nor does the end of the run' last 1
+check 'on ranks, too' last 2
+hot() { # a temperature beyond what a number holds
+    on 1 "$scree" run scene.yaml -o hot --overwrite --quiet --set 'particles.sources[0].position=[3, 5, 0.9]' --set 'particles.sources[0].velocity=[0, 0, 0]' \
+        --set 'heat={temperature: 300, materials: [{conductivity: 1, capacity: 1}], walls: [{wall: floor, flux: 1.7e308}]}' "$@" >said 2>&1
+    [ $? = 3 ] || { cat said; return 1; }
+    holds said 'guards.nan: the temperature of particle 71 is not finite at step'
+}
+check 'a temperature that is no number stops the run' hot
+check 'in plain order, too' hot --set step.fused=false
 
 # Crossings of a periodic box are counted in 32 bits; a counter that is full ends the run, also where guards are off
 printf 'title\n\n1 atoms\n1 atom types\n0 4 xlo xhi\n0 4 ylo yhi\n0 4 zlo zhi\n\nAtoms # sphere\n\n7 1 1 1 3.9 2 2 2147483647 0 0\n' >full.data

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Starts other programs. Read program.h first. */
-#include "files/program.h"
+#define _GNU_SOURCE
+#include "core/program.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <spawn.h>
@@ -27,7 +28,8 @@ static void read_end(const char *path, char text[TOLD_MOST + 1]) {
     text[length] = '\0';
 }
 
-bool program_run(const char *const argv[], const char *told, const char *package, struct error *error) {
+bool program_run(const char *const argv[], const char *folder, const char *told, const char *package,
+                 struct error *error) {
     posix_spawn_file_actions_t actions;
     pid_t child;
     int status;
@@ -38,6 +40,8 @@ bool program_run(const char *const argv[], const char *told, const char *package
         posix_spawn_file_actions_addopen(&actions, 1, told, O_WRONLY | O_CREAT | O_TRUNC, 0666);
         posix_spawn_file_actions_adddup2(&actions, 1, 2);
     }
+    if (folder)
+        posix_spawn_file_actions_addchdir_np(&actions, folder);
     int code = posix_spawnp(&child, argv[0], &actions, NULL, (char *const *)argv, environ);
     posix_spawn_file_actions_destroy(&actions);
     if (code == ENOENT)
