@@ -162,6 +162,10 @@ check_PROGRAMS += tests/test_output_options
 tests_test_output_options_SOURCES = tests/test_output_options.c
 tests_test_output_options_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
 
+check_PROGRAMS += tests/test_progress
+tests_test_progress_SOURCES = tests/test_progress.c
+tests_test_progress_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
+
 check_PROGRAMS += tests/test_file
 tests_test_file_SOURCES = tests/test_file.c
 tests_test_file_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
