@@ -264,6 +264,26 @@ check_PROGRAMS += tests/test_bodies
 tests_test_bodies_SOURCES = tests/test_bodies.c
 tests_test_bodies_LDADD = libbodies.la $(CORE_LIBS) $(TEST_LIBS)
 
+check_PROGRAMS += tests/test_clump
+tests_test_clump_SOURCES = tests/test_clump.c
+tests_test_clump_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_clump_LDADD = libbodies.la $(SCENE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_bonds_links
+tests_test_bonds_links_SOURCES = tests/test_bonds_links.c
+tests_test_bonds_links_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_bonds_links_LDADD = libbonds.la $(SCENE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_drag
+tests_test_drag_SOURCES = tests/test_drag.c
+tests_test_drag_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_drag_LDADD = libdrag.la $(SCENE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_board
+tests_test_board_SOURCES = tests/test_board.c
+tests_test_board_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_board_LDADD = $(VIEW_LIBS) $(TEST_LIBS)
+
 check_PROGRAMS += tests/test_fluid_operators
 tests_test_fluid_operators_SOURCES = tests/test_fluid_operators.c tests/fluid_cloud.c tests/fluid_cloud.h
 tests_test_fluid_operators_LDADD = $(FLUID_LIBS) $(SCENE_LIBS) $(TEST_LIBS)
