@@ -162,6 +162,10 @@ check_PROGRAMS += tests/test_output_options
 tests_test_output_options_SOURCES = tests/test_output_options.c
 tests_test_output_options_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
 
+check_PROGRAMS += tests/test_progress
+tests_test_progress_SOURCES = tests/test_progress.c
+tests_test_progress_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
+
 check_PROGRAMS += tests/test_file
 tests_test_file_SOURCES = tests/test_file.c
 tests_test_file_LDADD = $(OBSERVE_LIBS) $(TEST_LIBS)
@@ -263,6 +267,26 @@ tests_checkpoint_lines_LDADD = $(OBSERVE_LIBS)
 check_PROGRAMS += tests/test_bodies
 tests_test_bodies_SOURCES = tests/test_bodies.c
 tests_test_bodies_LDADD = libbodies.la $(CORE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_clump
+tests_test_clump_SOURCES = tests/test_clump.c
+tests_test_clump_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_clump_LDADD = libbodies.la $(SCENE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_bonds_links
+tests_test_bonds_links_SOURCES = tests/test_bonds_links.c
+tests_test_bonds_links_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_bonds_links_LDADD = libbonds.la $(SCENE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_drag
+tests_test_drag_SOURCES = tests/test_drag.c
+tests_test_drag_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_drag_LDADD = libdrag.la $(SCENE_LIBS) $(TEST_LIBS)
+
+check_PROGRAMS += tests/test_board
+tests_test_board_SOURCES = tests/test_board.c
+tests_test_board_CPPFLAGS = $(TEST_MPI_CPPFLAGS)
+tests_test_board_LDADD = $(VIEW_LIBS) $(TEST_LIBS)
 
 check_PROGRAMS += tests/test_fluid_operators
 tests_test_fluid_operators_SOURCES = tests/test_fluid_operators.c tests/fluid_cloud.c tests/fluid_cloud.h
