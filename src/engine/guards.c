@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Guards: physical nonsense stops the run (or warns, once), naming particles, place and time. */
 #include "engine/guards.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include "core/memory.h"
 #include "particles/kinds.h"
 #include <math.h>
