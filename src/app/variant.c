@@ -2,7 +2,7 @@
 /* Lists the variants of a scene and applies one. Read variant.h first. */
 #include "app/variant.h"
 #include "engine/simulation.h"
-#include "contact/material.h"
+#include "particles/material.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

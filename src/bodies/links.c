@@ -4,7 +4,7 @@
 #include "bodies/fields.h"
 #include "bodies/rotor.h"
 #include "core/memory.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/kinds.h"
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include "bodies/fields.h"
 #include "bodies/links.h"
 #include "bodies/rotor.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include <string.h>
 
 /* The units of the sums of body b; none where the order of a sum may matter. */

@@ -4,10 +4,10 @@
 #include "bodies/place.h"
 #include "bodies/fields.h"
 #include "bodies/rotor.h"
-#include "contact/material.h"
-#include "contact/spin.h"
+#include "particles/material.h"
+#include "particles/spin.h"
 #include "core/random.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/kinds.h"
 #include <inttypes.h>
 #include <math.h>

@@ -2,9 +2,9 @@
 /* Bonds as a physics: forces and moments of bonds, and their ends (engine/physics.h). Read bonds.h first. */
 #include "bonds/bonds.h"
 #include "bonds/state.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include "core/memory.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "integrate/stability.h"
 #include "particles/kinds.h"
 #include "scene/scene.h"

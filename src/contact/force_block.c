@@ -7,7 +7,7 @@
 #include "contact/force_physics.h"
 #include "contact/law_general.h"
 #include "contact/law_user.h"
-#include "contact/material.h"
+#include "particles/material.h"
 
 /* True if all contacts of the batch are between the same two materials, in the same order. */
 static inline bool force_alike(const uint8_t *material, const struct walk_batch *restrict b) {

@@ -2,8 +2,8 @@
 /* The list of present contacts, for output: a plain loop over the pairs with the law of the force loop. */
 #include "contact/force.h"
 #include "contact/law_general.h"
-#include "contact/material.h"
-#include "contact/spin.h"
+#include "particles/material.h"
+#include "particles/spin.h"
 #include "core/memory.h"
 
 /* A walk over the history records of one thread, in the order of the thread's pairs. */

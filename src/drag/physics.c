@@ -8,7 +8,7 @@
 #include "drag/porosity.h"
 #include "engine/physics.h"
 #include "fluid/dust.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/kinds.h"
 #include <math.h>
 #include <string.h>

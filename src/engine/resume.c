@@ -11,7 +11,7 @@
 #include "engine/resume.h"
 #include "engine/skin_auto.h"
 #include "core/memory.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

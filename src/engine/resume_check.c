@@ -2,9 +2,9 @@
 /* The changes of a scene that are allowed between a checkpoint and a resume. */
 #include "engine/resume_check.h"
 #include "engine/deform.h"
-#include "contact/material.h"
+#include "particles/material.h"
 #include "core/memory.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/kinds.h"
 #include "scene/scene_read.h"
 #include <math.h>

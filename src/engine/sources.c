@@ -5,10 +5,10 @@
 #include "engine/sources.h"
 #include "engine/crossings.h"
 #include "engine/rebuild_rows.h"
-#include "contact/material.h"
-#include "contact/spin.h"
+#include "particles/material.h"
+#include "particles/spin.h"
 #include "core/memory.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/kinds.h"
 #include "scene/placegrid.h"
 #include <assert.h>

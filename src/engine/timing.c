@@ -3,7 +3,7 @@
  * The stable step depends on the speeds of the particles at the start, so a resume with the same rule keeps
  * the step of the checkpoint. */
 #include "engine/timing.h"
-#include "contact/material.h"
+#include "particles/material.h"
 #include "engine/guards.h"
 #include "particles/kinds.h"
 #include <math.h>

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The load of the fluid on grains, and their motion under it. Read couple.h first. */
 #include "fluid/couple.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include "core/memory.h"
 #include "fluid/drag.h"
 #include "fluid/dust.h"
 #include "fluid/fields.h"
 #include "fluid/state.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Feet on walls and open sides. Read feet.h first. */
 #include "fluid/feet.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include "fluid/fields.h"
 #include "fluid/mirror.h"
 #include <string.h>

@@ -5,7 +5,7 @@
 #include "fluid/body.h"
 #include "fluid/drag.h"
 #include "fluid/open.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/fields.h"
 #include <stdio.h>
 

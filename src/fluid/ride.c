@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Carries boundary particles along with their grains. Read ride.h first. */
 #include "fluid/ride.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include "fluid/couple.h"
 #include "fluid/fields.h"
 #include "fluid/flow_fields.h"

@@ -3,7 +3,7 @@
 #include "fluid/body.h"
 #include "fluid/shown.h"
 #include "fluid/state.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 
 /* Adds a foot's share: force, viscous part, pressure part, and the torque with a lever. */
 static void add_foot(const struct forces_part *foot, const double lever[3], double *part) {

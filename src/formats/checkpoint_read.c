@@ -8,7 +8,7 @@
 #include "core/memory.h"
 #include "formats/checkpoint_file.h"
 #include "formats/h5.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 
 #include <string.h>
 

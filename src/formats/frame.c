@@ -9,7 +9,7 @@
 #include "comm/groups.h"
 #include "core/memory.h"
 #include "fields_table.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "physics_table.h"
 
 #include <assert.h>

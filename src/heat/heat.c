@@ -5,13 +5,13 @@
  * Explicit Euler steps: T(n+1) = T(n) + dt flow(n) / (m c). The flow is a sum over pairs like a force: it is
  * summed where forces are, sent back from copies with them, cleared when the temperature takes it. */
 #include "heat/heat.h"
-#include "contact/material.h"
+#include "particles/material.h"
 #include "core/memory.h"
 #include "engine/physics.h"
 #include "heat/fields.h"
 #include "heat/heat_own.h"
 #include "heat/heat_work.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "pairs/walk.h"
 #include "particles/kinds.h"
 #include <math.h>

@@ -3,7 +3,7 @@
 #include "heat/fields.h"
 #include "heat/heat.h"
 #include "heat/heat_own.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "observe/observables_kinds.h"
 #include "physics_table.h"
 #include "scene/schema_rows.h"

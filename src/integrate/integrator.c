@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The table of integrators and the passes that move particles, vector and scalar. Read integrator.h first. */
 #include "integrate/integrator.h"
-#include "contact/spin.h"
-#include "integrate/groups.h"
+#include "particles/spin.h"
+#include "particles/groups.h"
 #include "particles/kinds.h"
 #include <stddef.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables of the whole run: energies, momenta, stress, counts. */
 #include "observe/observables_kinds.h"
-#include "contact/spin.h"
-#include "integrate/groups.h"
+#include "particles/spin.h"
+#include "particles/groups.h"
 #include "particles/kinds.h"
 
 #include <math.h>

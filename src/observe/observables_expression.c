@@ -3,11 +3,11 @@
  * another expression selects, and how well the selected particles are mixed with the others. Read observables_kinds.h and expression.h first. */
 #include "observe/expression.h"
 #include "observe/observables_kinds.h"
-#include "contact/material.h"
-#include "contact/spin.h"
+#include "particles/material.h"
+#include "particles/spin.h"
 #include "core/exact.h"
 #include "core/memory.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "particles/fields.h"
 #include "particles/kinds.h"
 

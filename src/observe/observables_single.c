@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables of one wall, one particle, one region. */
 #include "observe/observables_kinds.h"
-#include "contact/material.h"
-#include "contact/spin.h"
+#include "particles/material.h"
+#include "particles/spin.h"
 
 #include <math.h>
 #include <string.h>

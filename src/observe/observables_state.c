@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Observables of the state of a packing, whether it rests and how it fills, and of the particles that came and went.
  * Read observables_kinds.h first. */
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "observe/crossing.h"
 #include "observe/observables_kinds.h"
 

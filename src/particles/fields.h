@@ -17,7 +17,7 @@
  *   4. Values of copies: a FORWARD field comes with every exchange of the step, a REVERSE field is summed
  *      back with the forces; a pass of its own sends any list of fields (comm/ghosts.h).
  *   5. `make pages` writes the row of docs/output.md.
- * `src/contact/spin.c` is an example of grains, src/density of a physics.
+ * `src/particles/spin.c` is an example of grains, src/density of a physics.
  *
  * Every set begins with the fields of enum field_first: the hot record of a cache line, the force, the id
  * and the size class; struct particles has pointers to these. */

@@ -5,13 +5,13 @@
  * by hash: rank r remembers the keys of its part. */
 #include "scene/scene_particles.h"
 
-#include "contact/material.h"
-#include "contact/spin.h"
+#include "particles/material.h"
+#include "particles/spin.h"
 #include "core/checksum.h"
 #include "core/memory.h"
 #include "formats/h5md_read.h"
 #include "formats/lammps_data.h"
-#include "integrate/groups.h"
+#include "particles/groups.h"
 #include "scene/lattice.h"
 #include "scene/packing.h"
 #include "scene/source_sphere.h"

@@ -5,9 +5,9 @@
 #include "walls/walls_touch.h"
 #include "contact/force_general.h"
 #include "contact/law_general.h"
-#include "contact/material.h"
+#include "particles/material.h"
 #include "walls/walls_near.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include "core/memory.h"
 #include <string.h>
 

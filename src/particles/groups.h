@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The groups of particles, whose motion may be prescribed (integrator.h). Registered if a scene has groups
  * other than "free". */
-#ifndef SCREE_INTEGRATE_GROUPS_H
-#define SCREE_INTEGRATE_GROUPS_H
+#ifndef SCREE_PARTICLES_GROUPS_H
+#define SCREE_PARTICLES_GROUPS_H
 
 #include "particles/particles.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The material of each particle: the row of the law's coefficients for the particle. Registered if a scene
  * has more than one material. */
-#ifndef SCREE_CONTACT_MATERIAL_H
-#define SCREE_CONTACT_MATERIAL_H
+#ifndef SCREE_PARTICLES_MATERIAL_H
+#define SCREE_PARTICLES_MATERIAL_H
 
 #include "particles/particles.h"
 

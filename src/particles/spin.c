@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The fields of particles that turn. */
-#include "contact/spin.h"
+#include "particles/spin.h"
 
 #include "particles/fields.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Passes the contacts of all ranks to stability.h and iterates. Read limit.h first. */
 #include "engine/limit.h"
-#include "contact/spin.h"
+#include "particles/spin.h"
 #include "core/memory.h"
 #include "integrate/stability.h"
 #include "particles/fields.h"

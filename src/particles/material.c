@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The field with the material of each particle. */
-#include "contact/material.h"
+#include "particles/material.h"
 
 #include "particles/fields.h"
 

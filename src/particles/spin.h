@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Spin: particles that turn have an angular velocity and a torque. Registered if the law has a force along
  * the surface (law.spin); without such a force neither field exists. */
-#ifndef SCREE_CONTACT_SPIN_H
-#define SCREE_CONTACT_SPIN_H
+#ifndef SCREE_PARTICLES_SPIN_H
+#define SCREE_PARTICLES_SPIN_H
 
 #include "particles/particles.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The fields of particles whose motion may be prescribed. */
-#include "integrate/groups.h"
+#include "particles/groups.h"
 
 #include "particles/fields.h"
 #include "particles/kinds.h"
