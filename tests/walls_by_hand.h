@@ -108,7 +108,7 @@ static inline struct particle_state *world_add(struct world *w, double x, double
 
 /* Candidates again; histories go along. `order` (NULL: as they are) reorders the particles. */
 static inline void world_rebuild(struct world *w, const uint32_t *order) {
-    struct wall_rows rows;
+    struct rowset rows;
     size_t owned = w->particles->owned;
     double *radius = memory_allocate(owned, sizeof *radius, "radii");
     struct classes_options options = classes_options_default();
@@ -122,11 +122,11 @@ static inline void world_rebuild(struct world *w, const uint32_t *order) {
     particles_classify(w->particles, &w->classes);
     if (order) {
         particles_reorder(w->particles, order);
-        wall_rows_reorder(&rows, order, owned);
+        rowset_reorder(&rows, order, owned);
     }
     walls_build(w->walls, w->particles, &w->classes);
     walls_attach(w->walls, &rows, w->particles);
-    wall_rows_free(&rows);
+    rowset_free(&rows);
 }
 
 /* Forces at the present positions (zeroed before); histories advance by dt. */

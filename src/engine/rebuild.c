@@ -60,8 +60,7 @@ static void reorder(struct simulation *s, struct rebuild_rows *rows) {
     particles_reorder(s->particles, order);
     if (rows->pairs.start)
         history_rows_reorder(&rows->pairs, order, owned);
-    if (rows->walls.start)
-        wall_rows_reorder(&rows->walls, order, owned);
+    rowset_reorder(&rows->walls, order, owned);
     for (int k = 0; k < PHYSICS_COUNT; k++)
         if (rows->carried[k])
             history_rows_reorder(rows->carried[k], order, owned);

@@ -60,12 +60,8 @@ void rebuild_migrate(struct simulation *s, struct rebuild_rows *rows) {
     }
     if (rows->walls.start) {
         walls = n;
-        set[n++] = (struct migrate_rows){rows->walls.start,
-                                         rows->walls.row,
-                                         rows->walls.count,
-                                         sizeof *rows->walls.row,
-                                         wall_row_bytes(s->grains.law.history_components),
-                                         NULL};
+        set[n++] = (struct migrate_rows){rows->walls.start, rows->walls.row,  rows->walls.count,
+                                         rows->walls.bytes, rows->walls.sent, NULL};
     }
     for (int k = 0; k < PHYSICS_COUNT; k++) {
         const struct history_rows *own = rows->carried[k];
@@ -84,7 +80,11 @@ void rebuild_migrate(struct simulation *s, struct rebuild_rows *rows) {
     if (pairs >= 0)
         rows->pairs = (struct history_rows){set[pairs].start, set[pairs].row, set[pairs].count};
     if (walls >= 0)
-        rows->walls = (struct wall_rows){set[walls].start, set[walls].row, set[walls].count};
+        rows->walls = (struct rowset){.start = set[walls].start,
+                                      .row = set[walls].row,
+                                      .count = set[walls].count,
+                                      .bytes = set[walls].row_bytes,
+                                      .sent = set[walls].sent};
     if (leave >= 0) {
         rows->leave = (struct history_loose){set[leave].carrier, set[leave].row, set[leave].count};
         loose_settle(s, rows);
@@ -99,6 +99,6 @@ void rebuild_rows_free(struct rebuild_rows *rows) {
     memory_free(rows->near);
     memory_free(rows->place);
     memory_free(rows->order);
-    wall_rows_free(&rows->walls);
+    rowset_free(&rows->walls);
     *rows = (struct rebuild_rows){0};
 }

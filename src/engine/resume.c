@@ -159,11 +159,12 @@ static void walls_restore(struct simulation *s, const struct checkpoint_loaded *
 
 /* Finds walls by their names: the scene may have other walls, or the same walls in another order. */
 static void wall_rows_rename(const struct simulation *s, const struct checkpoint_loaded *loaded) {
-    const struct wall_rows *rows = &loaded->wall_history;
+    const struct rowset *rows = &loaded->wall_history;
+    struct wall_row *row = rows->row;
     for (size_t k = 0; k < rows->count; k++) {
-        int wall = rows->row[k].wall;
+        int wall = row[k].wall;
         bool known = wall >= 0 && wall < loaded->walls;
-        rows->row[k].wall = known ? scene_wall(s->scene, loaded->wall[wall].name) : -1;
+        row[k].wall = known ? scene_wall(s->scene, loaded->wall[wall].name) : -1;
     }
 }
 
@@ -209,7 +210,7 @@ static bool take(struct simulation *s, const char *path, struct checkpoint_loade
     }
     if (s->grains.walls && s->grains.law.history_components) {
         rows->walls = loaded->wall_history;
-        loaded->wall_history = (struct wall_rows){0};
+        loaded->wall_history = (struct rowset){0};
     }
     return carried_take(s, path, loaded, error);
 }

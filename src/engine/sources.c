@@ -188,8 +188,7 @@ static size_t remove_run(struct simulation *s, struct rebuild_rows *rows) {
     if (marked > 0) {
         if (rows->pairs.start)
             history_rows_remove(&rows->pairs, remove, owned);
-        if (rows->walls.start)
-            wall_rows_remove(&rows->walls, remove, owned);
+        rowset_remove(&rows->walls, remove, owned);
         for (int k = 0; k < PHYSICS_COUNT; k++)
             if (rows->carried[k])
                 history_rows_remove(rows->carried[k], remove, owned);
@@ -269,16 +268,6 @@ static void candidate_append(struct simulation *s, const struct insertion_candid
     crossings_account(s, k, -1);
 }
 
-/* Extends the starts of history rows for the appended particles, whose rows are empty. */
-static void *starts_extend(size_t *start, size_t before, size_t after) {
-    if (start == NULL || before == after)
-        return start;
-    start = memory_resize(start, after + 1, sizeof *start, "history rows");
-    for (size_t k = before + 1; k <= after; k++)
-        start[k] = start[before];
-    return start;
-}
-
 static void insertion_run(struct simulation *s, int number) {
     struct insertion *insertion = &s->sources.insertion[number];
     struct insertion_state *state = &s->sources.state[number];
@@ -324,11 +313,11 @@ void sources_run(struct simulation *s, struct rebuild_rows *rows) {
     if (s->particles->owned > (size_t)1 << PARTICLE_INDEX_BITS)
         error_fatal("%zu particles on one rank, at most %zu are possible: use more ranks",
                     s->particles->owned, (size_t)1 << PARTICLE_INDEX_BITS);
-    rows->pairs.start = starts_extend(rows->pairs.start, before, s->particles->owned);
-    rows->walls.start = starts_extend(rows->walls.start, before, s->particles->owned);
+    rows->pairs.start = rowset_extend(rows->pairs.start, before, s->particles->owned);
+    rows->walls.start = rowset_extend(rows->walls.start, before, s->particles->owned);
     for (int k = 0; k < PHYSICS_COUNT; k++)
         if (rows->carried[k])
-            rows->carried[k]->start = starts_extend(rows->carried[k]->start, before, s->particles->owned);
+            rows->carried[k]->start = rowset_extend(rows->carried[k]->start, before, s->particles->owned);
     if (!s->ranks.alone)
         comm_sum_int(s->comm, &removed, 1);
     s->sources.deleted += (uint64_t)removed;

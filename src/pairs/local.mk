@@ -8,6 +8,7 @@ libpairs_la_SOURCES = \
 	src/pairs/pairlist.c src/pairs/pairlist.h \
 	src/pairs/pairlist_shares.c src/pairs/pairlist_build.c src/pairs/pairlist_build.h \
 	src/pairs/ring.c src/pairs/ring.h \
+	src/pairs/rowset.c src/pairs/rowset.h \
 	src/pairs/skin.c src/pairs/skin.h \
 	src/pairs/skin_choice.c src/pairs/skin_choice.h \
 	src/pairs/sweep.c src/pairs/sweep.h \

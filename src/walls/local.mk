@@ -20,7 +20,6 @@ libwalls_la_SOURCES = \
 	src/walls/wall_motion.c \
 	src/walls/wall_motion.h \
 	src/walls/wall_patch.c \
-	src/walls/wall_rows.c \
 	src/walls/wall_surface.c \
 	src/walls/wall_touch.c \
 	src/walls/wall_touch.h \

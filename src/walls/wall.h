@@ -28,6 +28,7 @@
 
 #include "contact/force.h"
 #include "contact/law.h"
+#include "pairs/rowset.h"
 #include "particles/particles.h"
 #include <stdio.h>
 
@@ -277,20 +278,12 @@ static inline size_t wall_row_bytes(int components) {
     int sent = components > HISTORY_COMPONENTS_USUAL ? components : HISTORY_COMPONENTS_USUAL;
     return offsetof(struct wall_row, value) + (size_t)sent * sizeof(double);
 }
-struct wall_rows {
-    size_t *start;
-    struct wall_row *row;
-    size_t count;
-};
-/* Before and after a rebuild. detach allocates `rows` (also if there is no history: then no row) and forgets
+/* Before and after a rebuild; the rows are struct wall_row. detach allocates `rows` (also if there is no history: then no row) and forgets
  * the images of contacts, as the rows have no images: so a run that goes on without a rebuild and a run that
  * goes on from the rows are the same. attach gives the rows to the new candidates. attach drops rows of walls
  * or features that no longer exist, and of walls that the particle is no longer near. */
-void walls_detach(struct walls *walls, const struct particles *particles, struct wall_rows *rows);
-void walls_attach(struct walls *walls, const struct wall_rows *rows, const struct particles *particles);
-void wall_rows_reorder(struct wall_rows *rows, const uint32_t *order, size_t owned);
-void wall_rows_remove(struct wall_rows *rows, const uint8_t *remove, size_t owned);
-void wall_rows_free(struct wall_rows *rows);
+void walls_detach(struct walls *walls, const struct particles *particles, struct rowset *rows);
+void walls_attach(struct walls *walls, const struct rowset *rows, const struct particles *particles);
 
 /* Poses, for checkpoints and output. The wall's motions go on from a pose that was set: if these motions led
  * to the pose, as without a break (bitwise), else from the pose. */
