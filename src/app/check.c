@@ -6,6 +6,7 @@
 #include "app/layout.h"
 #include "app/step_study.h"
 #include "files/lines.h"
+#include "grains/grains.h"
 #include "engine/skin_auto.h"
 #include "engine/tune.h"
 #include "engine/step.h"
@@ -65,7 +66,7 @@ static const double long_fraction = 0.9, small_error = 0.01;
 /* Prints the share of the steps that a step of this part of the stable one takes, and its error by the study. */
 static void print_price(const struct simulation *s, double fraction) {
     double error = step_study_error(&s->scene->law, fraction);
-    printf("  %13.3g %18.2g  ", fraction, s->clock.dt / s->timing.limits.stable / fraction);
+    printf("  %13.3g %18.2g  ", fraction, s->clock.dt / s->timing.stable / fraction);
     if (isnan(error))
         printf("not studied\n");
     else
@@ -75,8 +76,7 @@ static void print_price(const struct simulation *s, double fraction) {
 /* Prints the present step, which is a part of the stable one, and longer ones: the longest whose error is small, and the
  * longest. */
 static void print_longer_steps(const struct simulation *s) {
-    double present = s->clock.dt / s->timing.limits.stable,
-           small = step_study_longest(&s->scene->law, small_error);
+    double present = s->clock.dt / s->timing.stable, small = step_study_longest(&s->scene->law, small_error);
     printf("  step.fraction  of steps and time  an impact is off by up to (docs/speed-error.md)\n");
     print_price(s, present);
     bool longer =
@@ -92,25 +92,26 @@ static void print_longer_steps(const struct simulation *s) {
 }
 
 static void print_step(const struct simulation *s) {
-    bool limited = isfinite(s->timing.limits.stable);
+    const struct grains *grains = grains_of(&s->physics);
+    bool limited = isfinite(s->timing.stable);
     printf("\ntime step\n");
     if (s->scene->materials > 0)
-        printf("  stable       %.6g (contact '%s' - '%s', damping ratio %.3g)\n", s->timing.limits.stable,
-               s->scene->material[s->timing.limits.material_a].name,
-               s->scene->material[s->timing.limits.material_b].name,
-               s->timing.limits.damping_ratio + 0.0); /* no -0 */
+        printf("  stable       %.6g (contact '%s' - '%s', damping ratio %.3g)\n", s->timing.stable,
+               s->scene->material[grains->stable.limits.material_a].name,
+               s->scene->material[grains->stable.limits.material_b].name,
+               grains->stable.limits.damping_ratio + 0.0); /* no -0 */
     else if (limited)
-        printf("  stable       %.6g\n", s->timing.limits.stable);
-    if (s->timing.limits.stable < s->timing.expected)
+        printf("  stable       %.6g\n", s->timing.stable);
+    if (s->timing.stable < s->timing.expected)
         printf("               for the contacts that there are; %.6g for contacts to come\n",
                s->timing.expected);
     if (s->scene->materials > 0)
-        printf("  contact time %.6g\n", s->timing.limits.contact_time);
-    if (s->timing.limits.rayleigh > 0)
-        printf("  Rayleigh     %.6g\n", s->timing.limits.rayleigh);
+        printf("  contact time %.6g\n", grains->stable.limits.contact_time);
+    if (grains->stable.limits.rayleigh > 0)
+        printf("  Rayleigh     %.6g\n", grains->stable.limits.rayleigh);
     if (limited)
         printf("  chosen       %.6g = %.3g of the stable one (default %.3g)\n", s->clock.dt,
-               s->clock.dt / s->timing.limits.stable, timestep_default_fraction());
+               s->clock.dt / s->timing.stable, timestep_default_fraction());
     else
         printf("  chosen       %.6g; any is stable\n", s->clock.dt);
     if (limited && s->scene->materials > 0 && s->clock.dt_fraction > 0)
@@ -134,23 +135,23 @@ static const char *guard_word(enum scene_guard guard, bool trips) {
 }
 
 /* Prints the state of the guards before the run. */
-static void print_guards(const struct simulation *s) {
+static void print_guards(const struct simulation *s, const struct notes *notes) {
+    const struct grains *grains = grains_of(&s->physics);
     const struct scene_guards *guards = &s->scene->guards;
-    double moved = notes_moved(s);
-    printf("\nguards, at the expected speed of %.4g\n", s->timing.speed_expected);
+    double moved = notes_moved(s, notes);
+    printf("\nguards, at the expected speed of %.4g\n", grains->stable.speed_expected);
     printf("  speed    moves by %.3g of the smallest radius in a step (bound 1)%s\n", moved,
            guard_word(guards->speed, moved > 1));
     printf("  overlap  like particles, or one and a wall, overlap by %.3g of the radius (bound %g)%s\n",
-           s->timing.overlap_expected, guards->overlap_bound,
-           guard_word(guards->overlap, s->timing.overlap_expected > guards->overlap_bound));
-    if (s->timing.overlap_started > 0)
-        printf("           overlaps at the start are up to %.3g%s\n", s->timing.overlap_started,
-               guard_word(guards->overlap, s->timing.overlap_started > guards->overlap_bound));
+           grains->stable.overlap_expected, guards->overlap_bound,
+           guard_word(guards->overlap, grains->stable.overlap_expected > guards->overlap_bound));
+    if (grains->stable.overlap_started > 0)
+        printf("           overlaps at the start are up to %.3g%s\n", grains->stable.overlap_started,
+               guard_word(guards->overlap, grains->stable.overlap_started > guards->overlap_bound));
     printf("  energy   %s\n", guards->energy == SCENE_GUARD_OFF ? "growth is not looked at"
                                                                 : "growth without cause is looked for");
-    if (s->clock.dt > s->timing.limits.stable)
-        printf("  step     %.3g of the stable one: energy will grow\n",
-               s->clock.dt / s->timing.limits.stable);
+    if (s->clock.dt > s->timing.stable)
+        printf("  step     %.3g of the stable one: energy will grow\n", s->clock.dt / s->timing.stable);
 }
 
 static void print_memory(const struct simulation *s) {
@@ -159,11 +160,11 @@ static void print_memory(const struct simulation *s) {
            (double)memory_in_use() / n);
     printf("  particles %.1f, pairs %.1f, index %.1f, history %.1f MiB\n",
            (double)(particles_bytes_each(s->particles) * s->particles->capacity) / 1048576,
-           (double)pairlist_memory(s->grains.list) / 1048576, (double)index_memory(s->search.index) / 1048576,
-           s->grains.history ? (double)history_memory(s->grains.history) / 1048576 : 0);
+           (double)pairlist_memory(s->search.list) / 1048576, (double)index_memory(s->search.index) / 1048576,
+           s->search.history ? (double)history_memory(s->search.history) / 1048576 : 0);
     if (s->scene->classes.skin_auto)
         printf("  pairs up to %.1f MiB, as the run chooses the skin\n",
-               fmax(SKIN_PAIRS_MOST * n * 2 * sizeof(uint32_t), (double)pairlist_memory(s->grains.list)) /
+               fmax(SKIN_PAIRS_MOST * n * 2 * sizeof(uint32_t), (double)pairlist_memory(s->search.list)) /
                    1048576);
 }
 
@@ -177,9 +178,13 @@ static void print_extent(const char *what, const char *name, const struct extent
 }
 
 /* Writes what is to be said of wall w besides its extent. */
-static const char *wall_note(const struct simulation *s, const struct notes *notes, int w, char text[128]) {
-    const struct wall_options *wall = walls_options(s->grains.walls, w);
-    snprintf(text, 128, "%s", notes->apart[w] ? "  NOTE: wholly outside of the box" : "");
+static const char *wall_note(const struct simulation *s, const struct extent *extent, int w, char text[128]) {
+    const struct grains *grains = grains_of(&s->physics);
+    const struct wall_options *wall = walls_options(grains->walls, w);
+    snprintf(text, 128, "%s",
+             wall_shape_meshed(wall->shape) && grains_wall_apart(s->scene, extent)
+                 ? "  NOTE: wholly outside of the box"
+                 : "");
     for (int m = 0; m < wall->motions; m++)
         if (wall->motion[m].kind == WALL_SERVO && wall->motion[m].pressure > 0)
             snprintf(text, 128, "  pressure %.4g x area %.4g = force %.4g", wall->motion[m].pressure,
@@ -207,21 +212,22 @@ static void print_extents(const struct simulation *s, const struct notes *notes)
         print_extent("particles", "", &notes->particles, note);
     for (int w = 0; w < s->scene->walls; w++) {
         const struct wall_options *wall = &s->scene->wall[w];
-        struct extent extent = notes_wall_extent(s, w);
-        print_extent(shapes[wall->shape], wall->name, &extent, wall_note(s, notes, w, note));
+        struct extent extent = grains_wall_extent(grains_of(&s->physics), s->scene, w);
+        print_extent(shapes[wall->shape], wall->name, &extent, wall_note(s, &extent, w, note));
     }
 }
 
 static void print_all(const struct simulation *s, const struct notes *notes) {
     const struct scene *scene = s->scene;
+    const struct grains *grains = grains_of(&s->physics);
     printf("%s: valid\n", scene->file);
     printf("  %llu particles, %d materials, %d walls, %d groups, %s, %s, %s\n", (unsigned long long)s->total,
            scene->materials, scene->walls, scene->groups, scene->box.dimension == 2 ? "2D" : "3D",
            scene->integrator,
-           scene->materials > 0 ? law_row_get(s->grains.law.options.normal)->name : "no contacts");
+           scene->materials > 0 ? law_row_get(grains->law.options.normal)->name : "no contacts");
     printf("  %d rank%s, %d thread%s each, newton %s; %zu pairs and %zu contacts at the start on rank 0\n",
            s->comm->size, s->comm->size == 1 ? "" : "s", s->threads, s->threads == 1 ? "" : "s",
-           s->search.view.newton ? "on" : "off", s->grains.list->primary_count, s->grains.sums.contacts);
+           s->search.view.newton ? "on" : "off", s->search.list->primary_count, grains->sums.contacts);
     if (scene->reproducible)
         printf("  reproducible: pairs across ranks are computed on both sides (newton off, full copies)\n");
     print_extents(s, notes);
@@ -234,7 +240,7 @@ static void print_all(const struct simulation *s, const struct notes *notes) {
     print_interactions(s);
     print_levels(s);
     print_step(s);
-    print_guards(s);
+    print_guards(s, notes);
     print_memory(s);
 }
 
@@ -281,7 +287,8 @@ int command_check(const struct comm *comm, const struct command_line *line, stru
         notes_take(s, notes);
         if (comm->rank == 0)
             print_all(s, notes);
-        physics_print(&s->physics, stdout);
+        PHYSICS_EACH (active, &s->physics, print)
+            active->row->print(&active->context, stdout);
         if (ranks)
             layout_print(s, (int)ranks, threads ? (int)threads : s->threads, error);
         cost_print(s);

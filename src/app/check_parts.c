@@ -2,6 +2,7 @@
 /* The terms of the contact law, the fields and the bytes that a scene needs, and the reasons. */
 #include "app/check_parts.h"
 #include "contact/law_restitution.h"
+#include "grains/grains.h"
 #include "engine/simulation.h"
 #include "formats/frame.h"
 #include "particles/fields.h"
@@ -65,16 +66,17 @@ static void print_term(const char *term, const char *brought_by, const char *wou
 /* Prints the effect of the end of contacts, at the least restitution of all pairs, and the effect of the
  * other end. */
 static void print_end(const struct simulation *s) {
-    enum law_end end = s->grains.law.options.end,
+    const struct grains *grains = grains_of(&s->physics);
+    enum law_end end = grains->law.options.end,
                  other = end == LAW_END_FORCE ? LAW_END_OVERLAP : LAW_END_FORCE;
     static const char *const what[] = {[LAW_END_OVERLAP] = "overlap: the damper pulls before surfaces part",
                                        [LAW_END_FORCE] = "force: dampers never attract"};
     double e = 1.0;
-    for (int a = 0; a < s->grains.law.materials; a++)
-        for (int b = a; b < s->grains.law.materials; b++)
+    for (int a = 0; a < grains->law.materials; a++)
+        for (int b = a; b < grains->law.materials; b++)
             e = fmin(e, s->scene->law_pair[a][b].restitution);
     printf("  %-22s on   contact.end: %s", "end of a contact", what[end]);
-    if (s->grains.law.options.damping == LAW_DAMPING_COEFFICIENT)
+    if (grains->law.options.damping == LAW_DAMPING_COEFFICIENT)
         printf("; the restitution depends on it");
     else if (e < 1.0)
         printf("; at restitution %g damping ratio %.3g, friction of sliding impacts %.3f of Coulomb's (%s: "
@@ -97,11 +99,12 @@ static void print_part(const char *term, enum law_part part, const char *key, in
 }
 
 void check_parts_terms(const struct simulation *s) {
+    const struct grains *grains = grains_of(&s->physics);
     const struct scene *scene = s->scene;
     char text[WHY_MAX] = "";
     printf("\nwhat is modelled, and why\n");
     char law[LAW_TITLE_MAX];
-    law_title(&s->grains.law.options, law);
+    law_title(&grains->law.options, law);
     snprintf(text, sizeof text, "contact.law: %s", law);
     print_term("normal force", scene->materials > 0 ? text : "", "the scene has no materials");
     text[0] = '\0';
@@ -109,16 +112,16 @@ void check_parts_terms(const struct simulation *s) {
         print_end(s);
     pairs_with(scene, offsetof(struct law_pair, friction), text, sizeof text);
     print_term("friction, spin, history",
-               s->grains.law.spin ? text[0] ? text : "contact.tangential: history" : "",
+               grains->law.spin ? text[0] ? text : "contact.tangential: history" : "",
                "contact.tangential: none");
     text[0] = '\0';
     pairs_with(scene, offsetof(struct law_pair, rolling_friction), text, sizeof text);
     print_term("rolling resistance",
-               s->grains.law.options.rolling ? text[0] ? text : "contact.rolling: spring" : "",
+               grains->law.options.rolling ? text[0] ? text : "contact.rolling: spring" : "",
                "contact.rolling: none");
     print_part("twisting resistance", LAW_PART_TWISTING, "contact.twisting",
-               (int)s->grains.law.options.twisting);
-    print_part("cohesion", LAW_PART_COHESION, "contact.cohesion.law", (int)s->grains.law.options.cohesion);
+               (int)grains->law.options.twisting);
+    print_part("cohesion", LAW_PART_COHESION, "contact.cohesion.law", (int)grains->law.options.cohesion);
     text[0] = '\0';
     walls_list(scene, text, sizeof text);
     print_term("walls", scene->materials > 0 ? text : "",
@@ -129,9 +132,9 @@ void check_parts_terms(const struct simulation *s) {
     print_term("motion along z", scene->box.dimension == 3 ? "box.dimension: 3" : "", "box.dimension: 2");
     print_term("exchange of copies", s->ranks.alone ? "" : "several ranks", "one rank");
     print_term("energy sums",
-               s->grains.contact.want_work ? "heat.dissipation"
-               : s->grains.sums_each_step  ? "guards.energy"
-                                           : "",
+               grains->contact.want_work ? "heat.dissipation"
+               : s->sums_each_step       ? "guards.energy"
+                                         : "",
                "at rows of observables alone; each step if dissipated energy is among them");
 }
 
@@ -154,6 +157,7 @@ static void reason_of(const struct scene *scene, const struct field *field, char
 }
 
 void check_parts_fields(const struct simulation *s) {
+    const struct grains *grains = grains_of(&s->physics);
     char why[2 * WHY_MAX];
     printf("\nfields of a particle\n  %-18s %6s  %s\n", "field", "bytes", "needed for");
     for (int f = 0; f < fields_count(s->particles); f++) {
@@ -172,9 +176,9 @@ void check_parts_fields(const struct simulation *s) {
     particles_destroy(&known);
     printf("  stored: %zu bytes a particle (all fields, forces and spins padded)\n",
            particles_bytes_each(s->particles));
-    if (s->grains.law.history_components)
+    if (grains->law.history_components)
         printf("  history: %zu bytes a touching pair\n",
-               2 * (sizeof(uint32_t) + (size_t)s->grains.law.history_components * sizeof(double)));
+               2 * (sizeof(uint32_t) + (size_t)grains->law.history_components * sizeof(double)));
     else
         printf("  history: none (no friction)\n");
 }

@@ -14,12 +14,8 @@ libengine_la_SOURCES = \
 	src/engine/deform.h \
 	src/engine/folder.c \
 	src/engine/folder.h \
-	src/engine/grains.c \
-	src/engine/grains.h \
 	src/engine/guards.c \
 	src/engine/guards.h \
-	src/engine/limit.c \
-	src/engine/limit.h \
 	src/engine/load.c \
 	src/engine/load.h \
 	src/engine/notes.c \
@@ -67,6 +63,8 @@ libengine_la_SOURCES = \
 	src/engine/step.h \
 	src/engine/timing.c \
 	src/engine/timing.h \
+	src/engine/trip.c \
+	src/engine/trip.h \
 	src/engine/tune.c \
 	src/engine/tune.h \
 	src/engine/view.c \
