@@ -9,6 +9,7 @@
 #include "engine/plan.h"
 #include "engine/stages.h"
 
+#include <math.h>
 #include <string.h>
 
 enum { ROWS = 10, BLOCKS = 4 };
@@ -19,10 +20,12 @@ struct calls {
     int blocks;
 };
 
-static void count_rows(const struct physics_context *context, int thread, size_t first, size_t last,
-                       int size_class) {
+/* The squared speed is the number of rows. */
+static double count_rows(const struct physics_context *context, int thread, size_t first, size_t last,
+                         int size_class) {
     (void)thread, (void)size_class;
     ((struct calls *)context->self)->rows += last - first;
+    return (double)(last - first);
 }
 
 static void count_blocks(const struct physics_context *context, int thread, int block) {
@@ -68,6 +71,7 @@ struct two_lists {
     struct pair_block block[BLOCKS];
     int thread_block[2];
     struct pairlist grains, far;
+    double speed[1][CLASS_MAX];
 };
 
 static void lists_fill(struct two_lists *lists) {
@@ -89,7 +93,7 @@ static void make(struct step_plan *plan, struct physics_set *set, struct timers 
     lists_fill(lists);
     memset(calls, 0, 3 * sizeof *calls);
     *timers = (struct timers){0};
-    *set = (struct physics_set){.count = 3};
+    *set = (struct physics_set){.count = 3, .speed = lists->speed};
     for (int k = 0; k < 3; k++)
         set->active[k] =
             (struct physics_active){.row = rows[k], .context = {.self = &calls[k], .threads = 1}};
@@ -117,6 +121,7 @@ static void rows_need_no_interaction(void **state) {
     plan_run(&plan.plain, &timers, NULL);
     assert_int_equal(calls[0].rows, ROWS);
     assert_int_equal(calls[1].rows, ROWS);
+    assert_true(lists.speed[0][0] == fmax(7, ROWS - 7));
     assert_int_equal(calls[0].blocks, BLOCKS);
     assert_int_equal(calls[2].blocks, BLOCKS);
     assert_int_equal(plan.moves.count, 2);

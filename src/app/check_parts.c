@@ -2,6 +2,7 @@
 /* The terms of the contact law, the fields and the bytes that a scene needs, and the reasons. */
 #include "app/check_parts.h"
 #include "contact/law_restitution.h"
+#include "grains/grains.h"
 #include "engine/simulation.h"
 #include "formats/frame.h"
 #include "particles/fields.h"
@@ -74,16 +75,17 @@ static void print_term(struct terms *terms, const char *term, const char *brough
 /* Prints the effect of the end of contacts, at the least restitution of all pairs, and the effect of the
  * other end. */
 static void print_end(const struct simulation *s) {
-    enum law_end end = s->grains.law.options.end,
+    const struct grains *grains = grains_of(&s->physics);
+    enum law_end end = grains->law.options.end,
                  other = end == LAW_END_FORCE ? LAW_END_OVERLAP : LAW_END_FORCE;
     static const char *const what[] = {[LAW_END_OVERLAP] = "overlap: the damper pulls before surfaces part",
                                        [LAW_END_FORCE] = "force: dampers never attract"};
     double e = 1.0;
-    for (int a = 0; a < s->grains.law.materials; a++)
-        for (int b = a; b < s->grains.law.materials; b++)
+    for (int a = 0; a < grains->law.materials; a++)
+        for (int b = a; b < grains->law.materials; b++)
             e = fmin(e, s->scene->law_pair[a][b].restitution);
     printf("  %-22s on   contact.end: %s", "end of a contact", what[end]);
-    if (s->grains.law.options.damping == LAW_DAMPING_COEFFICIENT)
+    if (grains->law.options.damping == LAW_DAMPING_COEFFICIENT)
         printf("; the restitution depends on it");
     else if (e < 1.0)
         printf("; at restitution %g damping ratio %.3g, friction of sliding impacts %.3f of Coulomb's (%s: "
@@ -107,12 +109,13 @@ static void print_part(struct terms *terms, const char *term, enum law_part part
 }
 
 void check_parts_terms(const struct simulation *s, bool all) {
+    const struct grains *grains = grains_of(&s->physics);
     struct terms terms = {.all = all};
     const struct scene *scene = s->scene;
     char text[WHY_MAX] = "";
     printf("\nwhat is modelled, and why\n");
     char law[LAW_TITLE_MAX];
-    law_title(&s->grains.law.options, law);
+    law_title(&grains->law.options, law);
     snprintf(text, sizeof text, "contact.law: %s", law);
     print_term(&terms, "normal force", scene->materials > 0 ? text : "", "the scene has no materials");
     text[0] = '\0';
@@ -120,17 +123,17 @@ void check_parts_terms(const struct simulation *s, bool all) {
         print_end(s);
     pairs_with(scene, offsetof(struct law_pair, friction), text, sizeof text);
     print_term(&terms, "friction, spin, history",
-               s->grains.law.spin ? text[0] ? text : "contact.tangential: history" : "",
+               grains->law.spin ? text[0] ? text : "contact.tangential: history" : "",
                "contact.tangential: none");
     text[0] = '\0';
     pairs_with(scene, offsetof(struct law_pair, rolling_friction), text, sizeof text);
     print_term(&terms, "rolling resistance",
-               s->grains.law.options.rolling ? text[0] ? text : "contact.rolling: spring" : "",
+               grains->law.options.rolling ? text[0] ? text : "contact.rolling: spring" : "",
                "contact.rolling: none");
     print_part(&terms, "twisting resistance", LAW_PART_TWISTING, "contact.twisting",
-               (int)s->grains.law.options.twisting);
+               (int)grains->law.options.twisting);
     print_part(&terms, "cohesion", LAW_PART_COHESION, "contact.cohesion.law",
-               (int)s->grains.law.options.cohesion);
+               (int)grains->law.options.cohesion);
     text[0] = '\0';
     walls_list(scene, text, sizeof text);
     print_term(&terms, "walls", scene->materials > 0 ? text : "",
@@ -146,9 +149,9 @@ void check_parts_terms(const struct simulation *s, bool all) {
                "box.dimension: 2");
     print_term(&terms, "exchange of copies", s->ranks.alone ? "" : "several ranks", "one rank");
     print_term(&terms, "energy sums",
-               s->grains.contact.want_work ? "heat.dissipation"
-               : s->grains.sums_each_step  ? "guards.energy"
-                                           : "",
+               grains->contact.want_work ? "heat.dissipation"
+               : s->sums_each_step       ? "guards.energy"
+                                         : "",
                "at rows of observables alone; each step if dissipated energy is among them");
     if (terms.off[0])
         printf("  off: %s\n", terms.off);
@@ -194,11 +197,12 @@ void check_parts_fields(const struct simulation *s) {
 }
 
 void check_parts_bytes(const struct simulation *s) {
+    const struct grains *grains = grains_of(&s->physics);
     printf("stored: %zu bytes a particle (all fields, forces and spins padded), ",
            particles_bytes_each(s->particles));
-    if (s->grains.law.history_components)
+    if (grains->law.history_components)
         printf("history: %zu bytes a touching pair\n",
-               2 * (sizeof(uint32_t) + (size_t)s->grains.law.history_components * sizeof(double)));
+               2 * (sizeof(uint32_t) + (size_t)grains->law.history_components * sizeof(double)));
     else
         printf("history: none (no friction)\n");
 }

@@ -3,6 +3,7 @@
 #include "app/cost.h"
 #include "formats/wall_frames.h"
 #include "app/trial.h"
+#include "grains/grains.h"
 #include "engine/outputs.h"
 #include "engine/run.h"
 #include "engine/view.h"
@@ -82,10 +83,10 @@ static double checkpoint_bytes(const struct simulation *s) {
 static void wall_frames_print(const struct simulation *s, bool all, uint64_t steps) {
     const struct output_interval *every = &s->scene->output.walls.every;
     struct wall_surface surface;
-    if (!output_interval_set(every) || s->grains.walls == NULL)
+    if (!output_interval_set(every) || grains_of(&s->physics)->walls == NULL)
         return;
     double frames = times(s, every, steps);
-    wall_surface_make(&surface, s->grains.walls, NULL);
+    wall_surface_make(&surface, grains_of(&s->physics)->walls, NULL);
     file_print(all, "walls-STEP.vtp", frames, "frame", frames * wall_frames_bytes((double)surface.triangles));
     wall_surface_free(&surface);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Lists the variants of a scene and applies one. Read variant.h first. */
 #include "app/variant.h"
+#include "grains/grains.h"
 #include "engine/simulation.h"
 #include "particles/material.h"
 #include <math.h>
@@ -38,15 +39,15 @@ bool variant_probe(const struct comm *comm, const struct scene *scene, struct va
     if (s == NULL)
         return false;
     *facts = (struct variant_facts){.dt = s->clock.dt,
-                                    .stable = s->timing.limits.stable,
-                                    .rayleigh = s->timing.limits.rayleigh,
+                                    .stable = s->timing.stable,
+                                    .rayleigh = grains_of(&s->physics)->stable.limits.rayleigh,
                                     .particles = s->total,
                                     .classes = s->classes.count,
                                     .materials = scene->materials};
     means_take(s, facts);
     for (int a = 0; a < scene->materials; a++)
         for (int b = 0; b < scene->materials; b++)
-            facts->coefficients[a][b] = s->grains.law.pair[a][b];
+            facts->coefficients[a][b] = grains_of(&s->physics)->law.pair[a][b];
     simulation_destroy(&s);
     return true;
 }

@@ -2,6 +2,7 @@
 /* Bodies as a physics: checks of the section, the pass of the step, the hooks of the engine. Read bodies.h first. */
 #include "bodies/bodies.h"
 #include "bodies/fields.h"
+#include "grains/grains.h"
 #include "bodies/links.h"
 #include "bodies/motion.h"
 #include "bodies/place.h"
@@ -81,7 +82,7 @@ static void *create(const struct physics_context *context) {
     for (int k = 0; k < options->clumps; k++)
         if (!clump_make(&bodies->clump[k], context->scene, k, &options->clump[k], &none))
             error_fatal("%s", none.text); /* a file that has changed since the check */
-    context->motion->carried = &bodies->carried;
+    grains_motion(context)->carried = &bodies->carried;
     return bodies;
 }
 
@@ -192,14 +193,17 @@ static const struct physics_pass passes[] = {{.name = "bodies",
                                               .writes = "position orientation",
                                               .whole = step}};
 
+static const struct physics_maker maker = {.fill = fill};
+static const struct physics_shown shown = {.full_step = full_step};
+
 const struct physics bodies_physics = {.name = "bodies",
                                        .passes = sizeof passes / sizeof passes[0],
                                        .pass = passes,
                                        .check = check,
                                        .create = create,
                                        .destroy = destroy,
-                                       .fill = fill,
                                        .rebuilt = rebuilt,
-                                       .full_step = full_step,
                                        .print = print,
-                                       .restart = restart};
+                                       .restart = restart,
+                                       .maker = &maker,
+                                       .shown = &shown};

@@ -2,6 +2,7 @@
 /* From grains to bodies: the grain becomes the particle of the body, and its members are appended. The first rebuild
  * brings members to the ranks that own their places. Read place.h first. */
 #include "bodies/place.h"
+#include "grains/grains.h"
 #include "bodies/fields.h"
 #include "bodies/rotor.h"
 #include "particles/material.h"
@@ -60,7 +61,7 @@ static void body_make(struct bodies *bodies, const struct physics_context *conte
     struct particles *p = context->particles;
     struct particle_state *state = &p->state[i];
     const uint8_t *group = groups_of(p);
-    const struct integrator_motion *motion = group ? &context->motion->motion[group[i]] : NULL;
+    const struct integrator_motion *motion = group ? &grains_motion(context)->motion[group[i]] : NULL;
     double *omega = spin_of(p)[i], *spin = bodies_spin(p)[i], *q = bodies_orientation(p)[i], turn[9];
     double density = groups_mass(p, i) / particles_sphere_mass(state->radius, 1);
     if (bodies->options->clump[number].size == CLUMP_AS_DRAWN)

@@ -73,7 +73,7 @@ static void destroy(void *self) {
     memory_free(bonds);
 }
 
-static struct history_rows *rows(const struct physics_context *context) {
+static struct history_rows *rows_of(const struct physics_context *context) {
     struct bonds *bonds = context->self;
     bonds_compact(bonds);
     return &bonds->rows;
@@ -259,10 +259,10 @@ static void count(const struct physics_context *context) {
     }
 }
 
-static void energy(const struct physics_context *context, double *stored, double *taken) {
+static void energy(const struct physics_context *context, struct physics_energy *energy) {
     const struct bonds *bonds = context->self;
-    *stored = bonds->stored;
-    *taken = bonds->taken;
+    energy->held = bonds->stored;
+    energy->taken = bonds->taken;
 }
 
 /* True if a bond that stands for the contact joins two particles, one of which is owned. */
@@ -364,6 +364,12 @@ static const struct physics_pass passes[] = {
     {.name = "bonds_finish", .stage = PASS_CLOSE, .timer = "bonds", .whole = finish},
     {.name = "bonds_count", .stage = PASS_LOOK, .writes = "bonds", .whole = count}};
 
+static const struct physics_rows rows = {
+    .of = rows_of, .components = BOND_COMPONENTS, .due = due, .again = rebuilt_again};
+static const struct physics_joints joints = {
+    .joined = joined, .joins = joins, .stiffen = stiffen, .stiffest = stiffest};
+static const struct physics_table table = {.open = bonds_table_open, .write = bonds_table_write};
+
 const struct physics bonds_physics = {.name = "bonds",
                                       .interactions = 1,
                                       .interaction = {{.name = "bonds", .range = range}},
@@ -373,17 +379,10 @@ const struct physics bonds_physics = {.name = "bonds",
                                       .check = check,
                                       .create = create,
                                       .destroy = destroy,
-                                      .rows = rows,
-                                      .row_components = BOND_COMPONENTS,
-                                      .due = due,
-                                      .rebuilt_again = rebuilt_again,
                                       .energy = energy,
-                                      .joined = joined,
-                                      .joins = joins,
-                                      .stiffen = stiffen,
-                                      .stiffest = stiffest,
                                       .guard = guard,
                                       .print = print,
                                       .restart = restart,
-                                      .table_open = bonds_table_open,
-                                      .table_write = bonds_table_write};
+                                      .rows = &rows,
+                                      .joints = &joints,
+                                      .table = &table};

@@ -160,7 +160,7 @@ static void act(const struct physics_context *context, int thread) {
     struct drag *drag = context->self;
     struct particles *p = context->particles;
     const uint8_t *kind = kinds_of(p);
-    const double *gravity = context->motion->gravity, half = 0.5 * context->clock->dt;
+    const double *gravity = context->scene->gravity, half = 0.5 * context->clock->dt;
     double(*law)[3] = (double(*)[3])drag_force(p), (*taken)[4] = dust_force(p), given = 0;
     size_t first = p->owned * (size_t)thread / (size_t)context->threads;
     size_t last = p->owned * ((size_t)thread + 1) / (size_t)context->threads;
@@ -196,8 +196,8 @@ static void add(const struct physics_context *context) {
         drag->work += drag->given[t];
 }
 
-static double work(const struct physics_context *context) {
-    return drag_work(context->self);
+static void energy(const struct physics_context *context, struct physics_energy *energy) {
+    energy->work = drag_work(context->self);
 }
 
 /* Within mass / K the slip of a grain changes no sign. */
@@ -258,7 +258,7 @@ const struct physics drag_physics = {.name = "drag",
                                      .create = create,
                                      .destroy = destroy,
                                      .rebuilt = rebuilt,
-                                     .work = work,
+                                     .energy = energy,
                                      .limit = limit,
                                      .limit_why = "drag: mass of a grain over its drag per speed",
                                      .guard = guard,

@@ -10,9 +10,8 @@ enum { FINITE_EVERY = 100 };
 void checked_step(struct simulation *s, bool sums, bool rebuild, bool unseen) {
     int64_t every = s->scene->step.rebuild_every;
     uint64_t next = s->clock.step + 1;
-    s->grains.contact.want_virial = sums || s->servo.on;
-    s->grains.contact.want_sums = s->grains.contact.want_virial || s->grains.sums_each_step ||
-                                  s->grains.contact.want_work || guards_energy_due(s, next);
+    s->evaluation.virial = sums || s->servo.on;
+    s->evaluation.sums = s->evaluation.virial || s->sums_each_step || guards_energy_due(s, next);
     s->search.sorts = s->search.sorts || rebuild; /* the caller writes the state, or has changed it */
     bool finite = !unseen || next % FINITE_EVERY == 0, energy = guards_energy_due(s, next),
          stable = timing_due(s, next);

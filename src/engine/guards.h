@@ -14,7 +14,7 @@ bool guards_prepare(struct simulation *simulation, struct error *error);
  * all ranks alike. */
 void guards_step(struct simulation *simulation, const char *text);
 
-/* Checks overlap and speed after a force evaluation; costs no time. A step in ring order is left to the next one, which
+/* Runs the guards of all physics, and that of speed, after a force evaluation; costs no time. A step in ring order is left to the next one, which
  * guards_calm then keeps out of that order. */
 void guards_check(struct simulation *simulation);
 

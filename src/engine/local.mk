@@ -14,12 +14,8 @@ libengine_la_SOURCES = \
 	src/engine/deform.h \
 	src/engine/folder.c \
 	src/engine/folder.h \
-	src/engine/grains.c \
-	src/engine/grains.h \
 	src/engine/guards.c \
 	src/engine/guards.h \
-	src/engine/limit.c \
-	src/engine/limit.h \
 	src/engine/load.c \
 	src/engine/load.h \
 	src/engine/notes.c \
@@ -28,8 +24,6 @@ libengine_la_SOURCES = \
 	src/engine/outputs.h \
 	src/engine/outputs_open.c \
 	src/engine/outputs_parts.h \
-	src/engine/overlaps.c \
-	src/engine/overlaps.h \
 	src/engine/physics.c \
 	src/engine/physics.h \
 	src/fields_table.h \
@@ -56,8 +50,6 @@ libengine_la_SOURCES = \
 	src/engine/simulation.h \
 	src/engine/simulation_parts.c \
 	src/engine/simulation_parts.h \
-	src/engine/sorts.c \
-	src/engine/sorts.h \
 	src/engine/sources.c \
 	src/engine/sources.h \
 	src/engine/skin_auto.c \
@@ -71,6 +63,8 @@ libengine_la_SOURCES = \
 	src/engine/step.h \
 	src/engine/timing.c \
 	src/engine/timing.h \
+	src/engine/trip.c \
+	src/engine/trip.h \
 	src/engine/tune.c \
 	src/engine/tune.h \
 	src/engine/view.c \

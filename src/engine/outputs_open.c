@@ -148,8 +148,9 @@ bool outputs_open(struct outputs *o, const struct simulation *s, bool resumed, s
     bool good = o->observables == NULL || observables_open(o->observables, s->comm, o->run->directory,
                                                            resumed ? s->clock.time : -1, error);
     good = good && grids_open(o, s, resumed, error) && files_open(o, s, resumed, error);
-    good = good &&
-           physics_table_open(&s->physics, o->run->directory, resumed ? (int64_t)s->clock.step : -1, error);
+    PHYSICS_EACH (active, &s->physics, table)
+        good = good && active->row->table->open(&active->context, o->run->directory,
+                                                resumed ? (int64_t)s->clock.step : -1, error);
     return comm_agree(s->comm, error) && good;
 }
 

@@ -3,11 +3,16 @@
 #include "engine/rebuild_rows.h"
 #include "core/memory.h"
 
+void rebuild_detach_obstacles(struct simulation *s, struct rebuild_rows *rows) {
+    const struct physics_active *obstacles = s->physics.obstacles;
+    if (obstacles)
+        obstacles->row->obstacles->detach(&obstacles->context, &rows->walls);
+}
+
 void rebuild_detach(struct simulation *s, bool both_ends, struct rebuild_rows *rows) {
-    if (s->grains.history)
-        history_detach(s->grains.history, s->grains.list, s->particles, both_ends, &rows->pairs);
-    if (s->grains.walls && s->grains.law.history_components)
-        walls_detach(s->grains.walls, s->particles, &rows->walls);
+    if (s->search.history)
+        history_detach(s->search.history, s->search.list, s->particles, both_ends, &rows->pairs);
+    rebuild_detach_obstacles(s, rows);
 }
 
 void rebuild_carry(struct simulation *s, struct rebuild_rows *rows) {
@@ -27,7 +32,7 @@ void rebuild_part(struct simulation *s, struct rebuild_rows *rows) {
 }
 
 void rebuild_loosen(struct simulation *s, struct rebuild_rows *rows) {
-    history_loosen(s->grains.history, s->grains.list, s->particles, rows->place, &rows->loose, &rows->leave);
+    history_loosen(s->search.history, s->search.list, s->particles, rows->place, &rows->loose, &rows->leave);
 }
 
 /* After the migration: the rows of the arrivals join the loose rows, and the arrivals join the particles that
@@ -47,7 +52,7 @@ static void loose_settle(struct simulation *s, struct rebuild_rows *rows) {
 void rebuild_migrate(struct simulation *s, struct rebuild_rows *rows) {
     struct migrate_rows set[2 + PHYSICS_COUNT];
     int n = 0, pairs = -1, leave = -1, walls = -1, carried[PHYSICS_COUNT];
-    const size_t sent = history_row_bytes(s->grains.law.history_components);
+    const size_t sent = s->search.history ? history_row_bytes(s->search.history->components) : 0;
     if (rows->pairs.start) {
         pairs = n;
         set[n++] = (struct migrate_rows){

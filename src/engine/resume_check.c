@@ -36,20 +36,11 @@ static bool check_box(const struct simulation *s, const char *path, const struct
     return true;
 }
 
-static bool check_law(const struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
-                      struct error *error) {
-    char law[LAW_TITLE_MAX];
-    law_title(&s->grains.law.options, law);
-    if (strcmp(loaded->law, law) != 0)
-        return error_set(error, ERROR_USER,
-                         "%s: it was written with contact.law %s, the scene has %s: "
-                         "contact.law must stay",
-                         path, loaded->law, law);
-    if (loaded->history_components != s->grains.law.history_components)
-        return error_set(error, ERROR_USER,
-                         "%s: its contacts have a history of %d numbers, the scene's law has %d: "
-                         "contact.law, friction and rolling must stay",
-                         path, loaded->history_components, s->grains.law.history_components);
+static bool check_physics(const struct simulation *s, const char *path,
+                          const struct checkpoint_loaded *loaded, struct error *error) {
+    PHYSICS_EACH (active, &s->physics, record)
+        if (!active->row->record->fits(&active->context, path, loaded, error))
+            return false;
     return true;
 }
 
@@ -102,7 +93,7 @@ static bool check_scene(struct simulation *s, const char *path, const struct che
 
 bool resume_check(struct simulation *s, const char *path, const struct checkpoint_loaded *loaded,
                   struct error *error) {
-    return check_box(s, path, loaded, error) && check_law(s, path, loaded, error) &&
+    return check_box(s, path, loaded, error) && check_physics(s, path, loaded, error) &&
            check_names(s, path, loaded, error) && check_scene(s, path, loaded, error);
 }
 
@@ -173,7 +164,7 @@ static void apply_groups(struct simulation *s, const struct checkpoint_loaded *l
         if (kind && kind[i] != KIND_GRAIN)
             continue;
         group[i] = (uint8_t)place[written ? group[i] : first];
-        if (s->grains.motion.motion[group[i]].prescribed)
+        if (s->scene->group[group[i]].motion != SCENE_FREE)
             state->inverse_mass = 0;
         else if (state->inverse_mass == 0)
             state->inverse_mass = 1 / particles_sphere_mass(state->radius, density[i]);

@@ -230,7 +230,7 @@ static bool run_open(struct run *run, struct error *error) {
         return false;
     if (!outputs_open(run->outputs, s, run->options->resume != NULL, error))
         return false;
-    s->grains.sums_each_step = s->grains.sums_each_step || outputs_sum_each_step(run->outputs);
+    s->sums_each_step = s->sums_each_step || outputs_sum_each_step(run->outputs);
     if (run->options->resume != NULL)
         return true;
     physics_look(&s->physics);

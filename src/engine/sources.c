@@ -5,6 +5,7 @@
 #include "engine/sources.h"
 #include "engine/crossings.h"
 #include "engine/rebuild_rows.h"
+#include "engine/view.h"
 #include "particles/material.h"
 #include "particles/spin.h"
 #include "core/memory.h"
@@ -227,9 +228,8 @@ static void candidates_block(const struct simulation *s, const struct placegrid 
 #pragma omp parallel for schedule(dynamic, 4)
     for (size_t k = 0; k < n; k++)
         if (!candidate[k].settled && !blocked[k])
-            blocked[k] =
-                (s->grains.walls && walls_overlap(s->grains.walls, candidate[k].x, candidate[k].radius)) ||
-                placegrid_touches(grid, candidate[k].x, candidate[k].radius);
+            blocked[k] = simulation_occupied(s, candidate[k].x, candidate[k].radius) ||
+                         placegrid_touches(grid, candidate[k].x, candidate[k].radius);
     if (s->ranks.alone)
         return;
     int64_t *all = memory_allocate(n, sizeof *all, "blocked places");
@@ -249,7 +249,7 @@ static void candidate_append(struct simulation *s, const struct insertion_candid
     struct particles *particles = s->particles;
     size_t k = particles_append(particles);
     struct particle_state *p = &particles->state[k];
-    bool prescribed = s->grains.motion.motion[candidate->group].prescribed;
+    bool prescribed = s->scene->group[candidate->group].motion != SCENE_FREE;
     memcpy(p->x, candidate->x, sizeof p->x);
     memcpy(p->v, candidate->v, sizeof p->v);
     p->radius = candidate->radius;

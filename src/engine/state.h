@@ -5,11 +5,9 @@
 #ifndef SCREE_ENGINE_STATE_H
 #define SCREE_ENGINE_STATE_H
 
-#include "contact/force.h"
 #include "engine/plan.h"
 #include "core/log.h"
 #include "core/team.h"
-#include "integrate/timestep.h"
 #include "formats/output.h"
 #include "pairs/skin.h"
 #include "pairs/skin_choice.h"
@@ -22,7 +20,6 @@ enum { TUNING_VARIANTS_MAX = 8 };
 
 struct simulation;
 struct domain;
-struct walls;
 
 /* The signals that all ranks must agree on in a step; one reduction. */
 struct step_signals {
@@ -50,51 +47,19 @@ struct tuning {
     double start, seconds[TUNING_VARIANTS_MAX];
 };
 
-/* The overlaps that are expected, over the smaller radius (overlaps.h). */
-struct overlaps {
-    double met;      /* of the heaviest equal particles, or of one and a wall */
-    double squeezed; /* of the softer contact of a grain between a particle and a support */
-    double speed;    /* of that particle, length/time */
-    double mass;     /* of that particle */
-    double radius;   /* of that grain, length */
-    double exponent; /* of the energy of the contact in its overlap */
-    int material[2]; /* of the softer contact */
-};
-
-/* The stable step, and the data from which it was found (timing.h). */
+/* The stable step (timing.h). */
 struct timing {
-    struct timestep_limits limits;
-    double expected;        /* the stable step for future contacts, without the present contacts */
-    double overlap_started; /* largest overlap at the start of a run, over the smaller radius */
-    double speed_expected;  /* the largest of an impact until the end of the run; length/time */
-    struct overlaps overlaps;
-};
-
-/* Data of grains (grains.c). */
-struct grains {
-    struct law law;
-    struct law_user *user; /* the law of a file; NULL: none */
-    struct integrator_context motion;
-    const struct pairlist *list; /* of contacts; one of the lists of `interactions` */
-    struct history *history;     /* NULL: the law has none */
-    struct walls *walls;         /* NULL: none */
-    struct force_loop *loop;
-    struct force_context contact;
-    struct force_sums sums;           /* of the last evaluation, this rank's part */
-    double taken;                     /* sum of force_sums.taken since the start, this rank's part */
-    bool sums_each_step;              /* dissipated energy is observed */
-    double (*speed)[CLASS_MAX];       /* [thread][class]: largest squared speed of the last drift */
-    struct wall_push push[WALLS_MAX]; /* of walls with servos */
-    uint64_t pushed[WALLS_MAX]; /* the last step in which something pushed on a wall with a servo; 0: none */
+    double stable;   /* for the contacts that there are, and those that may come */
+    double expected; /* for contacts that may come alone */
 };
 
 /* Edges and shear of the box that follow the stress (deform.c). */
 struct box_servo {
     bool on;
-    double mass;               /* of all particles */
-    double bound;              /* largest rate of an edge, 1/time, for a target of 1 */
-    double drift;              /* the part of the rate of the shear that adds up, 1/time */
-    struct force_exact *exact; /* by thread: sums that no layout changes; NULL: not wanted. Owned */
+    double mass;                        /* of all particles */
+    double bound;                       /* largest rate of an edge, 1/time, for a target of 1 */
+    double drift;                       /* the part of the rate of the shear that adds up, 1/time */
+    struct exact (*exact)[STRESS_SUMS]; /* by thread: sums that no layout changes; NULL: not wanted. Owned */
 };
 
 /* The search for pairs, and when it is due again. */
@@ -107,6 +72,9 @@ struct search {
     bool sorts;             /* the next rebuild sorts the particles, as a rebuild after a resume does */
     uint64_t sorted;        /* rebuilds that sorted, the first one among them */
     struct interactions interactions; /* the interactions with their lists */
+    const struct pairlist *list;      /* the list of the sweep: of the first interaction */
+    struct history *history;    /* memory of contacts of these pairs, of who moves the grains; NULL: none */
+    double (*speed)[CLASS_MAX]; /* [thread][class]: largest squared speed of the last drift */
     struct skin *skin;
     struct skin_choice choice; /* of the skin, with `skin: auto`; skin_auto.h */
     struct sweep *sweep;       /* the plan of the fused order; NULL: the scene wants only the plain order */
@@ -165,9 +133,9 @@ struct stage_place {
 };
 
 /* Data of the guards (guards.h). */
+enum guard_kind { GUARD_SPEED, GUARD_ENERGY, GUARD_STEP, GUARD_KINDS };
 struct guards {
-    unsigned warned;    /* one bit for each guard: has warned */
-    bool overlap_known; /* the largest overlap of the step before is in grains.sums */
+    bool warned[GUARD_KINDS];
     struct guard_energy energy;
 };
 
@@ -205,7 +173,8 @@ struct simulation {
     struct stage_place stage;
     struct output_crossing crossings[OUTPUT_PLANES_MAX]; /* crossings.h */
     struct timing timing;
-    struct grains grains;
+    struct evaluation evaluation; /* of forces */
+    bool sums_each_step;          /* dissipated energy is observed, or guarded */
     struct search search;
     struct ranks ranks;
     struct sources sources;

@@ -42,6 +42,7 @@
  */
 #include "engine/step.h"
 #include "engine/decide.h"
+#include "engine/deform.h"
 #include "engine/guards.h"
 #include "engine/skin_auto.h"
 #include "engine/stages.h"
@@ -92,7 +93,7 @@ static void early_run(struct simulation *s) {
 
 /* Computes the blocks of a thread: late particles move, then forces. */
 static void late_sweep(struct simulation *s, int t) {
-    const struct pairlist *list = s->grains.list;
+    const struct pairlist *list = s->search.list;
     const struct sweep_thread *plan = &s->search.sweep->thread[t];
     int first = list->thread_block[t];
     for (int b = first; b < list->thread_block[t + 1]; b++) {
@@ -119,7 +120,7 @@ static void sweep_run(struct simulation *s) {
 }
 
 static void copies_run(struct simulation *s) {
-    const struct pairlist *list = s->grains.list;
+    const struct pairlist *list = s->search.list;
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < s->threads; t++)
         plan_block(&s->plan.pairs, t, list->thread_block[t + 1] - 1);
@@ -136,22 +137,23 @@ static void verify_run(struct simulation *s) {
     s->particles->force_clear = true;
     rebuild_run(s);
     s->particles->force_clear = false;
-    plan_block_all(&s->plan.pairs, s->grains.list);
+    plan_block_all(&s->plan.pairs, s->search.list);
 }
 
 /* Computes one block of a thread; then the particles move for which this was the last. */
 static void ring_block(struct simulation *s, int t, int b) {
     const struct ring_thread *plan = &s->search.ring->thread[t];
-    int number = b - s->grains.list->thread_block[t];
+    int number = b - s->search.list->thread_block[t];
     plan_block(&s->plan.pairs, t, b);
     for (size_t r = plan->start[number]; r < plan->start[number + 1]; r++)
         plan_move(&s->plan.moves, t, plan->range[r].first, plan->range[r].last, plan->range[r].size_class);
 }
 
 static void ring_run(struct simulation *s) {
-    const struct pairlist *list = s->grains.list;
-    memset(s->grains.speed, 0, (size_t)s->threads * sizeof *s->grains.speed);
-    s->grains.contact.ring = s->search.ring;
+    const struct pairlist *list = s->search.list;
+    memset(s->search.speed, 0, (size_t)s->threads * sizeof *s->search.speed);
+    s->evaluation.ring = s->search.ring;
+    physics_prepare(&s->physics);
     s->ahead = true;
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < s->threads; t++)
@@ -167,14 +169,15 @@ static void ring_receive(struct simulation *s) {
 }
 
 static void ring_copies(struct simulation *s) {
-    const struct pairlist *list = s->grains.list;
+    const struct pairlist *list = s->search.list;
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < s->threads; t++)
         ring_block(s, t, list->thread_block[t + 1] - 1);
 }
 
 static void settle_run(struct simulation *s) {
-    s->grains.contact.ring = NULL;
+    s->evaluation.ring = NULL;
+    physics_prepare(&s->physics);
 #pragma omp parallel for schedule(static, 1)
     for (int t = 0; t < s->threads; t++)
         early_move(s, t);
@@ -185,6 +188,14 @@ static void reverse_run(struct simulation *s) {
     ghosts_step_reverse(s->ranks.ghosts, s->particles, &fields);
 }
 
+static bool needs_box(const struct simulation *s) {
+    return s->box.motion.moves;
+}
+
+static bool needs_stress(const struct simulation *s) {
+    return s->servo.on;
+}
+
 static bool needs_reverse(const struct simulation *s) {
     return !s->ranks.alone && s->scene->ghosts.newton;
 }
@@ -192,6 +203,11 @@ static bool needs_reverse(const struct simulation *s) {
 static bool needs_copies(const struct simulation *s) {
     return !s->ranks.alone;
 }
+
+static const struct engine_pass first[] = {{"flow", "a box that moves", "advance", needs_box, deform_flow},
+                                           {0}},
+                                moving[] = {{"box", "a box that moves", "advance", needs_box, deform_advance},
+                                            {0}};
 
 static const struct engine_pass moved[] = {{"decide", NULL, "decide", NULL, decide_run}, {0}},
                                 renew[] = {{"exchange", NULL, "comm", NULL, exchange_run}, {0}};
@@ -221,7 +237,9 @@ static const struct engine_pass shared[] = {
     {"caller", "a force of the calling program", "contact", has_caller, caller_run}, {0}};
 
 static const struct engine_pass paired[] = {
-    {"reverse", "newton on, several ranks", "comm", needs_reverse, reverse_run}, {0}};
+    {"stress", "a box that follows its stress", "comm", needs_stress, deform_control},
+    {"reverse", "newton on, several ranks", "comm", needs_reverse, reverse_run},
+    {0}};
 
 /* Reproducible sums wait for all shares; a skin that the run chooses looks at particles between steps. */
 static bool ring_wanted(const struct simulation *s) {
@@ -230,14 +248,16 @@ static bool ring_wanted(const struct simulation *s) {
 }
 
 void step_plan(struct simulation *s) {
-    static const struct engine_passes own = {.moved = moved,
+    static const struct engine_passes own = {.first = first,
+                                             .moving = moving,
+                                             .moved = moved,
                                              .renew = renew,
                                              .shared = shared,
                                              .paired = paired,
                                              .sweep = sweep,
                                              .ring = ring,
                                              .settle = settle};
-    const struct physics *physics[PHYSICS_COUNT + 1];
+    const struct physics *physics[PHYSICS_ALL];
     for (int k = 0; k < s->physics.count; k++)
         physics[k] = s->physics.active[k].row;
     stages_register(&s->timers, physics, s->physics.count);
@@ -304,8 +324,9 @@ void step_run(struct simulation *s, bool rebuild, bool unseen) {
     s->clock.step++;
     s->clock.time = s->clock.time_base + (double)(s->clock.step - s->clock.step_base) * s->clock.dt;
     s->agree.signals.rebuild = rebuild || sources_due(s) || physics_due(&s->physics) || skin_auto_due(s);
+    physics_prepare(&s->physics);
     if (!s->ahead)
-        memset(s->grains.speed, 0, (size_t)s->threads * sizeof *s->grains.speed);
+        memset(s->search.speed, 0, (size_t)s->threads * sizeof *s->search.speed);
     bool fused =
         s->scene->step.fused && !s->agree.signals.rebuild && !skin_nearly_due(s->search.skin, &s->classes);
     bool in_ring = ring_due(s, unseen);
@@ -318,15 +339,17 @@ void step_run(struct simulation *s, bool rebuild, bool unseen) {
             rebuild_plan(s);
         plan_run(fused ? &s->plan.fused : &s->plan.plain, &s->timers, s);
     }
-    physics_guard(&s->physics, &s->error);
+    guards_check(s);
     team_step(&s->team, s->timers.since, timer_sum(&s->timers, TIMER_WORK, TIMER_REBUILD));
 }
 
 void step_forces(struct simulation *s) {
-    double dt = s->grains.contact.dt;
-    s->grains.contact.dt = 0;
+    double dt = s->evaluation.dt;
+    s->evaluation.dt = 0;
+    physics_prepare(&s->physics);
     s->particles->force_clear = false;
     plan_run(&s->plan.forces, &s->timers, s);
-    physics_guard(&s->physics, &s->error);
-    s->grains.contact.dt = dt;
+    guards_check(s);
+    s->evaluation.dt = dt;
+    physics_prepare(&s->physics);
 }

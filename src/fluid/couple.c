@@ -148,7 +148,7 @@ void couple_push(const struct physics_context *context, size_t i, double push[3]
     for (int d = 0; d < 3; d++)
         push[d] =
             d < context->box->dimension
-                ? volume * (fluid->drive.force[d] - fluid->options->density * context->motion->gravity[d])
+                ? volume * (fluid->drive.force[d] - fluid->options->density * context->scene->gravity[d])
                 : 0;
 }
 
@@ -165,7 +165,7 @@ static double work_of(const struct physics_context *context, size_t i, const dou
     double(*spin)[4] = spin_of(p), half = 0.5 * context->clock->dt, mass = 1 / state->inverse_mass, sum = 0,
     inertia = 0.4 * mass * state->radius * state->radius;
     for (int d = 0; d < 3; d++) {
-        double before = state->v[d] - jump[d], all = force[d] + push[d] + mass * context->motion->gravity[d];
+        double before = state->v[d] - jump[d], all = force[d] + push[d] + mass * context->scene->gravity[d];
         sum += half * (push[d] + (context->clock->step > 0 ? last[d] : 0)) * before +
                jump[d] * (mass * (before + 0.5 * jump[d]) + half * all);
         if (spin != NULL)
@@ -188,7 +188,7 @@ static void load_guess(const struct physics_context *context, size_t i, const do
            *load = fluid_load(context->particles)[i];
     memset(load, 0, sizeof fluid_load(context->particles)[i]);
     for (int d = 0; d < context->box->dimension; d++)
-        load[d] = -added * (force[d] + mass * context->motion->gravity[d] + push[d]) / (mass + added);
+        load[d] = -added * (force[d] + mass * context->scene->gravity[d] + push[d]) / (mass + added);
 }
 
 void couple_apply(const struct physics_context *context) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The force that drives a flow. Read drive.h first. */
 #include "fluid/drive.h"
+#include "grains/grains.h"
 
 #include <math.h>
 
@@ -53,7 +54,8 @@ bool drive_suits(const struct physics_context *context, struct error *error) {
     if ((drop || flow) && (drive->axis >= context->box->dimension || !context->box->periodic[drive->axis]))
         return scene_fail(context->scene, error, key, "the box must be periodic along fluid.drive.axis (%c)",
                           'x' + drive->axis);
-    if (flow && options->time == FLUID_STEADY && context->walls != NULL && walls_move(context->walls))
+    if (flow && options->time == FLUID_STEADY && grains_walls(context) != NULL &&
+        walls_move(grains_walls(context)))
         return scene_fail(context->scene, error, key, "a steady flow with a mass_flow needs walls at rest");
     return table_suits(context, force, drop, error);
 }

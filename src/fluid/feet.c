@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Feet on walls and open sides. Read feet.h first. */
 #include "fluid/feet.h"
+#include "grains/grains.h"
 #include "particles/spin.h"
 #include "fluid/fields.h"
 #include "fluid/mirror.h"
@@ -31,7 +32,7 @@ void feet_on(const void *context, int64_t body, const double x[3], struct weight
 }
 
 size_t feet_mirror(const struct physics_context *context, struct fluid *fluid) {
-    const struct feet feet = {context->walls, fluid->options, context->box};
+    const struct feet feet = {grains_walls(context), fluid->options, context->box};
     const struct mirror_input mirror = {.rows = &fluid->input,
                                         .body = fluid_body(context->particles),
                                         .spin = (const double(*)[4])spin_of(context->particles),

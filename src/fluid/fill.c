@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* From nodes of the lattice to particles. Read fill.h first. */
 #include "fluid/fill.h"
+#include "grains/grains.h"
 #include "core/memory.h"
 #include "fluid/body.h"
 #include "fluid/couple.h"
@@ -186,7 +187,7 @@ static bool options_suit(const struct physics_context *context, struct error *er
 static bool walls_suit(const struct physics_context *context, struct error *error) {
     for (int w = 0; w < context->scene->walls; w++) {
         const struct wall_options *wall = &context->scene->wall[w];
-        size_t open = walls_open_edges(context->walls, w);
+        size_t open = walls_open_edges(grains_walls(context), w);
         char key[64];
         snprintf(key, sizeof key, "walls[%d].file", w);
         if (open > 0)

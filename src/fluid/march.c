@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* From rebuilds and steps of the engine to the flow: weights, matrices, steps. Read march.h and flow.h first. */
 #include "fluid/march.h"
+#include "grains/grains.h"
 #include "core/checksum.h"
 #include "core/memory.h"
 #include "fluid/couple.h"
@@ -266,10 +267,10 @@ static void walls_check(const struct physics_context *context, struct fluid *flu
 /* Walls that slide within themselves have new velocities and spins. */
 static void walls_follow(const struct physics_context *context, struct fluid *fluid) {
     struct weights *weights = &fluid->weights;
-    const struct feet feet = {context->walls, fluid->options, context->box};
+    const struct feet feet = {grains_walls(context), fluid->options, context->box};
     const double same = 1e-6 * fluid->options->spacing;
     size_t moved = 0;
-    if (context->walls == NULL || !walls_move(context->walls))
+    if (grains_walls(context) == NULL || !walls_move(grains_walls(context)))
         return;
 #pragma omp parallel for schedule(static) reduction(+ : moved)
     for (size_t row = 0; row < weights->rows; row++)
@@ -316,8 +317,8 @@ static void check_speed(const struct physics_context *context, struct fluid *flu
 static void step_run(const struct physics_context *context, struct fluid *fluid) {
     if (motion_moves(fluid->options) && fluid->placed != context->clock->step)
         weights_of(context, fluid);
-    if (motion_moves(fluid->options) && context->walls != NULL && walls_move(context->walls))
-        walls_at_end(context->walls, context->clock->time,
+    if (motion_moves(fluid->options) && grains_walls(context) != NULL && walls_move(grains_walls(context)))
+        walls_at_end(grains_walls(context), context->clock->time,
                      context->clock->dt); /* the scheme stands at the end of the step */
     walls_follow(context, fluid);
     if (fluid->error.kind != ERROR_NONE || !watch_begin(context))

@@ -142,8 +142,8 @@ static void restart(const struct physics_context *context, struct restart *list)
     restart_add(list, RESTART_INTEGER, true, &fluid->solved, "fluid: the steady flow is there");
 }
 
-static double work(const struct physics_context *context) {
-    return ((const struct fluid *)context->self)->work;
+static void energy(const struct physics_context *context, struct physics_energy *energy) {
+    energy->work = ((const struct fluid *)context->self)->work;
 }
 
 /* Particles at rest have their weights from the first rebuild. */
@@ -196,6 +196,9 @@ static const struct timer_stage stages[] = {
     {.name = "preconditioner", .help = "preconditioners of these matrices made", .use = TIMER_WORK},
     {.name = "solve", .help = "solves for velocity and pressure of a fluid", .use = TIMER_WORK}};
 
+static const struct physics_maker maker = {.moving = motion_kinds, .fill = fill_run};
+static const struct physics_shown shown = {.report = watch_report};
+
 const struct physics fluid_physics = {.name = "fluid",
                                       .interactions = 1,
                                       .interaction = {{.name = "fluid", .range = range}},
@@ -207,8 +210,6 @@ const struct physics fluid_physics = {.name = "fluid",
                                       .check = fill_suits,
                                       .create = create,
                                       .destroy = march_end,
-                                      .moving = motion_kinds,
-                                      .fill = fill_run,
                                       .rebuilt = march_rebuilt,
                                       .rests = rests,
                                       .limit = march_limit,
@@ -216,6 +217,7 @@ const struct physics fluid_physics = {.name = "fluid",
                                           "advection: the fluid may move by half a spacing in a step",
                                       .guard = guard,
                                       .print = print,
-                                      .work = work,
-                                      .solvers = watch_solvers,
-                                      .restart = restart};
+                                      .energy = energy,
+                                      .restart = restart,
+                                      .maker = &maker,
+                                      .shown = &shown};

@@ -7,6 +7,7 @@
 #include "fluid/feet.h"
 #include "fluid/given.h"
 #include "fluid/layer.h"
+#include "grains/grains.h"
 #include "particles/groups.h"
 #include "particles/kinds.h"
 #include <math.h>
@@ -55,8 +56,8 @@ static void grains_add(const struct build *build, size_t i, struct near *near) {
 
 static void walls_add(const struct build *build, size_t i, struct near *near) {
     const struct physics_context *context = build->context;
-    const struct feet feet = {context->walls, build->fluid->options, context->box};
-    int walls = context->walls != NULL ? walls_count(context->walls) : 0;
+    const struct feet feet = {grains_walls(context), build->fluid->options, context->box};
+    int walls = grains_walls(context) != NULL ? walls_count(grains_walls(context)) : 0;
     for (int wall = 0; wall < walls; wall++) {
         struct weights_foot foot = {0};
         if (given_number(build->surface, build->surfaces, body_of_wall(wall), -1) >= 0)

@@ -71,9 +71,8 @@ void watch_step(const struct physics_context *context) {
     fluid->doubtful = doubtful;
 }
 
-int watch_solvers(const struct physics_context *context, struct report_solver *solver) {
+void watch_report(const struct physics_context *context, struct report *all) {
     const struct fluid *fluid = context->self;
-    int count = 0;
     for (int k = 0; fluid->solve != NULL && k < SYSTEMS; k++) {
         const struct solve_report *report = solve_total(fluid->solve, systems[k].prefix);
         double seconds[4] = {report->seconds_matrix, report->seconds_set_up, report->seconds_solve,
@@ -81,7 +80,7 @@ int watch_solvers(const struct physics_context *context, struct report_solver *s
         comm_max(context->comm, seconds, 4);
         if (report->rows == 0)
             continue;
-        struct report_solver *row = &solver[count++];
+        struct report_solver *row = &all->solver[all->solvers++];
         *row = (struct report_solver){.rows = (uint64_t)report->rows,
                                       .entries = (uint64_t)report->entries,
                                       .solves = (uint64_t)report->solves,
@@ -98,5 +97,4 @@ int watch_solvers(const struct physics_context *context, struct report_solver *s
                                       .seconds_products = seconds[3]};
         snprintf(row->name, sizeof row->name, "%s", systems[k].name);
     }
-    return count;
 }

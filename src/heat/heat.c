@@ -5,6 +5,7 @@
  * Explicit Euler steps: T(n+1) = T(n) + dt flow(n) / (m c). The flow is a sum over pairs like a force: it is
  * summed where forces are, sent back from copies with them, cleared when the temperature takes it. */
 #include "heat/heat.h"
+#include "grains/grains.h"
 #include "particles/material.h"
 #include "core/memory.h"
 #include "engine/physics.h"
@@ -133,7 +134,7 @@ static bool check(const struct physics_context *context, struct error *error) {
 }
 
 static bool needs_walls(const struct physics_context *context) {
-    return context->walls && ((const struct heat_options *)context->options)->walls > 0;
+    return grains_walls(context) && ((const struct heat_options *)context->options)->walls > 0;
 }
 
 static void *create(const struct physics_context *context) {
@@ -157,7 +158,7 @@ static void *create(const struct physics_context *context) {
     for (int w = 0; w < context->scene->walls; w++)
         heat->wall_material[w] = context->scene->wall[w].material;
     if (needs_walls(context))
-        walls_visit_fixed(context->walls);
+        walls_visit_fixed(grains_walls(context));
     heat->wall_power = memory_allocate_zero((size_t)context->threads, sizeof *heat->wall_power, "heat");
     heat->strange = memory_allocate_zero((size_t)context->threads, sizeof *heat->strange, "heat");
     heat->work = o->dissipation > 0.0 ? heat_work_create(context) : NULL;
@@ -208,12 +209,12 @@ static void rebuilt(const struct physics_context *context) {
 }
 
 /* Takes the flow of the last step. */
-static void warm(const struct physics_context *context, int thread, size_t first, size_t last,
-                 int size_class) {
+static double warm(const struct physics_context *context, int thread, size_t first, size_t last,
+                   int size_class) {
     struct heat *heat = context->self;
     double poison = 0.0; /* NaN once a temperature is not finite */
     if (context->classes->kind[size_class] != KIND_GRAIN)
-        return;
+        return 0.0;
     for (size_t i = first; i < last; i++) {
         double capacity = heat->capacity[material_of(heat->material, i)] * groups_mass(context->particles, i);
         heat->temperature[i] += context->clock->dt * heat->flow[i] / capacity;
@@ -225,6 +226,7 @@ static void warm(const struct physics_context *context, int thread, size_t first
     for (size_t i = first; isnan(poison) && i < last; i++)
         if (!isfinite(heat->temperature[i]))
             heat->strange[thread] = 1 + context->particles->id[i];
+    return 0.0;
 }
 
 /* A temperature that is not finite stops the run. */
@@ -290,7 +292,7 @@ static void at_walls(const struct physics_context *context, int thread) {
     for (int w = 0; w < context->scene->walls; w++)
         temperature[w] = temperature_now(heat, w);
     memset(at.power, 0, sizeof heat->wall_power[thread]);
-    walls_visit(context->walls, context->particles, thread, heat->pairs.range, at_wall, &at);
+    walls_visit(grains_walls(context), context->particles, thread, heat->pairs.range, at_wall, &at);
 }
 
 static void finish(const struct physics_context *context) {

@@ -51,7 +51,7 @@ bool scree_observe_begin(struct scree_simulation *simulation, bool resumed, stru
         return false;
     assert(simulation->kept == NULL || observables_columns(simulation->observables) == simulation->columns);
     simulation->columns = observables_columns(simulation->observables);
-    s->grains.sums_each_step = s->grains.sums_each_step || observables_need_work(simulation->observables);
+    s->sums_each_step = s->sums_each_step || observables_need_work(simulation->observables);
     return resumed || !scree_observe_due(simulation, s->clock.step, s->clock.time) ||
            scree_observe_record(simulation, error);
 }

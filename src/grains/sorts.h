@@ -2,10 +2,11 @@
 /* The sorts of grains of a run: what the stable step and the expected overlaps need to know of the particles, those of
  * insertions included. Particles of one material may differ in density, and are divided into sorts by powers of two of
  * the density. At every size a sort counts with its least density if that is the worst case, else with its largest. */
-#ifndef SCREE_ENGINE_SORTS_H
-#define SCREE_ENGINE_SORTS_H
+#ifndef SCREE_GRAINS_SORTS_H
+#define SCREE_GRAINS_SORTS_H
 
-#include "engine/state.h"
+#include "contact/law.h"
+#include "engine/physics.h"
 
 enum { SORTS_DENSITIES = 16, SORTS_MAX = LAW_MATERIALS_MAX * SORTS_DENSITIES };
 
@@ -19,7 +20,7 @@ struct sorts {
 };
 
 /* Collects the sorts of all ranks. Collective. */
-void sorts_collect(const struct simulation *simulation, struct sorts *sorts);
+void sorts_collect(const struct physics_context *context, struct sorts *sorts);
 
 /* The material of a sort. */
 int sorts_material(int sort);

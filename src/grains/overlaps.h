@@ -13,14 +13,25 @@
  * bound for one particle: the grain's mass counts as 0, and nothing but two contacts takes energy. The worst case is
  * the largest and heaviest particle on the smallest grain. The overlap grows as the modulus^(-1/p), and the duration
  * of contacts, and so the time step, as the overlap. */
-#ifndef SCREE_ENGINE_OVERLAPS_H
-#define SCREE_ENGINE_OVERLAPS_H
+#ifndef SCREE_GRAINS_OVERLAPS_H
+#define SCREE_GRAINS_OVERLAPS_H
 
-#include "engine/sorts.h"
+#include "engine/physics.h"
 
-/* Finds timing.overlaps of a simulation whose time step is chosen. `sorts`: those of all ranks. One thread; all ranks find
- * the same. */
-void overlaps_expect(struct simulation *simulation, const struct sorts *sorts);
+/* The overlaps that are expected, over the smaller radius. */
+struct overlaps {
+    double met;      /* of the heaviest equal particles, or of one and a wall */
+    double squeezed; /* of the softer contact of a grain between a particle and a support */
+    double speed;    /* of that particle, length/time */
+    double mass;     /* of that particle */
+    double radius;   /* of that grain, length */
+    double exponent; /* of the energy of the contact in its overlap */
+    int material[2]; /* of the softer contact */
+};
+
+/* Finds the overlaps, and the speed, of struct grains_stable, once the time step is chosen. Collective; all ranks find the
+ * same. */
+void overlaps_expect(const struct physics_context *context);
 
 /* The factor of the modulus, or of k_n, with which the squeezed grain overlaps by no more than `bound`. */
 double overlaps_stiffening(const struct overlaps *overlaps, double bound);
