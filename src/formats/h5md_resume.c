@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Continues a trajectory: data after the step of the checkpoint are cut off, the rest is kept. */
 #include "formats/h5md_resume.h"
-#include "formats/h5md.h"
 #include "formats/h5md_head.h"
 
 #include "core/memory.h"

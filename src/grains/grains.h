@@ -7,10 +7,20 @@
 
 #include "contact/force.h"
 #include "engine/physics.h"
-#include "grains/overlaps.h"
 #include "integrate/integrator.h"
 #include "integrate/timestep.h"
 #include "walls/wall.h"
+
+/* The overlaps that are expected, over the smaller radius (overlaps.h). */
+struct overlaps {
+    double met;      /* of the heaviest equal particles, or of one and a wall */
+    double squeezed; /* of the softer contact of a grain between a particle and a support */
+    double speed;    /* of that particle, length/time */
+    double mass;     /* of that particle */
+    double radius;   /* of that grain, length */
+    double exponent; /* of the energy of the contact in its overlap */
+    int material[2]; /* of the softer contact */
+};
 
 /* The stable step for future contacts, and the data from which it was found (stable.c). */
 struct grains_stable {

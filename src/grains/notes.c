@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Looks at the walls of a scene for settings that are probably a mistake. Read engine/notes.h first. */
 #include "engine/notes.h"
+#include "grains/overlaps.h"
 #include "grains/parts.h"
 #include "core/memory.h"
 #include <math.h>

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Estimates the overlaps of a run. Read overlaps.h first. */
 #include "grains/overlaps.h"
-#include "grains/grains.h"
 #include "grains/sorts.h"
 #include "core/memory.h"
 #include <math.h>

@@ -16,18 +16,7 @@
 #ifndef SCREE_GRAINS_OVERLAPS_H
 #define SCREE_GRAINS_OVERLAPS_H
 
-#include "engine/physics.h"
-
-/* The overlaps that are expected, over the smaller radius. */
-struct overlaps {
-    double met;      /* of the heaviest equal particles, or of one and a wall */
-    double squeezed; /* of the softer contact of a grain between a particle and a support */
-    double speed;    /* of that particle, length/time */
-    double mass;     /* of that particle */
-    double radius;   /* of that grain, length */
-    double exponent; /* of the energy of the contact in its overlap */
-    int material[2]; /* of the softer contact */
-};
+#include "grains/grains.h"
 
 /* Finds the overlaps, and the speed, of struct grains_stable, once the time step is chosen. Collective; all ranks find the
  * same. */
