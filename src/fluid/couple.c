@@ -46,6 +46,23 @@ static bool group_unresolved(const struct physics_context *context, int number) 
     return all;
 }
 
+/* True if the grains of a group turn at most, each about its own centre: to a fluid they stay where they are. */
+static bool group_stays(const struct scene_group *group) {
+    return group->motion == SCENE_FROZEN || (group->motion == SCENE_MOVING && group->velocity[0] == 0 &&
+                                             group->velocity[1] == 0 && group->velocity[2] == 0);
+}
+
+/* False, with an error, if a group is to turn in a scene in which grains do not. */
+static bool spin_suits(const struct physics_context *context, const struct scene_group *group,
+                       const char *key, struct error *error) {
+    bool turns = group->motion == SCENE_MOVING &&
+                 (group->omega[0] != 0 || group->omega[1] != 0 || group->omega[2] != 0);
+    return !turns || spin_of(context->particles) != NULL ||
+           scene_fail(context->scene, error, key,
+                      "group '%s' has a spin, but grains turn only with a contact law that has friction",
+                      group->name);
+}
+
 /* Each rank looks at its own grains. */
 static bool grains_suit(const struct physics_context *context, struct error *error) {
     const struct scene *scene = context->scene;
@@ -56,12 +73,14 @@ static bool grains_suit(const struct physics_context *context, struct error *err
         snprintf(key, sizeof key, "particles.sources[%d].group", k);
         bool carried = group->motion == SCENE_MOVING && fluid_carries(context->options);
         carried = carried || couple_free(context->options) || group_unresolved(context, group_number);
-        if (scene->source[k].group >= 0 && group->motion != SCENE_FROZEN && !carried)
+        if (scene->source[k].group >= 0 && !group_stays(group) && !carried)
             return scene_fail(
                 scene, error, key,
-                "group '%s' moves; allowed beside `fluid`: frozen groups, and with fluid.motion: "
-                "lagrangian groups whose motion is given",
+                "group '%s' moves; allowed beside `fluid`: groups that are frozen or only spin, and with "
+                "fluid.motion: lagrangian groups whose motion is given",
                 group->name);
+        if (!spin_suits(context, group, key, error))
+            return false;
     }
     const struct particles *p = context->particles;
     for (size_t k = 0; k < p->owned && !couple_free(context->options); k++)

@@ -311,6 +311,33 @@ rotation() {
 }
 check "a turning cylinder takes the fluid with it" rotation
 
+# Grains that only spin stay where they are: a steady flow around them, and one in time on particles at rest; torque on a disc in an array of them,
+# 4 pi mu omega R^2 / porosity, on one rank and on two
+cat >wheel.yaml <<'YAML'
+units: none
+box: {lower: [0, 0, 0], upper: [1, 1, 0], periodic: [true, true, false], dimension: 2}
+contact: {law: hooke}
+materials: [{name: disc, density: 1}]
+material_pairs: [{k_n: 1000, restitution: 0.5, friction: 0.2}]
+particles: {from: single, position: [0.5, 0.5, 0], radius: 0.2, group: wheel}
+groups: [{name: wheel, motion: moving, omega: [0, 0, 1]}]
+fluid: {spacing: 0.03125, density: 1, viscosity: 1, equations: stokes, time: steady, solver: {tolerance: 1e-6}}
+step: {count: 1}
+observables: {every: 1, list: [{name: drag/wheel}]}
+YAML
+wheel() { # RANKS THREADS FLAG...
+    local ranks=$1 threads=$2
+    shift 2
+    rm -rf wheel
+    run_scene "$ranks" wheel.yaml wheel --set threads="$threads" "$@" && within "$(last_of wheel drag_wheel_torque_z)" -0.574899 0.003
+}
+check "a steady flow around a grain that spins" wheel 1 1
+check "on two ranks" wheel 2 2
+check "a flow in time around it" wheel 1 1 --set fluid='{spacing: 0.03125, density: 1, viscosity: 1}' --set step='{dt: 0.005, count: 60}' --set observables.every=60
+check "a grain that spins and moves is no steady flow" scene_refused 'particles.sources[0].group|only spin' wheel.yaml --set 'groups[0].velocity=[0.1, 0, 0]'
+sed '/^contact/d; /^material/d; s/radius: 0.2/&, density: 1/' wheel.yaml >smooth.yaml
+check "a spin without friction" scene_refused "group 'wheel' has a spin|friction" smooth.yaml
+
 # A frozen bed with contacts, gravity and walls: the flow and its drag are the same on other ranks
 cat >bed.yaml <<'YAML'
 units: none
