@@ -34,14 +34,6 @@ bool law_general_rubs(const struct law *law) {
     return plain;
 }
 
-/* Reads what a contact remembers of the normal direction. */
-static struct law_past past_of(const struct law *law, const double *value) {
-    struct law_past past = {.held = law->memory.held >= 0 && value[law->memory.held] != 0.0};
-    for (int k = 0; law->memory.past >= 0 && k < law_form_of(&law->options)->remembers; k++)
-        past.number[k] = value[law->memory.past + k];
-    return past;
-}
-
 static void past_put(const struct law *law, const struct law_past *past, double *value) {
     if (law->memory.held >= 0)
         value[law->memory.held] = past->held ? 1.0 : 0.0;
@@ -55,7 +47,7 @@ bool law_general_push(const struct law *law, struct law_step step, struct law_ge
     const struct law_contact *contact = &in->contact;
     struct law_surfaces surfaces = {
         &contact->coefficients, in->extra, {in->radius[0], in->radius[1]}, contact->radius};
-    struct law_past past = past_of(law, in->value);
+    struct law_past past = law_grip_past(law, in->value);
     past.no_energy = !step.energies;
     struct law_past before = past;
     struct law_grip grip = law_grip_at(options, &surfaces, contact->overlap, &past);
