@@ -17,9 +17,9 @@ static struct law_grip grip_jkr(const struct law_options *options, const struct 
                                         overlap - flat.left, options->jkr_end, &past->held);
     if (!past->held)
         return (struct law_grip){.interacts = overlap > 0.0};
-    if (!past->no_energy) {
+    if (!past->no_energy) { /* counts from where the contact breaks, and nothing is left there */
         double last = law_jkr_end_radius(modulus, gamma, flat.radius, options->jkr_end);
-        grip.energy -= fmin(law_jkr_at(modulus, gamma, flat.radius, last).energy, 0.0);
+        grip.energy -= law_jkr_at(modulus, gamma, flat.radius, last).energy;
     }
     return grip;
 }

@@ -38,7 +38,7 @@ struct law_past {
 
 /* JKR at the overlap `depth` of spheres with the effective radius `radius`; updates `held`. `s`: law_jkr_length. Arithmetic without
  * branches, as the next one: loops over contacts vectorise (force_grip.h). As a^2/R* = d + s sqrt(a), the force is
- * 2/3 E* a (2 d - s sqrt(a)). The energy counts from a = 0. */
+ * 2/3 E* a (2 d - s sqrt(a)). The energy counts from a = 0; law_grip_at lets it count from where the contact breaks. */
 LAW_INLINE struct law_grip law_grip_jkr(const struct law_coefficients *c, double s, double gamma,
                                         double radius, double depth, enum law_jkr_end end, bool *held) {
     double modulus = law_modulus(c);
