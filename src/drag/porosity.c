@@ -99,10 +99,10 @@ void porosity_rebuilt(struct porosity *porosity) {
 }
 
 /* A wall near a grain: called by the one thread that has the grain. */
-static void at_wall(void *self, size_t i, int wall, double gap) {
+static void at_wall(void *self, size_t i, int wall, double gap, const double *record) {
     struct porosity *porosity = self;
     double distance = gap + porosity->context->particles->state[i].radius;
-    (void)wall;
+    (void)wall, (void)record;
     if (distance < porosity->support)
         porosity->front[i] *= porosity_front(fmax(distance, 0.0) / porosity->support);
 }

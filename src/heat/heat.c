@@ -3,8 +3,10 @@
  * first.
  *
  * Explicit Euler steps: T(n+1) = T(n) + dt flow(n) / (m c). The flow is a sum over pairs like a force: it is
- * summed where forces are, sent back from copies with them, cleared when the temperature takes it. */
+ * summed where forces are, sent back from copies with them, cleared when the temperature takes it. Where the contact radius
+ * depends on what contacts remember, a pass after the forces adds what flows through contacts. */
 #include "heat/heat.h"
+#include "contact/law_grip.h"
 #include "grains/grains.h"
 #include "particles/material.h"
 #include "core/memory.h"
@@ -24,6 +26,9 @@ struct heat {
     const struct physics_context *context;
     struct walk *walk;
     struct walk_work pairs;
+    struct walk *contact_walk; /* NULL: a contact radius follows from the overlap alone */
+    struct walk_work contacts;
+    double reach; /* of contacts beyond touch, at most, from walls */
     double conductivity[LAW_MATERIALS_MAX], capacity[LAW_MATERIALS_MAX];
     double narrow;                           /* contact radius over that of the scene's grains */
     const struct heat_wall *wall[WALLS_MAX]; /* by wall; NULL: no heat */
@@ -37,31 +42,88 @@ struct heat {
     int64_t *strange; /* [thread]: 1 + id of a grain whose temperature has become not finite, 0: none */
 };
 
-/* The power over one kelvin between bodies whose surfaces are `gap` apart (overlap: negative). */
-static double conductance(const struct heat *heat, int a, int b, double radius, double gap) {
+/* The contact radius of two spheres, or of one and a wall (an infinite radius), `gap` apart (overlap: negative). */
+static double contact_radius(const struct heat *heat, const int material[2], const double radius[2],
+                             double effective, double gap, const double *record) {
+    const struct law *law = grains_contact(heat->context)->law;
+    struct law_surfaces surfaces = {&law->pair[material[0]][material[1]],
+                                    &law->extra[material[0]][material[1]],
+                                    {radius[0], radius[1]},
+                                    effective};
+    return law_grip_radius(law, &surfaces, -gap, record);
+}
+
+/* The power over one kelvin through a contact of radius a. */
+static double through_contact(const struct heat *heat, const int material[2], double a) {
+    double one = heat->conductivity[material[0]], other = heat->conductivity[material[1]];
+    return 4.0 * one * other / (one + other) * heat->narrow * a;
+}
+
+/* The power over one kelvin through gas. */
+static double through_gas(const struct heat *heat, double effective, double gap) {
     const struct heat_gas *gas = &heat->options->gas;
-    double k = heat->conductivity[a] + heat->conductivity[b], h = 0.0;
-    if (gap < 0.0)
-        h = 4.0 * heat->conductivity[a] * heat->conductivity[b] / k * heat->narrow * sqrt(-radius * gap);
-    if (gas->conductivity > 0.0 && gap < gas->distance)
-        h += 2.0 * M_PI * gas->conductivity * radius * log(gas->distance / fmax(gap, gas->roughness));
-    return h;
+    if (!(gas->conductivity > 0.0 && gap < gas->distance))
+        return 0.0;
+    return 2.0 * M_PI * gas->conductivity * effective * log(gas->distance / fmax(gap, gas->roughness));
+}
+
+/* A near pair of the batch. */
+struct heat_pair {
+    int material[2];
+    double radius[2], effective, gap;
+};
+
+static struct heat_pair pair_of(const struct heat *heat, const struct walk_batch *batch, int k) {
+    const double *d = batch->record[k], r = batch->radius[0][k], other = batch->radius[1][k];
+    return (struct heat_pair){
+        .material = {material_of(heat->material, batch->i[k]), material_of(heat->material, batch->j[k])},
+        .radius = {r, other},
+        .effective = r * other / (r + other),
+        .gap = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) - d[3]};
+}
+
+/* The heat of pair k of a batch that exchanges h over one kelvin. */
+static void flow_of(const struct heat *heat, struct walk_batch *batch, int k, double h) {
+    double over = heat->conductance ? 1.0 : heat->temperature[batch->j[k]] - heat->temperature[batch->i[k]];
+    batch->out[0][k] = h * over;
+    batch->out[1][k] = heat->conductance ? h : -h * over;
 }
 
 static void compute(const struct walk_task *task, struct walk_batch *batch) {
     const struct heat *heat = task->work->context;
     for (int k = 0; k < batch->padded; k++) {
-        const double *d = batch->record[k], *r[2] = {batch->radius[0], batch->radius[1]};
-        size_t i = batch->i[k], j = batch->j[k];
-        double gap = sqrt(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]) - d[3];
-        double radius = r[0][k] * r[1][k] / (r[0][k] + r[1][k]);
-        double h =
-            conductance(heat, material_of(heat->material, i), material_of(heat->material, j), radius, gap);
-        double over = heat->conductance ? 1.0 : heat->temperature[j] - heat->temperature[i];
-        batch->out[0][k] = h * over;
-        batch->out[1][k] = heat->conductance ? h : -h * over;
+        struct heat_pair pair = pair_of(heat, batch, k);
+        double h = through_gas(heat, pair.effective, pair.gap);
+        if (heat->contact_walk == NULL && pair.gap < 0.0)
+            h += through_contact(
+                heat, pair.material,
+                contact_radius(heat, pair.material, pair.radius, pair.effective, pair.gap, NULL));
+        flow_of(heat, batch, k, h);
     }
 }
+
+/* Contacts that remember their state. Gas between surfaces that touch across a gap, a neck, is as between others that
+ * touch. */
+static void compute_contacts(const struct walk_task *task, struct walk_batch *batch) {
+    const struct heat *heat = task->work->context;
+    const struct force_context *contact = heat->grains_contact(context);
+    const struct history_part *part = history_part_of(contact->history, contact->list, task->pair_base);
+    for (int k = 0; k < batch->count; k++) {
+        struct heat_pair pair = pair_of(heat, batch, k);
+        const double *record = history_record(contact->history, part, batch->pair[k]);
+        double a = contact_radius(heat, pair.material, pair.radius, pair.effective, pair.gap, record);
+        double h = through_contact(heat, pair.material, a);
+        if (a > 0.0 && pair.gap > 0.0)
+            h += through_gas(heat, pair.effective, 0.0) - through_gas(heat, pair.effective, pair.gap);
+        flow_of(heat, batch, k, h);
+    }
+}
+
+static const struct walk_client contacts_client = {.name = "heat_contacts",
+                                                   .memory = sizeof(struct walk_batch),
+                                                   .scatter = WALK_VALUES,
+                                                   .values = 1,
+                                                   .compute = compute_contacts};
 
 static const struct walk_client client = {.name = "heat",
                                           .memory = sizeof(struct walk_batch),
@@ -169,12 +231,17 @@ static void *create(const struct physics_context *context) {
                                      .radii = true,
                                      .range = range(o, KIND_GRAIN, 0, KIND_GRAIN, 0),
                                      .ordered = context->ordered};
+    if (law_grip_radius_recalls(grains_contact(context)->law)) {
+        heat->contact_walk = walk_create(&contacts_client, context->threads);
+        heat->contacts = heat->pairs;
+    }
     return heat;
 }
 
 static void destroy(void *self) {
     struct heat *heat = self;
     walk_destroy(&heat->walk);
+    walk_destroy(&heat->contact_walk);
     heat_work_destroy(&heat->work);
     for (int w = 0; w < WALLS_MAX; w++)
         numbers_free(&heat->course[w]);
@@ -195,7 +262,19 @@ static void take_fields(struct heat *heat, const struct particles *particles) {
     heat->flow = heat_flow(particles);
     heat->wall_flow = heat_wall_flow(particles);
     heat->material = material_numbers(particles);
-    heat->pairs.target = heat->flow;
+    heat->pairs.target = heat->contacts.target = heat->flow;
+}
+
+/* Takes the list of contacts, and how far contacts with walls reach. */
+static void take_contacts(struct heat *heat, const struct physics_context *context) {
+    double radius = 0.0;
+    for (int c = 0; c < context->classes->count; c++)
+        if (context->classes->kind[c] == KIND_GRAIN)
+            radius = fmax(radius, context->classes->radius_max[c]);
+    heat->contacts.list = grains_contact(context)->list;
+    heat->contacts.range = grains_contact(context)->range;
+    heat->reach = radius > 0.0 ? fmax(law_range(grains_contact(context)->law, radius, INFINITY), 0.0) : 0.0;
+    walk_prepare(heat->contact_walk, &heat->contacts);
 }
 
 static void rebuilt(const struct physics_context *context) {
@@ -204,6 +283,8 @@ static void rebuilt(const struct physics_context *context) {
     begin(heat, context->particles);
     heat->pairs.list = context->list[0];
     walk_prepare(heat->walk, &heat->pairs);
+    if (heat->contact_walk)
+        take_contacts(heat, context);
     if (heat->work)
         heat_work_rebuilt(heat->work);
 }
@@ -267,7 +348,7 @@ static double temperature_now(const struct heat *heat, int wall) {
 }
 
 /* A grain that touches a wall, or is near one: called by the one thread that has the grain. */
-static void at_wall(void *self, size_t i, int wall, double gap) {
+static void at_wall(void *self, size_t i, int wall, double gap, const double *record) {
     const struct at_walls *at = self;
     struct heat *heat = at->heat;
     const struct heat_wall *given = heat->wall[wall];
@@ -300,6 +381,15 @@ static void finish(const struct physics_context *context) {
     walk_finish(heat->walk, &heat->pairs);
 }
 
+static bool needs_contacts(const struct physics_context *context) {
+    return law_grip_radius_recalls(grains_contact(context)->law);
+}
+
+static void conduct_contacts(const struct physics_context *context) {
+    struct heat *heat = context->self;
+    walk_run(heat->contact_walk, &heat->contacts);
+}
+
 static bool needs_work(const struct physics_context *context) {
     return ((const struct heat_options *)context->options)->dissipation > 0.0;
 }
@@ -328,6 +418,8 @@ static void conductances(const struct physics_context *context, struct heat *hea
     struct field_list fields = fields_one(heat_flow_field(context->particles));
     heat->conductance = true;
     walk_run(heat->walk, &heat->pairs);
+    if (heat->contact_walk)
+        walk_run(heat->contact_walk, &heat->contacts);
     for (int t = 0; needs_walls(context) && t < context->threads; t++)
         at_walls(context, t);
     heat->conductance = false;
@@ -386,6 +478,15 @@ static const struct physics_pass passes[] = {
      .needed = needs_walls,
      .share = at_walls},
     {.name = "heat_finish", .stage = PASS_CLOSE, .timer = "conduct", .writes = "heat_flow", .whole = finish},
+    {.name = "heat_contacts",
+     .why = "contacts whose radius depends on what they remember",
+     .does = "flow of heat through contacts that remember their state",
+     .stage = PASS_CLOSE,
+     .timer = "conduct",
+     .reads = "position radius temperature",
+     .writes = "heat_flow",
+     .needed = needs_contacts,
+     .whole = conduct_contacts},
     {.name = "dissipate",
      .why = "heat.dissipation",
      .does = "energy that contacts lose becomes heat",

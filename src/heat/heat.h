@@ -5,7 +5,7 @@
  *
  * Two grains i and j with the contact radius a exchange the power H (T_j - T_i),
  *
- *   H = 4 k_i k_j / (k_i + k_j) a,      a^2 = R* overlap   (R* effective radius)
+ *   H = 4 k_i k_j / (k_i + k_j) a      (a: contact radius of the law, law_grip_radius)
  *
  * (Batchelor and O'Brien, Proc. R. Soc. A 355 (1977) 313, eq. 2.2: 2 k a for equal grains). Where the scene's
  * grains are softer than the real ones by `softening` (Young's moduli, real over the scene's), the contact
@@ -17,7 +17,7 @@
  *
  *   H_g = 2 pi k_g R* ln(distance / max(g, roughness))      for g < distance, overlaps count as g = 0
  *
- * (the same paper, section 4, cut off at the given gap).
+ * (the same paper, section 4, cut off at the given gap). A neck, where surfaces touch across a gap, counts as g = 0.
  *
  * Of the energy that a contact loses (dampers, sliding, plastic flow) the part `dissipation` becomes heat: half of it in
  * each of two grains, all of it in the grain at a wall (heat_work.h). */

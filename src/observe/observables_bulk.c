@@ -39,11 +39,16 @@ static const struct carried_pose *body_of(const struct output_view *view, size_t
     return carried && kind && kind[i] == KIND_BODY ? &carried->pose[carried->pose_of[i]] : NULL;
 }
 
+static bool is_carried(const struct output_view *view, size_t i) {
+    const struct carried *carried = view->motion->carried;
+    return carried && carried->pose_of[i] >= 0;
+}
+
 static void add_kinetic(const struct output_view *view, const struct observable_item *item, size_t i,
                         double *part) {
     (void)item;
     double v[3];
-    observables_velocity(view, i, v, NULL);
+    observables_velocity_of_body(view, i, v);
     if (is_free(view->particles, i))
         part[0] += 0.5 * dot(v, v) / view->particles->state[i].inverse_mass;
 }
@@ -53,12 +58,18 @@ static void add_rotational(const struct output_view *view, const struct observab
     (void)item;
     const struct particle_state *state = &view->particles->state[i];
     const struct carried_pose *body = body_of(view, i);
-    double v[3], w[3];
+    double v[3], w[3], centre[3], square = 0;
     if (body)
         part[0] += body->energy;
     if (!spin_of(view->particles) || !is_free(view->particles, i))
         return;
     integrator_full_step(view->particles, view->motion, i, v, w);
+    if (is_carried(view, i)) {
+        observables_velocity_of_body(view, i, centre);
+        for (int d = 0; d < 3; d++)
+            square += (v[d] - centre[d]) * (v[d] - centre[d]);
+    }
+    part[0] += 0.5 * square / state->inverse_mass;
     part[0] += 0.2 * state->radius * state->radius * dot(w, w) / state->inverse_mass; /* I = 2/5 m r^2 */
 }
 
@@ -242,10 +253,12 @@ static bool has_walls(const struct output_view *view) {
     { name, family, unit, help, OBSERVABLE_OF_ALL, components, NULL }
 
 static const struct observable_kind kinds[] = {
-    {.info = ALL("energy_kinetic", "energy", "J", 1, "translational energy of the free particles"),
+    {.info = ALL("energy_kinetic", "energy", "J", 1,
+                 "translational energy of the free particles; of bodies, that of their centres"),
      .parts = 1,
      .of_particle = add_kinetic},
-    {.info = ALL("energy_rotational", "energy", "J", 1, "rotational energy of the free particles"),
+    {.info = ALL("energy_rotational", "energy", "J", 1,
+                 "rotational energy of the free particles; of bodies, all but that of their centres"),
      .parts = 1,
      .of_all_kinds = true,
      .of_particle = add_rotational,

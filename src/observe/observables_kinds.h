@@ -109,6 +109,10 @@ void observables_place(const struct output_view *view, size_t i, double x[3]);
  * image in the box, as images have velocities of their own. */
 void observables_velocity(const struct output_view *view, size_t i, double velocity[3], double omega[3]);
 
+/* The velocity of the body that carries owned particle i, at its centre and at the same moment; of a grain that moves by itself
+ * observables_velocity. The masses of a body's members are that of the body. */
+void observables_velocity_of_body(const struct output_view *view, size_t i, double velocity[3]);
+
 /* True if a point (user's coordinates) lies in a region. */
 bool observables_region_contains(const struct output_region *region, const double x[3]);
 

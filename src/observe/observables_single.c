@@ -109,6 +109,14 @@ void observables_velocity(const struct output_view *view, size_t i, double veloc
         box_wrap(view->box, x, velocity);
 }
 
+void observables_velocity_of_body(const struct output_view *view, size_t i, double velocity[3]) {
+    const struct carried *carried = view->motion->carried;
+    if (carried && carried->pose_of[i] >= 0)
+        memcpy(velocity, carried->pose[carried->pose_of[i]].full_v, 3 * sizeof *velocity);
+    else
+        observables_velocity(view, i, velocity, NULL);
+}
+
 bool observables_region_contains(const struct output_region *region, const double x[3]) {
     if (region->shape == OUTPUT_REGION_BOX) {
         bool inside = true;

@@ -46,6 +46,29 @@ void history_reserve(struct history *history, int thread, size_t contacts) {
     part_reserve(&history->part[1 - history->now][thread], history->components, contacts);
 }
 
+const struct history_part *history_part_of(const struct history *history, const struct pairlist *list,
+                                           size_t first) {
+    for (int t = 0; history && t < list->threads; t++) {
+        int block = list->thread_block[t];
+        if (block < list->thread_block[t + 1] && list->blocks[block].first_pair == first)
+            return &history->part[history->now][t];
+    }
+    return NULL;
+}
+
+const double *history_record(const struct history *history, const struct history_part *part, uint32_t pair) {
+    size_t low = 0, high = part ? part->count : 0;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (part->pair[middle] < pair)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    bool found = part && low < part->count && part->pair[low] == pair;
+    return found ? part->value + low * (size_t)history->components : NULL;
+}
+
 void history_flip(struct history *history) {
     history->now = 1 - history->now;
 }

@@ -250,10 +250,11 @@ void walls_set_work(struct walls *walls, double work); /* for a resume */
 void walls_visit_fixed(struct walls *walls);
 
 /* Calls `visitor` for each owned particle and each place of a wall whose surface is nearer than `range` to that
- * of the particle, with the gap between the surfaces (overlaps are negative). `range` lies within the range of
+ * of the particle, with the gap between the surfaces (overlaps are negative) and the record of the contact in the history (NULL:
+ * none). `range` lies within the range of
  * the interactions, for which walls_build has found the particles near walls. Each thread takes its own
  * particles; a particle belongs to one thread. Many threads at once, with different `thread`. */
-typedef void walls_visitor(void *context, size_t particle, int wall, double gap);
+typedef void walls_visitor(void *context, size_t particle, int wall, double gap, const double *record);
 void walls_visit(const struct walls *walls, const struct particles *particles, int thread, double range,
                  walls_visitor *visitor, void *context);
 

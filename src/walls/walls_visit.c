@@ -13,6 +13,8 @@ void walls_visit(const struct walls *walls, const struct particles *particles, i
     size_t first = walls->candidates * (size_t)thread / (size_t)walls->threads;
     size_t end = walls->candidates * ((size_t)thread + 1) / (size_t)walls->threads;
     struct wall_scratch *scratch = walls->scratch[thread];
+    const struct wall_records *old = &walls->records[walls->now];
+    size_t components = (size_t)walls->law->history_components;
     for (size_t k = first; k < end; k++) {
         const struct particle_state *state = &particles->state[walls->particle[k]];
         double radius = state->radius + range;
@@ -24,8 +26,14 @@ void walls_visit(const struct walls *walls, const struct particles *particles, i
                                        radius, scratch);
             if (count > 1 && walls->wall[w].image_count > 1)
                 walls_sort_images(scratch->touch, count);
-            for (size_t c = 0; c < count; c++)
-                visitor(context, walls->particle[k], w, scratch->touch[c].distance - state->radius);
+            if (components > 0 && count > 0)
+                walls_recall(walls, k, w, count, wall_vector(state->x), radius, scratch);
+            for (size_t c = 0; c < count; c++) {
+                const double *record = NULL;
+                if (components > 0 && scratch->from[c] >= 0)
+                    record = old->value + (walls->first[k] + (size_t)scratch->from[c]) * components;
+                visitor(context, walls->particle[k], w, scratch->touch[c].distance - state->radius, record);
+            }
         }
     }
 }

@@ -94,6 +94,16 @@ collide() { # RANKS WITH_ENERGY SETTING...
     rm -rf collide && run_scene "$ranks" collide.yaml collide "$@" && conserved collide "$energy"
 }
 check 'collisions: energy, momentum, angular momentum' collide 1 yes
+centres() { # RANKS: a dumbbell that flies and turns: M v^2 / 2 by its momentum, and the rest, which is I w^2 / 2
+    run_scene "$1" collide.yaml centres --overwrite --set particles.sources='[{from: single, position: [1, 2, 2], radius: 0.7, velocity: [0.5, 1, 0], material: a}]' \
+        --set bodies.clumps='[{name: dumbbell, material: a, angular_velocity: [0, 0, 3], spheres: [{centre: [-1, 0, 0], radius: 1}, {centre: [1, 0, 0], radius: 1}]}]' \
+        --set observables='{every: 2000, list: [{name: energy_kinetic}, {name: momentum}, {name: energy_rotational}, {name: energy_kinetic_mean}, {name: energy_balance}]}' \
+        --set step.count=10000 || return 1
+    awk -F, 'NR > 1 { mass = $4 / 1; want = 0.5 * mass * 1.25; off = $2 / want - 1; if (off * off > 1e-22 || ($7 - $2 / 2) ^ 2 > 1e-22 || ($2 + $6 - $8) ^ 2 > 1e-22 || $6 < 0.01) bad = 1
+        if (bad) { print "  " $0 "; M v^2 / 2 is " want; exit 1 } }' centres/observables.csv
+}
+check 'the translational energy of a body is that of its centre' centres 1
+check 'on two ranks, too' centres 2
 check 'collisions with friction and damping, 3 ranks: momentum, angular momentum' collide 3 '' --set contact.tangential=history \
     --set step.dt=0.0002 --set step.count=6000 --set observables.every=6000 --set output.dump.every=6000 --set 'material_pairs=[{k_n: 10000, restitution: 0.8, friction: 0.4}]'
 

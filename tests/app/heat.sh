@@ -261,6 +261,69 @@ each_wall() { # the power of each wall in the steady chain
             printf "  %s\n", $0; exit !($2 / P > 0.999999 && $2 / P < 1.000001 && $3 / P < -0.999999 && $3 / P > -1.000001 && $4 - $2 - $3 < 1e-12 && $4 - $2 - $3 > -1e-12) }'
 }
 check 'power of each wall' each_wall
+# Contacts that are pulled apart, from an overlap to a neck across a gap: the law's contact radius, by hand for each law
+cat >neck.yaml <<'EOS'
+units: none
+box: {lower: [0, 0, 0], upper: [8, 8, 8]}
+step: {dt: 0.001, count: 1000, force: true}
+contact: {law: hertz, tangential: none, cohesion: {law: jkr}}
+materials: [{name: a, density: 1, young: 1000, poisson: 0}]
+material_pairs: [{restitution: 1, surface_energy: 0.5}]
+walls: [{name: hot, shape: plane, point: [0, 0, 0], normal: [0, 0, 1]}]
+groups:
+  - {name: one, motion: moving, velocity: [0, 0, 0.035]}
+  - {name: two, motion: moving, velocity: [0, 0, 0.07]}
+particles:
+  sources:
+    - {from: single, position: [4, 4, 0.98], radius: 1, group: one}
+    - {from: single, position: [4, 4, 2.96], radius: 1, group: two}
+heat: {temperature: 300, materials: [{conductivity: 10, capacity: 1}], walls: [{wall: hot, temperature: 400}]}
+observables: {every: 100, list: [{name: sum, label: one, of: "temperature*(id==1)"}, {name: sum, label: two, of: "temperature*(id==2)"}]}
+EOS
+cat >neck.awk <<'EOS'
+function sticky(d, r,   s, low, high, a, k) { # JKR: the largest a with a^2/R - s sqrt(a) = d
+    s = 2 * sqrt(pi * 0.5 / modulus); low = (s * r / 4) ^ (2 / 3); high = 1
+    for (k = 0; k < 60; k++) { a = (low + high) / 2; if (a * a / r - s * sqrt(a) < d) low = a; else high = a }
+    return a
+}
+function flowed(d, r,   yield, a, force, flat, left) { # Thornton: unloading with the flattened radius from the largest overlap, 0.02
+    yield = pi * 20 * r / (2 * modulus); a = sqrt(r * 0.02)
+    force = 4 / 3 * modulus * yield ^ 3 / r + pi * 20 * (a * a - yield * yield)
+    flat = 4 / 3 * modulus * a ^ 3 / force; left = 0.02 - a * a / flat
+    return d > left ? sqrt(flat * (d - left)) : 0
+}
+function radius(d, r) { return law == "jkr" ? sticky(d, r) : law == "thornton" ? flowed(d, r) : d > 0 ? sqrt(r * d) : 0 }
+function gas(r, d,   g) { g = law == "jkr" || d > 0 ? 0.001 : -d > 0.001 ? -d : 0.001; return conductivity > 0 && g < 0.05 ? 2 * pi * conductivity * r * log(0.05 / g) : 0 }
+BEGIN {
+    pi = 3.14159265358979; modulus = 500; one = two = 300
+    for (n = 0; n < 1000; n++) {
+        d = 0.02 - 0.035 * 0.001 * n
+        w = (20 * radius(d, 1) + gas(1, d)) * (400 - one); p = (20 * radius(d, 0.5) + gas(0.5, d)) * (one - two)
+        one += 0.001 * (w - p) / (4 / 3 * pi); two += 0.001 * p / (4 / 3 * pi)
+    }
+    printf "%.12g %.12g\n", one, two
+}
+EOS
+necks() { # LAW CONDUCTIVITY RANKS FLAG...: both temperatures at the end
+    run_scene "$3" neck.yaml neck --overwrite "${@:4}" || return 1
+    set -- $(awk -v law="$1" -v conductivity="$2" -f neck.awk) $(awk -F, 'END { print $2, $3 }' neck/observables.csv)
+    within "$3" "$1" 1e-7 && within "$4" "$2" 1e-7
+}
+plastic=(--set 'contact={law: thornton, tangential: none}' --set 'material_pairs=[{restitution: 1, yield_pressure: 20}]')
+check 'heat flows through a neck of JKR with its contact radius' necks jkr 0 1
+check 'on two ranks, too' necks jkr 0 2 --set newton=false
+check 'the gas around a neck is as that around contacts' necks jkr 0.3 1 --set 'heat.gas={conductivity: 0.3, distance: 0.05, roughness: 0.001}'
+check 'flattened surfaces' necks thornton 0 1 "${plastic[@]}"
+check 'Hertz with gas' necks hertz 0.3 1 --set 'contact={law: hertz, tangential: none}' --set 'material_pairs=[{restitution: 1}]' \
+    --set 'heat.gas={conductivity: 0.3, distance: 0.05, roughness: 0.001}'
+check 'DMT' necks hertz 0 1 --set 'contact={law: hertz, tangential: none, cohesion: {law: dmt}}'
+resumed_neck() { # within the neck: what a contact remembers goes on
+    run_scene 1 neck.yaml half --overwrite --set step.count=700 && run_scene 1 neck.yaml half --overwrite --resume last || return 1
+    set -- $(awk -v law=jkr -v conductivity=0 -f neck.awk) $(awk -F, 'END { print $2, $3 }' half/observables.csv)
+    within "$3" "$1" 1e-7 && within "$4" "$2" 1e-7
+}
+check 'after a resume, too' resumed_neck
+
 heated_drum() { SCREE=$scree "$top_srcdir/examples/heated_drum/check" "$PWD/heated" 1500 | sed 's/^/  /'; [ "${PIPESTATUS[0]}" -eq 0 ]; }
 check 'examples/heated_drum: the balance of heat, step by step' heated_drum
 absent() {
