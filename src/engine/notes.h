@@ -8,7 +8,10 @@
 #include "engine/state.h"
 #include <stdio.h>
 
-enum { NOTES_MAX = 2 * WALLS_MAX + 6 * INSERTIONS_MAX + 16, NOTE_TEXT_MAX = 400 };
+enum {
+    NOTES_MAX = 2 * WALLS_MAX + 7 * INSERTIONS_MAX + LAW_MATERIALS_MAX + SOURCES_MAX + 16,
+    NOTE_TEXT_MAX = 400
+};
 
 /* The smallest box around a set of points, in the user's coordinates; lower above upper: no points. */
 struct extent {

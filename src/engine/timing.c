@@ -180,6 +180,13 @@ static bool dt_allowed(const struct simulation *s, struct error *error) {
         snprintf(why, sizeof why, "contact between materials '%s' and '%s', damping ratio %.3g",
                  s->scene->material[s->timing.limits.material_a].name,
                  s->scene->material[s->timing.limits.material_b].name, s->timing.limits.damping_ratio + 0.0);
+    if (s->scene->step.fraction > 1)
+        return error_set(
+            error, ERROR_USER,
+            "%s: step.fraction: %g of the stable time step, %.6g (%s), is more than all of it; allowed: "
+            "up to 1, or step.force: true",
+            scene_place(s->scene, "step.fraction", place, sizeof place), s->scene->step.fraction,
+            s->timing.limits.stable, why);
     return error_set(error, ERROR_USER,
                      "%s: step.dt: the time step %.6g is above the stable one, %.6g (%s); allowed: up to "
                      "that, or step.force: true",
