@@ -143,7 +143,7 @@ struct scree_particle {
     int material, group;        /* numbers in the scene, from 0; group 0 is "free" */
 };
 
-/* Adds particles in the next step; their ids are the next free ones, in order. Whether they overlap others is not
+/* Adds particles in the next step; their ids follow the largest id so far, in order. Whether they overlap others is not
  * looked at. The array is borrowed for the call. Collective. */
 bool scree_add(struct scree_simulation *simulation, const struct scree_particle *particles, size_t count,
                struct scree_error *error);

@@ -35,7 +35,7 @@ static const struct flag flags[] = {
      "ablate"},
     {"overwrite", NULL,
      "a file that is there already is replaced; without it, it is kept, and nothing is written",
-     "convert pack"},
+     "convert picture report pack"},
     {"quiet", NULL, "no notes, no progress, no report and no list of what a resume changes on the terminal",
      NULL},
     {"view", "[PORT]",

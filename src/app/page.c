@@ -51,6 +51,8 @@ int command_report(const struct comm *comm, const struct command_line *line, str
         error_set(error, ERROR_USER, "command line: scree report needs -o FILE.html");
     else if (stat(folder, &found) != 0 || !S_ISDIR(found.st_mode))
         error_set(error, ERROR_USER, "%s: there is no such folder", folder);
+    else if (!line->overwrite && file_size(out) >= 0)
+        error_set(error, ERROR_USER, "%s: is there already (--overwrite replaces it)", out);
     if (error->kind != ERROR_NONE || !page_folder("report.py", pages, error))
         return error->kind;
     snprintf(script, sizeof script, "%s/report.py", pages);

@@ -112,6 +112,30 @@ static void look_at_guards(const struct simulation *s, struct notes *notes) {
                   s->clock.dt / s->timing.stable);
 }
 
+/* Notes a density that is probably in g/cm3. */
+static void look_at_density(const struct scene *scene, double density, const char *key, struct notes *notes) {
+    if (scene->units != SCENE_UNITS_NONE && density >= 0.5 && density < 25)
+        notes_add(notes, false, "%s: %g kg/m3 is the density of a gas; of a solid? Then write %g g/cm3", key,
+                  density, density);
+}
+
+static void look_at_densities(const struct simulation *s, struct notes *notes) {
+    const struct scene *scene = s->scene;
+    char key[64];
+    for (int k = 0; k < scene->materials; k++) {
+        snprintf(key, sizeof key, "materials[%d].density", k);
+        look_at_density(scene, scene->material[k].density, key, notes);
+    }
+    for (int k = 0; k < scene->sources; k++) {
+        snprintf(key, sizeof key, "particles.sources[%d].density", k);
+        look_at_density(scene, scene->source[k].density, key, notes);
+    }
+    for (int k = 0; k < scene->insertions; k++) {
+        snprintf(key, sizeof key, "insertions[%d].density", k);
+        look_at_density(scene, scene->insertion[k].density, key, notes);
+    }
+}
+
 /* Notes a run of hours whose only output is the last state. */
 static void look_at_output(const struct simulation *s, struct notes *notes) {
     const struct output_options *output = &s->scene->output;
@@ -135,6 +159,7 @@ void notes_take(const struct simulation *s, struct notes *notes) {
             "'where it is' of scree check, tell why)",
             (long long)notes->outside, (unsigned long long)s->total);
     notes->total = s->total;
+    look_at_densities(s, notes);
     look_at_insertions(s, notes);
     PHYSICS_EACH (active, &s->physics, shown)
         if (active->row->shown->notes)

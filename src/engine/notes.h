@@ -8,7 +8,7 @@
 #include "engine/state.h"
 #include <stdio.h>
 
-enum { NOTES_MAX = 2 * WALLS_MAX + 6 * INSERTIONS_MAX + 16, NOTE_TEXT_MAX = 560 };
+enum { NOTES_MAX = 200, NOTE_TEXT_MAX = 560 };
 
 /* The smallest box around a set of points, in the user's coordinates; lower above upper: no points. */
 struct extent {
@@ -35,7 +35,7 @@ struct notes {
     struct note note[NOTES_MAX];
 };
 
-/* Adds a note. */
+/* Adds a note; of more than NOTES_MAX the last ones are left out. */
 void notes_add(struct notes *notes, bool warning, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

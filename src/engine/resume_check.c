@@ -7,6 +7,7 @@
 #include "particles/groups.h"
 #include "particles/kinds.h"
 #include "scene/scene_read.h"
+#include "scene/schema.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -176,6 +177,14 @@ void resume_apply(struct simulation *s, const struct checkpoint_loaded *loaded) 
     apply_groups(s, loaded);
 }
 
+/* True if a key came or went, with its default, only because another key has changed, with which it exists. */
+static bool follows(const struct scene_change *change) {
+    char full[SCHEMA_KEY_MAX];
+    const struct schema_row *row = change->then && change->now ? NULL : schema_find(change->key, full);
+    return row && row->when && row->fallback &&
+           strcmp(change->then ? change->then : change->now, row->fallback) == 0;
+}
+
 void resume_print(const struct simulation *s, const char *path, FILE *out) {
     static const char sources[] = "particles.";
     const struct scene_changes *changes = &s->resumed.changes;
@@ -184,9 +193,11 @@ void resume_print(const struct simulation *s, const char *path, FILE *out) {
     fprintf(out, "%s, step %llu: the scene has changed since:\n", path, (unsigned long long)s->clock.step);
     for (size_t k = 0; k < changes->count; k++) {
         const struct scene_change *change = &changes->change[k];
+        if (follows(change))
+            continue;
         bool idle = strncmp(change->key, sources, strlen(sources)) == 0;
-        fprintf(out, "  %s: %s -> %s%s\n", change->key, change->then ? change->then : "(none)",
-                change->now ? change->now : "(none)",
+        fprintf(out, "  %s: %s -> %s%s\n", change->key, change->then ? change->then : "(not set)",
+                change->now ? change->now : "(not set)",
                 idle ? " (no effect: particles come from the checkpoint)" : "");
     }
     if (s->resumed.masses > 0)

@@ -36,6 +36,13 @@ static bool dt_allowed(const struct simulation *s, struct error *error) {
         snprintf(why, sizeof why, "of the motion of grains");
     if (!other && s->timing.stable >= s->timing.expected && mover->why)
         mover->why(&s->physics.mover->context, why, sizeof why);
+    if (s->scene->step.fraction > 1)
+        return error_set(
+            error, ERROR_USER,
+            "%s: step.fraction: %g of the stable time step, %.6g (%s), is more than all of it; allowed: "
+            "up to 1, or step.force: true",
+            scene_place(s->scene, "step.fraction", place, sizeof place), s->scene->step.fraction,
+            s->timing.stable, why);
     return error_set(error, ERROR_USER,
                      "%s: step.dt: the time step %.6g is above the stable one, %.6g (%s); allowed: up to "
                      "that, or step.force: true",

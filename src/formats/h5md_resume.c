@@ -144,8 +144,7 @@ bool h5md_recall(struct h5md *h5md, const struct h5 *h5, struct error *error) {
     return recall_elements(h5md, h5, error) && recall_frames(h5md, h5, error);
 }
 
-/* Checks that the file fits `varying`: a file made for a fixed set of particles holds their ids only once. */
-static bool check_varying(const struct h5md *h5md, const struct h5 *h5, struct error *error) {
+bool h5md_check_varying(const struct h5md *h5md, const struct h5 *h5, struct error *error) {
     static const char ids[] = "/particles/all/id";
     if (!h5md->varying || !h5_exists(h5, ids) || h5_is_group(h5, ids))
         return true;
@@ -156,22 +155,13 @@ static bool check_varying(const struct h5md *h5md, const struct h5 *h5, struct e
         h5->path);
 }
 
-bool h5md_suits(const struct comm *comm, const char *path, bool varying, struct error *error) {
-    struct h5md h5md = {.varying = varying};
-    struct h5 h5;
-    if (!h5_open(&h5, path, comm, false, error))
-        return false;
-    bool good = check_varying(&h5md, &h5, error);
-    return h5_close(&h5, error) && good;
-}
-
 bool h5md_resume(struct h5md *h5md, int64_t step, struct error *error) {
     struct h5 h5;
     if (!h5_open(&h5, h5md->path, h5md->comm, true, error))
         return false;
     static const char *const groups[] = {"/particles/all", "/observables", "/connectivity",
                                          "/parameters/frames"};
-    bool good = check_varying(h5md, &h5, error);
+    bool good = h5md_check_varying(h5md, &h5, error);
     for (size_t k = 0; good && k < sizeof groups / sizeof groups[0]; k++)
         good = cut_group(&h5, groups[k], step, error);
     good = good && h5md_recall(h5md, &h5, error) && recall_lists(h5md, &h5, error) &&

@@ -3,6 +3,7 @@
 #include "formats/info.h"
 
 #include "formats/checkpoint.h"
+#include "formats/checkpoint_folder.h"
 #include "formats/checkpoint_table.h"
 #include "core/memory.h"
 #include "files/file.h"
@@ -219,4 +220,23 @@ bool info_print(const char *path, const struct comm *comm, FILE *file, struct er
         return error_set(error, ERROR_USER,
                          "%s: is none of: H5MD file, checkpoint, LAMMPS data file, LAMMPS dump", path);
     }
+}
+
+bool info_folder(const char *folder, const struct comm *comm, FILE *file, struct error *error) {
+    static const char *const names[] = {"trajectory.h5", "dump.lammpstrj"};
+    char path[FILE_PATH_MAX];
+    int found = 0;
+    for (size_t k = 0; k <= sizeof names / sizeof names[0]; k++) {
+        bool last = k == sizeof names / sizeof names[0];
+        if (last ? !checkpoint_find(folder, 0, path)
+                 : !file_join(path, folder, names[k], error) || file_size(path) < 0)
+            continue;
+        if (!info_print(path, comm, file, error))
+            return false;
+        found++;
+    }
+    return found > 0 ||
+           error_set(error, ERROR_USER,
+                     "%s: is a folder without trajectory.h5, dump.lammpstrj or a checkpoint; name a file",
+                     folder);
 }

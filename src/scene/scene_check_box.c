@@ -19,7 +19,11 @@ static bool check_alone(const struct scene *scene, const char *key, struct error
 static bool check_strain(const struct scene *scene, struct error *error) {
     for (int d = 0; d < 3; d++)
         if (scene->strain.rate[d] != 0 && !scene->box.periodic[d])
-            return scene_fail(scene, error, "box.strain.rate", "%c is not periodic; allowed: 0", "xyz"[d]);
+            return scene_fail(
+                scene, error, "box.strain.rate",
+                "the box is open along %c, where nothing carries the strain to the particles; allowed: 0 "
+                "along %c, or box.periodic along %c, or walls that move (walls[].motion)",
+                "xyz"[d], "xyz"[d], "xyz"[d]);
     return check_alone(scene, "box.strain", error);
 }
 

@@ -297,6 +297,34 @@ fits() { "$scree" run good.yaml --quiet -o "$1" >/dev/null 2>&1 && [ -e "$1/repo
 check 'an empty folder is taken' fits empty
 check 'a folder in folders that are missing is made' fits deep/er/new
 
+echo '== messages that name the key and the remedy'
+mistake 'a fraction above the whole step' "case.yaml:3: step.fraction: 2 of the stable time step|up to 1" 'step: {count: 4, fraction: 2}'
+mistake 'sieves in falling order' "sizes: diameters must increase: 0.001 comes after 0.002|finest sieve" \
+    'particles: {from: random, count: 10, sizes: {law: table, diameters: [2 mm, 1 mm, 0.5 mm], passing: [1, 0.5, 0]}}'
+mistake 'a strain along an open side' "box.strain.rate: the box is open along z|box.periodic along z" \
+    'box: {lower: [0, 0, 0], upper: [10 mm, 10 mm, 10 mm], strain: {rate: [0, 0, -0.1]}}'
+mistake 'two observables of one column' "a column of list[2] would be called \"momentum_x\", as one of list[0] is" \
+    'observables: {every: 2, list: [{name: momentum}, {name: speed_max}, {name: momentum}]}'
+mistake 'another word for a field' "did you mean 'angular_velocity'?" 'output: {dump: {every: 2, fields: [omega]}}'
+write_scene two.yaml 'materials: [{name: a, density: 2500, young: 10 MPa, poisson: 0.2}, {name: b, density: 2500, young: 10 MPa, poisson: 0.2}]' \
+    'particles: {from: single, position: [5 mm, 5 mm, 5 mm], radius: 1 mm, material: a}'
+bad mistake 'a key of a pair that has no entry' "material_pairs[b, a].friction: |known: 0; material_pairs[b, a]={...} adds an entry" \
+    "$scree" check two.yaml --set 'material_pairs[b, a].friction=0.1'
+bad mistake 'a pair of an unknown material' "material_pairs[1].between[1]: 'wa'|known: a, b" \
+    "$scree" check two.yaml --set 'material_pairs[b, wa]={friction: 0.1, restitution: 0.3}'
+added() { "$scree" check two.yaml --set 'material_pairs[b, a]={friction: 0.1, restitution: 0.3}' --set 'material_pairs[a, b].friction=0.2' | grep -q ': valid'; }
+check 'a whole entry of a pair is added' added
+mkdir bare
+bad mistake 'info of a folder without files of a run' "bare: is a folder without trajectory.h5" "$scree" info bare
+of_folder() { "$scree" info there >"$out/told" && holds "$out/told" 'there/trajectory.h5: H5MD' && holds "$out/told" 'there/checkpoint-4.h5: checkpoint'; }
+check 'info of the folder of a run' of_folder
+light() { "$scree" check good.yaml --set materials[0].density=2.5 >"$out/told" && holds "$out/told" 'NOTE: materials[0].density: 2.5 kg/m3 is the density of a gas; of a solid? Then write 2.5 g/cm3'; }
+check 'a density in g/cm3 is noted' light
+: >page.html
+bad mistake 'report over a file' "page.html: is there already (--overwrite replaces it)" "$scree" report there -o page.html
+: >page.pov
+bad mistake 'picture over a file' "page.pov: is there already (--overwrite replaces it)" "$scree" picture there -o page.pov
+
 echo '== pipes'
 mkfifo pipe
 piped() { mistake "a named pipe: $1" "$2: pipe is a named pipe" "$3"; }
