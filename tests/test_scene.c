@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* What a scene becomes: option structs, defaults, derived values, the echo. */
 #include "tests/scene_by_hand.h"
+#include "tests/own_law.h"
 #include "scene/scene_text.h"
 
 #include "integrate/timestep.h"
@@ -26,7 +27,7 @@ static void fills_options(void **state) {
     assert_int_equal(scene->law.tangential, LAW_TANGENTIAL_HISTORY);
     assert_int_equal(scene->materials, 1);
     assert_true(scene->material[0].young == 70e9);
-    assert_true(scene->law_pair[0][0].friction == 0.3);
+    assert_true(scene_law_pair(scene, 0, 0)->friction == 0.3);
     assert_int_equal(scene->groups, 1);
     assert_string_equal(scene->group[0].name, "free");
     assert_int_equal(scene->sources, 1);
@@ -142,7 +143,7 @@ static void settings_take_out(void **state) {
         NULL};
     struct scene *scene = good_scene(GOOD_SCENE, set);
     assert_true(scene->step.dt == 1e-6 && scene->step.fraction == 0 && scene->step.count == 3);
-    assert_true(scene->law_pair[0][0].k_n == 1e5);
+    assert_true(scene_law_pair(scene, 0, 0)->k_n == 1e5);
     assert_int_equal(scene->walls, 1);
     assert_string_equal(scene->wall[0].name, "b");
     assert_string_equal(scene->title, "~");
@@ -242,8 +243,8 @@ static void rich_values(void **state) {
     assert_true(fabs(scene->wall[0].motion[0].rate - 20 * 2 * M_PI / 60) < 1e-14);
     assert_true(isinf(scene->wall[0].motion[1].stop) && scene->wall[0].motion[0].stop == 4);
     assert_true(scene->wall[0].motion[1].direction[2] == 1);
-    assert_true(scene->law_pair[0][1].k_n == 2e5 && scene->law_pair[1][0].k_t == 1e5);
-    assert_true(scene->law_pair[1][1].k_n == 1e5 && scene->law_pair[1][1].k_t == 1e5 * 2 / 7);
+    assert_true(scene_law_pair(scene, 0, 1)->k_n == 2e5 && scene_law_pair(scene, 1, 0)->k_t == 1e5);
+    assert_true(scene_law_pair(scene, 1, 1)->k_n == 1e5 && scene_law_pair(scene, 1, 1)->k_t == 1e5 * 2 / 7);
     assert_int_equal(scene->step.count, 1000000);
     assert_int_equal(scene->source[0].type_material[0], 1);
     assert_int_equal(scene->source[1].group, 1);
@@ -292,8 +293,8 @@ static void pairs_of_walls(void **state) {
         " {between: [glass, steel], restitution: 0.6}]",
         "particles.material=glass", NULL};
     struct scene *scene = good_scene(GOOD_SCENE, set);
-    assert_true(scene->law_pair[0][1].restitution == 0.6);
-    struct law law;
+    assert_true(scene_law_pair(scene, 0, 1)->restitution == 0.6);
+    OWN_LAW law;
     struct error error = {0};
     if (!law_prepare(&law, &scene->law, scene->materials, scene->material, scene->law_pair, &error))
         fail_msg("%s", error.text);

@@ -210,6 +210,7 @@ void simulation_destroy(struct simulation **simulation) {
     scene_changes_free(&s->resumed.changes);
     lineage_free(&s->lineage);
     memory_free(s->grains.speed);
+    law_free(&s->grains.law);
     law_user_free(&s->grains.user);
     memory_free(s);
     *simulation = NULL;

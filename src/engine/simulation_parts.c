@@ -87,14 +87,12 @@ static bool make_walls(struct simulation *s, struct error *error) {
 
 bool simulation_parts_prepare(struct simulation *s, struct error *error) {
     const struct scene *scene = s->scene;
-    struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
     const struct integrator *integrator = integrator_find(scene->integrator);
     struct law_options options = scene->law;
     assert(integrator);
     options.synchronised = integrator->synchronised;
-    memcpy(pair, scene->law_pair, sizeof pair);
     if (!load_law(s, &options, error) ||
-        !law_prepare(&s->grains.law, &options, scene->materials, scene->material, pair, error))
+        !law_prepare(&s->grains.law, &options, scene->materials, scene->material, scene->law_pair, error))
         return false;
     scene_integrator(scene, &s->grains.motion);
     if (!set_threads(s, error))

@@ -3,6 +3,7 @@
  * The stable step depends on the speeds of the particles at the start, so a resume with the same rule keeps
  * the step of the checkpoint. */
 #include "engine/timing.h"
+#include "core/memory.h"
 #include "contact/material.h"
 #include "engine/guards.h"
 #include "particles/kinds.h"
@@ -122,7 +123,8 @@ static double overlap_of(const struct law *law, const struct timestep_kind *a, c
         }
     double m = 1 / (1 / mass[0] + 1 / mass[1]), r = 1 / (1 / radius[0] + 1 / radius[1]);
     int p = a->material, q = b->material;
-    double overlap = law_impact_of(&law->options, &law->pair[p][q], &law->extra[p][q], m, r, speed);
+    double overlap =
+        law_impact_of(&law->options, law_pair_of(law, p, q), law_extra_of(law, p, q), m, r, speed);
     return overlap / fmin(radius[0], radius[1]);
 }
 
@@ -137,27 +139,33 @@ static double overlap_expected(const struct simulation *s, const double *heavies
     return most;
 }
 
-static void limits_find(struct simulation *s) {
-    struct sorts sorts;
-    struct timestep_kind kind[SORTS + LAW_MATERIALS_MAX];
-    double heaviest[SORTS + LAW_MATERIALS_MAX];
+/* The kinds of grains and walls present, and the largest mass of each; returns their number. */
+static int kinds_find(const struct simulation *s, struct timestep_kind *kind, double *heaviest) {
+    struct sorts *sorts = memory_allocate_zero(1, sizeof *sorts, "sorts of grains");
     int n = 0;
-    sorts_collect(s, &sorts);
+    sorts_collect(s, sorts);
     for (int k = 0; k < SORTS; k++)
-        if (sorts.radius_max[k] > 0) {
-            heaviest[n] = sorts.heaviest[k];
+        if (sorts->radius_max[k] > 0) {
+            heaviest[n] = sorts->heaviest[k];
             kind[n++] = (struct timestep_kind){.material = k / DENSITIES,
-                                               .radius_min = sorts.radius_min[k],
-                                               .radius_max = sorts.radius_max[k],
-                                               .mass_min = sorts.lightest[k] * cube(sorts.radius_min[k])};
+                                               .radius_min = sorts->radius_min[k],
+                                               .radius_max = sorts->radius_max[k],
+                                               .mass_min = sorts->lightest[k] * cube(sorts->radius_min[k])};
         }
     for (int m = 0; m < s->scene->materials; m++)
-        if (sorts.fixed[m] > 0) {
+        if (sorts->fixed[m] > 0) {
             heaviest[n] = 0;
             kind[n++] = (struct timestep_kind){.material = m, .wall = true};
         }
+    memory_free(sorts);
+    return n;
+}
+
+static void limits_find(struct simulation *s) {
+    struct timestep_kind *kind = memory_allocate(SORTS + LAW_MATERIALS_MAX, sizeof *kind, "sorts of grains");
+    double *heaviest = memory_allocate(SORTS + LAW_MATERIALS_MAX, sizeof *heaviest, "sorts of grains");
     struct timestep_input input = {.law = &s->grains.law,
-                                   .kinds = n,
+                                   .kinds = kinds_find(s, kind, heaviest),
                                    .kind = kind,
                                    .material = s->scene->material,
                                    .speed_max = speed_expected(s),
@@ -166,6 +174,8 @@ static void limits_find(struct simulation *s) {
     timestep_limits(&s->timing.limits, &input);
     s->timing.speed_expected = input.speed_max;
     s->timing.overlap_expected = overlap_expected(s, heaviest, &input);
+    memory_free(kind);
+    memory_free(heaviest);
 }
 
 static void dt_set(struct simulation *s, double dt) {

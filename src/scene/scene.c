@@ -13,6 +13,9 @@ void scene_free(struct scene **scene) {
     if (!*scene)
         return;
     tree_free(&(*scene)->tree);
+    memory_free((*scene)->pair);
+    memory_free((*scene)->law_pair);
+    memory_free((*scene)->source);
     for (int k = 0; k < (*scene)->settings; k++)
         memory_free((*scene)->setting[k]);
     memory_free((*scene)->setting);

@@ -339,7 +339,7 @@ static const struct schema_row root_rows[] = {
      ARRAY_AT(struct scene, material, materials),
      .help = "materials of particles and walls; may be left out if the scene has another physics: then nothing touches"},
     {.key = "material_pairs", .type = SCHEMA_LIST, .sub = &schema_pair,
-     ARRAY_AT(struct scene, pair, pairs),
+     LIST_AT(struct scene, pair, pairs, SCENE_PAIRS_MAX),
      .help = "coefficients of each pair of materials that may meet, a material with itself included"},
     {.key = "groups", .type = SCHEMA_LIST, .sub = &schema_group, .first = 1,
      ARRAY_AT(struct scene, group, groups),
