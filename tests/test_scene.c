@@ -213,11 +213,14 @@ static void echo_reads_back(void **state) {
         assert_memory_equal(&scene->box, &again->box, sizeof(scene->box));
         assert_memory_equal(&scene->step, &again->step, sizeof(scene->step));
         assert_memory_equal(&scene->law, &again->law, sizeof(scene->law));
-        assert_memory_equal(scene->law_pair, again->law_pair, sizeof(scene->law_pair));
+        assert_memory_equal(scene->law_pair, again->law_pair,
+                            (size_t)scene->materials * (size_t)scene->materials * sizeof(*scene->law_pair));
         assert_memory_equal(scene->material, again->material, sizeof(scene->material));
         assert_memory_equal(scene->group, again->group, sizeof(scene->group));
-        assert_memory_equal(scene->insertion, again->insertion, sizeof(scene->insertion));
-        assert_memory_equal(scene->deletion, again->deletion, sizeof(scene->deletion));
+        assert_memory_equal(scene->insertion, again->insertion,
+                            (size_t)scene->insertions * sizeof(*scene->insertion));
+        assert_memory_equal(scene->deletion, again->deletion,
+                            (size_t)scene->deletions * sizeof(*scene->deletion));
         assert_memory_equal(&scene->index, &again->index, sizeof(scene->index));
         assert_memory_equal(&scene->classes, &again->classes, sizeof(scene->classes));
         assert_memory_equal(&scene->output, &again->output, sizeof(scene->output));

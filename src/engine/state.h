@@ -123,8 +123,8 @@ struct sources {
     struct scene_census census;
     int64_t next_id;
     double placing_told; /* seconds: clock at the last progress line of a placement; 0: none yet */
-    struct insertion insertion[INSERTIONS_MAX];
-    struct insertion_state state[INSERTIONS_MAX];
+    struct insertion *insertion; /* by number; owned, as the next */
+    struct insertion_state *state;
     uint64_t inserted, deleted;
     double deleted_mass; /* this rank's part */
     uint64_t last_step;  /* last step at which particles came or went */

@@ -65,7 +65,7 @@ struct scene {
     struct law_pair *law_pair; /* materials x materials (law_place_of), complete: input of law_prepare */
 
     int walls;
-    struct wall_options wall[WALLS_MAX];
+    struct wall_options *wall; /* owned */
 
     int groups; /* group[0] is "free" */
     struct scene_group group[INTEGRATOR_GROUPS_MAX];
@@ -77,9 +77,9 @@ struct scene {
     int sources;
     struct source_options *source; /* owned */
     int insertions;
-    struct insertion_options insertion[INSERTIONS_MAX];
+    struct insertion_options *insertion; /* owned */
     int deletions;
-    struct deletion_options deletion[DELETIONS_MAX];
+    struct deletion_options *deletion; /* owned */
 
     struct scene_index index;
     struct classes_options classes;

@@ -29,6 +29,25 @@ check 'the same on 3 ranks' many 3
 one_more() { run_scene 2 many.yaml more --resume many/checkpoint-2500.h5 && flies more; }
 check 'a resume' one_more
 
+# The same on 250 walls, one for each grain
+plates=$(awk 'BEGIN { printf "walls=["; for (k = 0; k < 250; k++) printf "%s{name: w%d, shape: rectangle, point: [%d.02, 0, 0], along: [0.96, 0, 0], across: [0, 4, 0], material: floor}", k ? ", " : "", k, k; print "]" }')
+check '250 walls' many 1 --set "$plates"
+check '250 walls on 2 ranks' many 2 --set "$plates"
+
+# 100 insertions of one grain each, and 100 deletions that take away every second one
+comes_and_goes() {
+    awk 'BEGIN {
+        print "units: none\nbox: {lower: [0, 0, 0], upper: [100, 2, 2]}\nstep: {count: 200, dt: 0.0005}\ncontact: {law: hooke, tangential: none}\nmaterials: [{name: a, density: 1}]\nmaterial_pairs: [{k_n: 3000, restitution: 0.5}]\ninsertions:"
+        for (k = 0; k < 100; k++) printf "  - {name: i%d, sizes: 0.2, rate: 1000, count: 1, region: {shape: box, lower: [%d, 0.5, 0.5], upper: [%d, 1.5, 1.5]}}\n", k, k, k + 1
+        print "deletions:"
+        for (k = 0; k < 100; k++) printf "  - {region: {shape: box, lower: [%d, 0, 0], upper: [%d, 2, %g]}, start: 0.05}\n", k, k + 1, k % 2 ? 2 : 0.01
+        print "output: {dump: {every: 200, fields: [id, position]}, checkpoint: {every: 50}}" }' >flow.yaml
+    rm -rf flow && run_scene "$1" flow.yaml flow && tail -n "+$(grep -n '^ITEM: ATOMS' flow/dump.lammpstrj | tail -n 1 | cut -d : -f 1)" flow/dump.lammpstrj | awk '!/ITEM/ { n++; if (int($3) % 2) bad = 1 } END { printf "  %d grains\n", n; exit n != 50 || bad }' &&
+        grep -q '"name": *"i99"' flow/report.json
+}
+check '100 insertions and 100 deletions' comes_and_goes 1
+check 'the same on 2 ranks' comes_and_goes 2
+
 # Grains of two materials meet: each pair of neighbours has a restitution of its own
 awk 'BEGIN { n = 100
     print "units: none\nbox: {lower: [0, 0, 0], upper: [200, 4, 4]}\nstep: {count: 10000, dt: 0.0001}\ncontact: {law: hooke, tangential: none}\nmaterials:"
