@@ -122,7 +122,7 @@ struct ranks {
 struct sources {
     struct scene_census census;
     int64_t next_id;
-    double placing_told; /* seconds: clock at the last progress line of a placement; 0: none yet */
+    double placing_told;         /* seconds: clock at the last progress line of a placement; 0: none yet */
     struct insertion *insertion; /* by number; owned, as the next */
     struct insertion_state *state;
     uint64_t inserted, deleted;
