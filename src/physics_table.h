@@ -73,6 +73,6 @@ static inline bool physics_has_particles(int k) {
 }
 
 /* Doubles that the options of one physics may take in a scene. */
-enum { PHYSICS_OPTIONS_MAX = 4096 };
+enum { PHYSICS_OPTIONS_MAX = 12288 };
 
 #endif

@@ -49,7 +49,7 @@ check_PROGRAMS += \
 	tests/test_law_parts \
 	tests/test_stability \
 	tests/test_timestep
-EXTRA_DIST += tests/fields_by_hand.h tests/forces_by_hand.h tests/law_parts_by_hand.h tests/laws_by_hand.h tests/near.h tests/pairs_by_hand.h tests/particles_by_hand.h
+EXTRA_DIST += tests/fields_by_hand.h tests/forces_by_hand.h tests/law_parts_by_hand.h tests/laws_by_hand.h tests/near.h tests/own_law.h tests/pairs_by_hand.h tests/particles_by_hand.h
 tests_test_force_SOURCES = tests/test_force.c
 tests_test_force_LDADD = $(INTEGRATE_LIBS) $(TEST_LIBS)
 tests_test_force_loop_SOURCES = tests/test_force_loop.c

@@ -266,12 +266,11 @@ static void test_resume(void **state) {
     (void)state;
     struct wall_options same = moving_plate(0.1, 0.7), other = moving_plate(-5.0, -3.0);
     struct world a, b, c;
-    struct law law = hand_law(LAW_HOOKE, 0.5, 0.5);
     double dt = 1e-3, t;
     struct wall_pose pose, again, changed;
-    world_open(&a, hand_box(4.0), law, &same, 1, 1);
-    world_open(&b, hand_box(4.0), law, &same, 1, 1);
-    world_open(&c, hand_box(4.0), law, &other, 1, 1);
+    world_open(&a, hand_box(4.0), hand_law(LAW_HOOKE, 0.5, 0.5), &same, 1, 1);
+    world_open(&b, hand_box(4.0), hand_law(LAW_HOOKE, 0.5, 0.5), &same, 1, 1);
+    world_open(&c, hand_box(4.0), hand_law(LAW_HOOKE, 0.5, 0.5), &other, 1, 1);
     for (int n = 0; n < 777; n++)
         walls_advance(a.walls, n * dt, dt, NULL);
     t = 777 * dt;
@@ -298,7 +297,7 @@ static void test_resume(void **state) {
     walls_advance(c.walls, t + 1e-9, dt, NULL);
     walls_pose(c.walls, 0, &pose);
     struct world d;
-    world_open(&d, hand_box(4.0), law, &other, 1, 1);
+    world_open(&d, hand_box(4.0), hand_law(LAW_HOOKE, 0.5, 0.5), &other, 1, 1);
     walls_set_pose(d.walls, 0, &pose);
     walls_advance(c.walls, t + 1e-9 + dt, dt, NULL);
     walls_advance(d.walls, t + 1e-9 + dt, dt, NULL);

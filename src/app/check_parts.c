@@ -24,7 +24,7 @@ static void pairs_with(const struct scene *scene, size_t coefficient, char *why,
     char pair[2 * LAW_NAME_MAX + 16];
     for (int a = 0; a < scene->materials; a++)
         for (int b = a; b < scene->materials; b++) {
-            const char *at = (const char *)&scene->law_pair[a][b] + coefficient;
+            const char *at = (const char *)scene_law_pair(scene, a, b) + coefficient;
             double value;
             memcpy(&value, at, sizeof value);
             snprintf(pair, sizeof pair, "%s - %s", scene->material[a].name, scene->material[b].name);
@@ -83,7 +83,7 @@ static void print_end(const struct simulation *s) {
     double e = 1.0;
     for (int a = 0; a < grains->law.materials; a++)
         for (int b = a; b < grains->law.materials; b++)
-            e = fmin(e, s->scene->law_pair[a][b].restitution);
+            e = fmin(e, scene_law_pair(s->scene, a, b)->restitution);
     printf("  %-22s on   contact.end: %s", "end of a contact", what[end]);
     if (grains->law.options.damping == LAW_DAMPING_COEFFICIENT)
         printf("; the restitution depends on it");

@@ -6,7 +6,7 @@
 #include "bodies/moments.h"
 #include "scene/scene.h"
 
-enum { CLUMPS_MAX = 8, CLUMP_SPHERES_MAX = 32, CLUMP_PATH_MAX = 256 };
+enum { CLUMPS_MAX = 32, CLUMP_SPHERES_MAX = 32, CLUMP_PATH_MAX = 256 };
 
 enum clump_orientation { CLUMP_RANDOM, CLUMP_GIVEN };
 enum clump_size { CLUMP_BY_GRAIN, CLUMP_AS_DRAWN };

@@ -42,7 +42,8 @@ bool law_general_rubs(const struct law *law) {
                  !o->lammps_granular && law->memory.slides < 0;
     for (int a = 0; a < law->materials; a++)
         for (int b = 0; b <= a; b++)
-            plain = plain && !(o->rolling == LAW_ROLLING_SPRING && law->extra[a][b].rolling_stiffness > 0.0);
+            plain = plain &&
+                    !(o->rolling == LAW_ROLLING_SPRING && law_extra_of(law, a, b)->rolling_stiffness > 0.0);
     return plain;
 }
 

@@ -88,11 +88,9 @@ static void report_classes(const struct simulation *s, const struct ghosts_count
                                                       .bytes = (uint64_t)sums[CLASS_MAX + c]};
 }
 
-_Static_assert((int)REPORT_INSERTIONS_MAX >= (int)INSERTIONS_MAX,
-               "a report has room for all insertion regions");
-
 static void report_insertions(const struct simulation *s, struct report *report) {
     report->insertions = s->scene->insertions;
+    report->insertion = memory_allocate_zero((size_t)report->insertions, sizeof *report->insertion, "report");
     for (int k = 0; k < report->insertions; k++) {
         const char *name = s->scene->insertion[k].name;
         struct report_insertion *row = &report->insertion[k];

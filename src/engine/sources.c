@@ -38,6 +38,10 @@ static bool insertion_fits(const struct simulation *s, int k, struct error *erro
 
 bool sources_prepare(struct simulation *s, struct error *error) {
     const struct scene *scene = s->scene;
+    size_t count = (size_t)scene->insertions;
+    s->sources.insertion = memory_allocate_zero(count, sizeof *s->sources.insertion, "insertions");
+    s->sources.state = memory_allocate_zero(count, sizeof *s->sources.state, "insertions");
+    s->sources.lost = memory_allocate_zero(count, sizeof *s->sources.lost, "insertions");
     for (int k = 0; k < scene->insertions; k++) {
         const struct insertion_options *options = &scene->insertion[k];
         double density = options->density;
@@ -105,6 +109,9 @@ void sources_take(struct simulation *s, int64_t id) {
 void sources_free(struct simulation *s) {
     memory_free(s->sources.given.add);
     memory_free(s->sources.given.take);
+    memory_free(s->sources.insertion);
+    memory_free(s->sources.state);
+    memory_free(s->sources.lost);
 }
 
 static int ids_compare(const void *a, const void *b) {

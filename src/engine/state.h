@@ -101,10 +101,10 @@ struct ranks {
 struct sources {
     struct scene_census census;
     int64_t next_id;
-    double placing_told; /* seconds: clock at the last progress line of a placement; 0: none yet */
-    struct insertion insertion[INSERTIONS_MAX];
-    struct insertion_state state[INSERTIONS_MAX];
-    uint64_t lost[INSERTIONS_MAX]; /* particles of this run that were placed where the box deletes them */
+    double placing_told;         /* seconds: clock at the last progress line of a placement; 0: none yet */
+    struct insertion *insertion; /* by number; owned, as the next */
+    struct insertion_state *state;
+    uint64_t *lost; /* particles of this run that were placed where the box deletes them */
     uint64_t inserted, deleted;
     double deleted_mass; /* this rank's part */
     uint64_t last_step;  /* last step at which particles came or went */

@@ -66,7 +66,7 @@ static double impact_of(const struct physics_context *c, const struct side *a, c
                         const double radius[2], double mass, double speed) {
     const struct law *law = &grains_own(c)->law;
     int p = a->material, q = b->material;
-    return law_impact_of(&law->options, &law->pair[p][q], &law->extra[p][q], mass,
+    return law_impact_of(&law->options, law_pair_of(law, p, q), law_extra_of(law, p, q), mass,
                          1 / (1 / radius[0] + 1 / radius[1]), speed);
 }
 

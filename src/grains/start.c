@@ -65,14 +65,12 @@ static bool make_walls(const struct physics_context *context, struct error *erro
 static bool make_law(const struct physics_context *context, struct error *error) {
     struct grains *grains = context->self;
     const struct scene *scene = context->scene;
-    struct law_pair pair[LAW_MATERIALS_MAX][LAW_MATERIALS_MAX];
     const struct integrator *integrator = integrator_find(scene->integrator);
     struct law_options options = scene->law;
     assert(integrator);
     options.synchronised = integrator->synchronised;
-    memcpy(pair, scene->law_pair, sizeof pair);
     return load_law(context, &options, error) &&
-           law_prepare(&grains->law, &options, scene->materials, scene->material, pair, error);
+           law_prepare(&grains->law, &options, scene->materials, scene->material, scene->law_pair, error);
 }
 
 /* Makes what contacts between grains need. */
@@ -117,6 +115,7 @@ void start_end(void *self) {
     walls_destroy(&grains->walls);
     history_destroy(&grains->history);
     memory_free(grains->exact);
+    law_free(&grains->law);
     law_user_free(&grains->user);
     memory_free(grains);
 }

@@ -46,8 +46,8 @@ struct heat {
 static double contact_radius(const struct heat *heat, const int material[2], const double radius[2],
                              double effective, double gap, const double *record) {
     const struct law *law = grains_contact(heat->context)->law;
-    struct law_surfaces surfaces = {&law->pair[material[0]][material[1]],
-                                    &law->extra[material[0]][material[1]],
+    struct law_surfaces surfaces = {law_pair_of(law, material[0], material[1]),
+                                    law_extra_of(law, material[0], material[1]),
                                     {radius[0], radius[1]},
                                     effective};
     return law_grip_radius(law, &surfaces, -gap, record);

@@ -12,7 +12,6 @@
 enum {
     REPORT_LEVELS_MAX = CLASS_MAX,
     REPORT_NAME_MAX = 64,
-    REPORT_INSERTIONS_MAX = 32,
     REPORT_SOLVERS_MAX = 8,
     REPORT_SCENE_STAGES_MAX = 32
 };
@@ -115,8 +114,8 @@ struct report {
     uint64_t memory_peak;      /* largest peak resident set of a rank, bytes */
     uint64_t inserted, deleted;
     int insertions;
-    struct report_insertion insertion[REPORT_INSERTIONS_MAX];
-    int scene_stages; /* 0: the scene has none */
+    struct report_insertion *insertion; /* owned */
+    int scene_stages;                   /* 0: the scene has none */
     struct report_scene_stage scene_stage[REPORT_SCENE_STAGES_MAX];
     uint64_t seed;
     bool dimensionless;

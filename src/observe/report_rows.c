@@ -324,7 +324,7 @@ const struct report_row report_rows[] = {
      .help = "grids of the index, from small to large; empty without grids"},
     {.name = "classes", .unit = "", .type = REPORT_LIST, LIST(size_class, classes), .rows = class_rows,
      .help = "size classes, from small to large"},
-    {.name = "insertions", .unit = "", .type = REPORT_LIST, LIST(insertion, insertions), .rows = insertion_rows,
+    {.name = "insertions", .unit = "", .type = REPORT_LIST, LIST(insertion, insertions), .apart = true, .rows = insertion_rows,
      .help = "regions of the scene's `insertions`, in the order of the scene"},
     {.name = "scene_stages", .unit = "", .type = REPORT_LIST, LIST(scene_stage, scene_stages), .rows = scene_stage_rows,
      .shown = has_stages,
@@ -356,7 +356,10 @@ int report_row_entries(const struct report_row *row, const struct report *report
 }
 
 const void *report_row_entry(const struct report_row *row, const struct report *report, int k) {
-    return (const char *)report + row->offset + (size_t)k * row->size;
+    const char *first = (const char *)report + row->offset;
+    if (row->apart)
+        first = *(const char *const *)(const void *)first;
+    return first + (size_t)k * row->size;
 }
 
 uint64_t report_row_count(const struct report_row *row, const void *base) {

@@ -19,7 +19,7 @@
 #include "particles/box.h"
 #include "scene/source.h"
 
-enum { INSERTIONS_MAX = 32, DELETIONS_MAX = 32, INSERTION_BATCH_MAX = 4096 };
+enum { INSERTIONS_MAX = 1000, DELETIONS_MAX = 1000, INSERTION_BATCH_MAX = 4096 };
 
 struct insertion_options {
     char name[SOURCE_NAME_MAX];

@@ -201,7 +201,7 @@ static const struct schema_table source_table = TABLE(source_rows);
 
 static const struct schema_row particles_rows[] = {
     {.key = "sources", .type = SCHEMA_LIST, .sub = &source_table, .short_form = true,
-     ARRAY_AT(struct scene, source, sources), .help = "files and generators, one after the other"},
+     LIST_AT(struct scene, source, sources, SOURCES_MAX), .help = "files and generators, one after the other"},
 };
 const struct schema_table schema_particles = TABLE(particles_rows);
 

@@ -11,7 +11,7 @@
 #include <stdint.h>
 
 enum {
-    SOURCES_MAX = 32,
+    SOURCES_MAX = 10000,
     SOURCE_COLUMNS_MAX = 32,
     SOURCE_PATH_MAX = 1024,
     SOURCE_NAME_MAX = 64,

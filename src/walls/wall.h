@@ -32,7 +32,8 @@
 #include "particles/particles.h"
 #include <stdio.h>
 
-enum { WALLS_MAX = 64, WALL_NAME_MAX = 64, WALL_PATH_MAX = 1024, WALL_MOTIONS_MAX = 8 };
+/* Walls at most: a piece of a wall keeps the number of its wall in a byte. */
+enum { WALLS_MAX = 255, WALL_NAME_MAX = 64, WALL_PATH_MAX = 1024, WALL_MOTIONS_MAX = 8 };
 
 enum wall_shape {
     WALL_PLANE,

@@ -129,8 +129,8 @@ static void collect(const struct wall_task *task, int w, const struct wall_touch
     }
     put(b->velocity, k, law_add(surface, -1.0, sphere.v));
     int material = material_of(task->material, task->particle);
-    force_set_coefficients(b, k, &task->context->law->pair[material][wall->options.material]);
-    b->extra[k] = &task->context->law->extra[material][wall->options.material];
+    force_set_coefficients(b, k, law_pair_of(task->context->law, material, wall->options.material));
+    b->extra[k] = law_extra_of(task->context->law, material, wall->options.material);
     if (task->context->law->general) {
         b->walk.radius[0][k] = state->radius;
         b->walk.radius[1][k] = INFINITY;

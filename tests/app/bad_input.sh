@@ -168,7 +168,8 @@ scene 'no such file' "nowhere.data|No such file" 'particles: {file: nowhere.data
 scene 'no such mesh' "nowhere.stl|No such file" 'walls: [{shape: mesh, file: nowhere.stl}]'
 scene 'no room for the particles' "case.yaml:7|attempts" \
     'particles: {from: random, count: 100000, sizes: 1 mm, attempts: 10}'
-scene 'a field that a dump has no columns for' "case.yaml:8|field \"size_class\"|output.trajectory.fields" 'output: {dump: {every: 1, fields: [id, size_class]}}'
+scene 'a field that a dump has no columns for' "case.yaml:9|field \"orientation\"|output.trajectory.fields" \
+    'bodies: {clumps: [{radius_above: 1 m, spheres: [{centre: [0, 0, 0], radius: 1 mm}]}]}' 'output: {dump: {every: 1, fields: [id, orientation]}}'
 scene 'a cut tabulator of YAML' "case.yaml:8" '	index: hgrid'
 scene 'a periodic box too thin for the search' "case.yaml:1|periodic x edge|skin" \
     'box: {lower: [0, 0, 0], upper: [2.1 mm, 10 mm, 10 mm], periodic: [true, false, false]}' \

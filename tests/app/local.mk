@@ -26,6 +26,7 @@ dist_check_SCRIPTS += \
 	tests/app/ids.sh \
 	tests/app/lammps.sh \
 	tests/app/layouts.sh \
+	tests/app/many.sh \
 	tests/app/needs.sh \
 	tests/app/observables.sh \
 	tests/app/pack.sh \

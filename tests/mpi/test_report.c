@@ -60,6 +60,7 @@ static struct report example(const struct comm *comm) {
     report.rebuild_bytes = 7700;
     report.memory_held = 770000;
     report.insertions = 2;
+    report.insertion = memory_allocate_zero(2, sizeof *report.insertion, "report");
     report.insertion[0] = (struct report_insertion){.name = "rain", .asked = 2000, .placed = 1800};
     report.insertion[1] = (struct report_insertion){.name = "hail", .asked = 2000, .placed = 1799};
     gather(&report, comm);
