@@ -111,13 +111,16 @@ static bool take_sphere(struct walk *walk, int source, const struct source_batch
 }
 
 /* Reserves memory for this rank's expected part of `count` particles, so that arrays do not grow step by
- * step. */
-static void expect(struct walk *walk, size_t count) {
+ * step. False with an error if there is too little memory. */
+static bool expect(struct walk *walk, size_t count) {
     size_t ranks = (size_t)walk->share->size, share = count / ranks;
     share += ranks > 1 ? share / 16 + 1 : 0;
+    if (!source_room((double)share, SOURCE_BYTES, walk->error))
+        return false;
     particles_reserve(walk->particles, walk->particles->owned + share);
     unique_reserve(&walk->ids, walk->ids.count + share);
     unique_reserve(&walk->places, walk->places.count + share);
+    return true;
 }
 
 /* Gives a sphere its id: `number`, the file's or its place in the source, after the ids of earlier sources
@@ -147,7 +150,8 @@ static bool left_out(const struct source_options *options, const struct source_s
 
 static bool take_batch(struct walk *walk, int source, const struct source_batch *batch) {
     const struct source_options *options = &walk->scene->source[source];
-    expect(walk, batch->rows.count);
+    if (!expect(walk, batch->rows.count))
+        return false;
     int64_t base = walk->census.id_max, taken = 0;
     for (size_t k = 0; k < batch->rows.count; k++) {
         struct source_sphere sphere = source_sphere_of(options, batch, k);
