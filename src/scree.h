@@ -5,7 +5,9 @@
  *
  * All functions are plain C. None prints or exits, except scree_main, which is a whole program. Warnings and notes
  * go to a function of the caller. Two failures still end the process, because other ranks would wait for ever:
- * exhausted memory and a failed call of MPI. The function of the caller gets their message, too.
+ * exhausted memory and a failed call of MPI. The function of the caller gets their message, too. A file that one of several
+ * ranks cannot write may leave all ranks waiting in scree_checkpoint, or at the end of a stage: the program ends such a job
+ * after ten seconds, the library does not.
  *
  * Functions with a `struct scree_error *` fill it and return false or NULL on failure; it may be NULL. "Collective"
  * means that all ranks of the communicator call the function, with the same arguments, and get the same result.

@@ -13,6 +13,7 @@
 #include "physics_table.h"
 
 #include <assert.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -330,6 +331,11 @@ static void unpack_sorted(struct frame *frame, const char *packed, size_t rows) 
     frame->rows = rows;
 }
 
+/* The sum of crossings; beyond 32 bits the number next to it. */
+static int32_t image_add(int32_t image, double more) {
+    return (int32_t)fmin(fmax(image + more, INT32_MIN), INT32_MAX);
+}
+
 /* Crossings as the lattice of the box counts them that the frame shows: the offset of a shear as it is, and not
  * the sum since the start. */
 static void settle_images(struct frame *frame) {
@@ -339,8 +345,8 @@ static void settle_images(struct frame *frame) {
         if (!motion->shears || strcmp(frame->column[c].name, "image") != 0)
             continue;
         for (size_t k = 0; k < frame->rows; k++)
-            image[3 * k + (size_t)motion->flow] +=
-                (int32_t)motion->turns * image[3 * k + (size_t)motion->gradient];
+            image[3 * k + (size_t)motion->flow] = image_add(
+                image[3 * k + (size_t)motion->flow], motion->turns * image[3 * k + (size_t)motion->gradient]);
     }
 }
 

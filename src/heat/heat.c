@@ -106,7 +106,7 @@ static void compute(const struct walk_task *task, struct walk_batch *batch) {
  * touch. */
 static void compute_contacts(const struct walk_task *task, struct walk_batch *batch) {
     const struct heat *heat = task->work->context;
-    const struct force_context *contact = heat->grains_contact(context);
+    const struct force_context *contact = grains_contact(heat->context);
     const struct history_part *part = history_part_of(contact->history, contact->list, task->pair_base);
     for (int k = 0; k < batch->count; k++) {
         struct heat_pair pair = pair_of(heat, batch, k);
@@ -355,10 +355,12 @@ static void at_wall(void *self, size_t i, int wall, double gap, const double *re
     double radius = heat->context->particles->state[i].radius, flow = 0.0;
     if (given == NULL)
         return;
+    const int material[2] = {material_of(heat->material, i), heat->wall_material[wall]};
+    double a = contact_radius(heat, material, (double[2]){radius, INFINITY}, radius, gap, record);
     if (!isnan(at->temperature[wall])) {
-        flow = conductance(heat, material_of(heat->material, i), heat->wall_material[wall], radius, gap);
+        flow = through_contact(heat, material, a) + through_gas(heat, radius, a > 0.0 ? fmin(gap, 0.0) : gap);
         flow *= heat->conductance ? 1.0 : at->temperature[wall] - heat->temperature[i];
-    } else if (gap < 0.0 && !heat->conductance) {
+    } else if (a > 0.0 && !heat->conductance) {
         flow = given->flux * M_PI * radius * radius;
     }
     heat->flow[i] += flow;
@@ -373,7 +375,7 @@ static void at_walls(const struct physics_context *context, int thread) {
     for (int w = 0; w < context->scene->walls; w++)
         temperature[w] = temperature_now(heat, w);
     memset(at.power, 0, sizeof heat->wall_power[thread]);
-    walls_visit(grains_walls(context), context->particles, thread, heat->pairs.range, at_wall, &at);
+    walls_visit(grains_walls(context), context->particles, thread, fmax(heat->pairs.range, heat->reach), at_wall, &at);
 }
 
 static void finish(const struct physics_context *context) {

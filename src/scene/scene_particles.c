@@ -140,13 +140,16 @@ static bool take_sphere(struct walk *walk, int source, const struct source_batch
 }
 
 /* Reserves memory for this rank's expected part of `count` particles, so that arrays do not grow step by
- * step. */
-static void expect(struct walk *walk, size_t count) {
+ * step. False with an error if there is too little memory. */
+static bool expect(struct walk *walk, size_t count) {
     size_t ranks = (size_t)walk->share->size, share = count / ranks;
     share += ranks > 1 ? share / 16 + 1 : 0;
+    if (!source_room((double)share, SOURCE_BYTES, walk->error))
+        return false;
     particles_reserve(walk->particles, walk->particles->owned + share);
     unique_reserve(&walk->ids, walk->ids.count + share);
     unique_reserve(&walk->places, walk->places.count + share);
+    return true;
 }
 
 /* Gives the rows of a batch their ids, and id_left_out to those that the source leaves out. Returns how many it takes. */
@@ -213,7 +216,8 @@ static bool take_rows(struct walk *walk, int source, const struct source_batch *
 
 static bool take_batch(struct walk *walk, int source, const struct source_batch *batch) {
     const struct source_options *options = &walk->scene->source[source];
-    expect(walk, batch->rows.count);
+    if (!expect(walk, batch->rows.count))
+        return false;
     int64_t *id = memory_allocate(batch->rows.count + 1, sizeof *id, "ids of a source");
     size_t taken = give_ids(walk, source, batch, id);
     bool good = take_rows(walk, source, batch, id);

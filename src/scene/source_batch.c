@@ -30,3 +30,14 @@ struct region source_region(const struct scene *scene, const struct region *regi
                          resolved.lower[d] <= scene->box_lower[d] && resolved.upper[d] >= scene->box_upper[d];
     return resolved;
 }
+
+bool source_room(double count, double bytes, struct error *error) {
+    const double gib = 1024.0 * 1024.0 * 1024.0;
+    size_t room = memory_room();
+    return room == SIZE_MAX || count * bytes <= (double)room ||
+           error_set(error, ERROR_USER,
+                     "particles: %.0f particles need %.3g GiB of memory at least, and %.3g GiB are free "
+                     "here; allowed: "
+                     "fewer particles, or more ranks on other machines",
+                     count, count * bytes / gib, (double)room / gib);
+}

@@ -27,6 +27,11 @@ void source_batch_free(struct source_batch *batch);
 struct region source_region(const struct scene *scene, const struct region *region,
                             struct region_space *space);
 
+/* Fails (user) if `count` particles of `bytes` bytes do not fit into the memory that this process can still get. SOURCE_BYTES: the
+ * least that a run holds of a particle of its own. */
+enum { SOURCE_BYTES = 250 };
+bool source_room(double count, double bytes, struct error *error);
+
 /* "particles.sources[S].KEY" */
 const char *source_key(int source, const char *key, char *text, size_t room);
 

@@ -514,6 +514,12 @@ bad 'command line' 'convert a dump of more than it can hold' "case.lammpstrj:4|c
     "$scree" convert case.lammpstrj new --to lammps-data
 bad 'command line' 'no such scene' "nowhere.yaml|No such file" "$scree" run nowhere.yaml -o new
 bad 'command line' 'a folder for a scene' "there" "$scree" run there -o new
+little() { # COMMAND: of a machine with little memory
+    bad "$1" 'more particles than memory' 'particles: 20000000 particles need|GiB are free' bash -c 'ulimit -v 3000000; exec "$@"' little "$scree" "$@"
+}
+write_scene case.yaml 'particles: {from: random, count: 20000000, sizes: 1 um}'
+little run case.yaml -o new --quiet
+little check case.yaml
 bad 'command line' 'a folder that exists' "there|exists already|--overwrite" "$scree" run good.yaml -o there
 bad 'command line' 'a file in place of the folder' "good.yaml|not a directory" "$scree" run good.yaml -o good.yaml --overwrite
 bad 'command line' 'a folder below a file' "good.yaml/where|Not a directory" "$scree" run good.yaml -o good.yaml/where
@@ -530,6 +536,13 @@ mesh 'binary STL cut off' "case.stl|truncated"
 head -c $((size / 2)) $checkpoint >case.h5
 resume 'cut in the middle' "case.h5"
 line '--set without =' "KEY=VALUE" run good.yaml -o new --set step.count
+little() (
+    ulimit -v 3000000
+    bad 'memory' 'more particles than memory' "particles: 20000000 particles need|GiB are free" "$scree" "$@" && [ "$failures" = 0 ]
+)
+write_scene case.yaml 'particles: {from: random, count: 20000000, sizes: 1 um}'
+little run case.yaml -o new --quiet
+little check case.yaml
 bad 'command line' 'a folder that exists' "there|exists already" "$scree" run good.yaml -o there
 
 finish

@@ -148,6 +148,14 @@ same() { contents "$1"/checkpoint-400.h5 >a && contents "$2"/checkpoint-400.h5 >
 
 check 'a run with a view says its address' begin 1 viewed
 check 'answers and refusals, frames, pause and step' python3 look.py "$url"
+stalled() { # 200 connections that never ask for anything do not hold up one that does
+    python3 -c '
+import socket, sys, urllib.parse, urllib.request
+place = urllib.parse.urlsplit(sys.argv[1])
+idle = [socket.create_connection((place.hostname, place.port)) for k in range(200)]
+sys.exit(0 if b"<html" in urllib.request.urlopen(sys.argv[1], timeout=25).read().lower() else 1)' "$url"
+}
+check 'connections that stall do not lock the page' stalled
 if [ -n "$browser" ]; then
     check 'a browser draws the particles and the observables' seen
 else
