@@ -336,14 +336,17 @@ static const struct physics_pass passes[] = {
      .needed = needs_work,
      .whole = dissipate}};
 
+static const struct physics_search search = {.interactions = 1,
+                                             .interaction = {{.name = "heat", .range = range}}};
+static const struct physics_limit limits = {.of = limit};
+
 const struct physics heat_physics = {.name = "heat",
                                      .box_moves = true,
-                                     .interactions = 1,
-                                     .interaction = {{.name = "heat", .range = range}},
                                      .passes = sizeof passes / sizeof passes[0],
                                      .pass = passes,
                                      .check = check,
                                      .create = create,
                                      .destroy = destroy,
                                      .rebuilt = rebuilt,
-                                     .limit = limit};
+                                     .search = &search,
+                                     .limit = &limits};
