@@ -55,10 +55,11 @@ static const struct physics_pass no_contacts[] = {
 static const struct physics_pass age_passes[] = {{.name = "age", .stage = PASS_MOVE, .rows = count_rows}};
 static const struct physics_pass far_passes[] = {{.name = "far", .stage = PASS_PAIRS, .block = count_blocks}};
 
-static const struct physics grains = {.interactions = 1, .passes = 2, .pass = grains_passes},
-                            untouched = {.interactions = 1, .passes = 2, .pass = no_contacts},
+static const struct physics_search one = {.interactions = 1};
+static const struct physics grains = {.search = &one, .passes = 2, .pass = grains_passes},
+                            untouched = {.search = &one, .passes = 2, .pass = no_contacts},
                             age = {.passes = 1, .pass = age_passes},
-                            far = {.interactions = 1, .passes = 1, .pass = far_passes};
+                            far = {.search = &one, .passes = 1, .pass = far_passes};
 
 /* stages.c asks for the physics of a scene; the test has its own. */
 const struct physics *physics_get(enum physics_number number) {
@@ -163,7 +164,7 @@ static void fields_decide_on_the_ring(void **state) {
                                                .reads = "force inverse_mass",
                                                .writes = "position velocity",
                                                .rows = count_rows}};
-    static const struct physics mover = {.interactions = 1, .passes = 1, .pass = own};
+    static const struct physics mover = {.search = &one, .passes = 1, .pass = own};
     for (size_t k = 0; k < sizeof later / sizeof later[0]; k++) {
         const struct physics other = {.passes = 1, .pass = &later[k]};
         const struct physics *rows[] = {&mover, &other};

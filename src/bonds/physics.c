@@ -370,10 +370,10 @@ static const struct physics_joints joints = {
     .joined = joined, .joins = joins, .stiffen = stiffen, .stiffest = stiffest};
 static const struct physics_table table = {.open = bonds_table_open, .write = bonds_table_write};
 
+static const struct physics_search search = {
+    .interactions = 1, .interaction = {{.name = "bonds", .range = range}}, .range_of_self = true};
+
 const struct physics bonds_physics = {.name = "bonds",
-                                      .interactions = 1,
-                                      .interaction = {{.name = "bonds", .range = range}},
-                                      .range_of_self = true,
                                       .passes = sizeof passes / sizeof passes[0],
                                       .pass = passes,
                                       .check = check,
@@ -385,4 +385,5 @@ const struct physics bonds_physics = {.name = "bonds",
                                       .restart = restart,
                                       .rows = &rows,
                                       .joints = &joints,
-                                      .table = &table};
+                                      .table = &table,
+                                      .search = &search};

@@ -248,10 +248,13 @@ static const struct physics_pass pass = {.name = "drag",
                                          .reads = "position velocity radius",
                                          .writes = "force drag_force porosity",
                                          .whole = add};
+static const struct physics_search search = {.interactions = 1,
+                                             .interaction = {{.name = "porosity", .range = range}}};
+static const struct physics_limit limits = {.of = limit,
+                                            .why = "drag: mass of a grain over its drag per speed"};
+
 const struct physics drag_physics = {.name = "drag",
                                      .box_moves = true,
-                                     .interactions = 1,
-                                     .interaction = {{.name = "porosity", .range = range}},
                                      .passes = 1,
                                      .pass = &pass,
                                      .check = check,
@@ -259,8 +262,8 @@ const struct physics drag_physics = {.name = "drag",
                                      .destroy = destroy,
                                      .rebuilt = rebuilt,
                                      .energy = energy,
-                                     .limit = limit,
-                                     .limit_why = "drag: mass of a grain over its drag per speed",
                                      .guard = guard,
                                      .print = print,
-                                     .restart = restart};
+                                     .restart = restart,
+                                     .search = &search,
+                                     .limit = &limits};

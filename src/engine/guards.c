@@ -91,8 +91,6 @@ void guards_step(struct simulation *s, const char *text) {
 }
 
 void guards_check(struct simulation *s) {
-    if (s->ahead) /* the next step then ends complete, as guards_calm finds the overlap, too */
-        return;
     PHYSICS_EACH (active, &s->physics, guard)
         active->row->guard(&active->context, &s->error);
     guard_speed(s);

@@ -14,8 +14,8 @@ bool guards_prepare(struct simulation *simulation, struct error *error);
  * all ranks alike. */
 void guards_step(struct simulation *simulation, const char *text);
 
-/* Runs the guards of all physics, and that of speed, after a force evaluation; costs no time. A step in ring order is left to the next one, which
- * guards_calm then keeps out of that order. */
+/* Runs the guards of all physics, and that of speed, after a force evaluation; costs no time. Not after a step whose particles
+ * have moved on: guards_calm then sees to it that the next one ends complete. */
 void guards_check(struct simulation *simulation);
 
 /* True if the speed on this rank is within bounds in the step in progress, whose particles have moved, and the largest

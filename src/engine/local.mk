@@ -20,6 +20,10 @@ libengine_la_SOURCES = \
 	src/engine/load.h \
 	src/engine/notes.c \
 	src/engine/notes.h \
+	src/engine/order.c \
+	src/engine/order.h \
+	src/engine/order_plan.c \
+	src/engine/order_plan.h \
 	src/engine/outputs.c \
 	src/engine/outputs.h \
 	src/engine/outputs_open.c \
@@ -67,6 +71,8 @@ libengine_la_SOURCES = \
 	src/engine/trip.h \
 	src/engine/tune.c \
 	src/engine/tune.h \
+	src/engine/values.c \
+	src/engine/values.h \
 	src/engine/view.c \
 	src/engine/view.h
 libengine_la_CPPFLAGS = $(AM_CPPFLAGS) $(MPI_CFLAGS)

@@ -41,8 +41,8 @@ static void activate(struct physics_set *set, const struct physics *row,
     active->context.set = set;
     if (row->maker && row->maker->moving)
         set->interactions->moving |= row->maker->moving(context->options);
-    for (int k = 0; k < row->interactions; k++) {
-        struct interaction interaction = row->interaction[k];
+    for (int k = 0; row->search && k < row->search->interactions; k++) {
+        struct interaction interaction = row->search->interaction[k];
         interaction.context = context->options;
         interactions_add(set->interactions, &interaction);
     }
@@ -110,7 +110,8 @@ bool physics_create(struct physics_set *set, struct error *error) {
             return false;
         if (active->row->create)
             active->context.self = active->row->create(&active->context);
-        for (int i = 0; active->row->range_of_self && i < active->row->interactions; i++)
+        const struct physics_search *search = active->row->search;
+        for (int i = 0; search && search->range_of_self && i < search->interactions; i++)
             set->interactions->row[active->first + i].context = active->context.self;
     }
     return true;
@@ -142,7 +143,7 @@ bool physics_fill(const struct physics_set *set, const struct physics_share *sha
 
 void physics_lists(struct physics_set *set, const struct interactions *interactions) {
     for (int k = 0; k < set->count; k++)
-        for (int i = 0; i < set->active[k].row->interactions; i++)
+        for (int i = 0; set->active[k].row->search && i < set->active[k].row->search->interactions; i++)
             set->active[k].context.list[i] = interaction_list(interactions, set->active[k].first + i);
 }
 
@@ -168,11 +169,8 @@ bool physics_rebuilt(struct physics_set *set, struct ghosts *ghosts) {
 
 bool physics_rests(const struct physics_set *set) {
     bool rests = true;
-    for (int k = 0; k < set->count; k++) {
-        const struct physics_active *active = &set->active[k];
-        rests = rests && (active->row->interactions == 0 ||
-                          (active->row->rests && active->row->rests(&active->context)));
-    }
+    PHYSICS_EACH (active, set, search)
+        rests = rests && active->row->search->rests && active->row->search->rests(&active->context);
     return rests;
 }
 
@@ -229,15 +227,15 @@ void physics_look(const struct physics_set *set) {
 
 double physics_limit(const struct physics_set *set, double most) {
     PHYSICS_EACH (active, set, limit)
-        most = fmin(most, active->row->limit(&active->context, most));
+        most = fmin(most, active->row->limit->of(&active->context, most));
     return most;
 }
 
 const char *physics_limit_why(const struct physics_set *set, double limit) {
     const char *why = NULL;
     PHYSICS_EACH (active, set, limit)
-        if (active->row->limit(&active->context, INFINITY) <= limit)
-            why = active->row->limit_why;
+        if (active->row->limit->of(&active->context, INFINITY) <= limit)
+            why = active->row->limit->why;
     return why;
 }
 

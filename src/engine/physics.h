@@ -135,6 +135,25 @@ struct physics_share {
     int64_t first_id; /* ids from this one on are free */
 };
 
+/* Facet of a physics with interactions: which particles meet, and up to which distance. */
+struct physics_search {
+    int interactions;
+    /* `context` of a row is replaced by the options, or by the own data if `range_of_self`. */
+    struct interaction interaction[PHYSICS_INTERACTIONS_MAX];
+    bool range_of_self;
+    /* True if the physics reads its lists in `rebuilt` alone and nothing that it knows moves: where all physics with
+     * interactions say so, the engine then releases the memory of the search. NULL: false. */
+    bool (*rests)(const struct physics_context *context);
+};
+
+/* Facet of a physics that bounds the time step. */
+struct physics_limit {
+    /* The largest time step, up to `most`, that is stable for the present state. Collective. */
+    double (*of)(const struct physics_context *context, double most);
+    const char
+        *why; /* its cause, for messages: "advection of the fluid ..."; NULL: the mover's `why` tells */
+};
+
 /* Facet of a physics that makes particles of its own (physics_table.h). */
 struct physics_maker {
     /* Bits 1 << kind (kinds.h) of those that move. NULL: none. */
@@ -195,6 +214,9 @@ struct notes;
 
 /* Facet of a physics with more to show than fields and observables. */
 struct physics_shown {
+    /* Stages of the report beside those of the passes, which the physics starts by timer_enter. */
+    int stages;
+    const struct timer_stage *stage;
     /* Brings velocities that integrator_full_step reads up to date, before they are observed. Collective. */
     void (*full_step)(const struct physics_context *context);
     /* Fills its part of a view of the run; of the report, collective; of the notes on a scene, collective (notes.h). */
@@ -285,15 +307,9 @@ struct physics_record {
 
 struct physics {
     const char *name;
-    int interactions;
-    /* `context` of a row is replaced by the options, or by the own data if `range_of_self`. */
-    struct interaction interaction[PHYSICS_INTERACTIONS_MAX];
-    bool range_of_self;
     bool box_moves; /* it works in a box that moves (particles/box.h); else such a scene is refused */
-    int passes, stages;
+    int passes;
     const struct physics_pass *pass;
-    /* Stages of the report beside those of the passes, which the physics starts by timer_enter. */
-    const struct timer_stage *stage;
     /* Refuses options that do not go together: a user's error. NULL: nothing to refuse. */
     bool (*check)(const struct physics_context *context, struct error *error);
     /* Makes the physics' own data: after the particles' fields have been registered, before the first
@@ -302,12 +318,6 @@ struct physics {
     void (*destroy)(void *self);
     /* Called after each rebuild, when the lists are new. NULL: nothing to do. */
     void (*rebuilt)(const struct physics_context *context);
-    /* True if the physics reads its lists in `rebuilt` alone and nothing that it knows moves: where all physics with
-     * interactions say so, the engine then releases the memory of the search. NULL: false. */
-    bool (*rests)(const struct physics_context *context);
-    /* The largest time step, up to `most`, that is stable for the present state. NULL: any. Collective. */
-    double (*limit)(const struct physics_context *context, double most);
-    const char *limit_why; /* the cause of the limit, for messages: "advection of the fluid ..." */
     /* Looks for physical nonsense after a step; fills `error`. NULL: no check. */
     void (*guard)(const struct physics_context *context, struct error *error);
     /* Sets its parts in the balance of energies. NULL: none. */
@@ -317,6 +327,8 @@ struct physics {
     /* Adds the numbers that a resume needs, with their names. NULL: none. */
     void (*restart)(const struct physics_context *context, struct restart *restart);
     /* The facets. */
+    const struct physics_search *search;
+    const struct physics_limit *limit;
     const struct physics_maker *maker;
     const struct physics_rows *rows;
     const struct physics_joints *joints;

@@ -28,7 +28,7 @@ static void add_engine(struct plan *plan, const struct engine_pass *pass, const 
 
 static struct plan_pass entry_of(const struct physics_set *set, const struct physics_active *active,
                                  const struct physics_pass *pass, const struct timers *timers) {
-    assert(pass->block == NULL || active->row->interactions > 0);
+    assert(pass->block == NULL || active->row->search);
     return (struct plan_pass){.name = pass->name,
                               .why = pass->why,
                               .timer = stages_of_pass(timers, pass),

@@ -14,6 +14,7 @@
 #include "engine/stay.h"
 #include "engine/guards.h"
 #include "engine/load.h"
+#include "engine/order_plan.h"
 #include "core/memory.h"
 #include "particles/kinds.h"
 #include <math.h>
@@ -133,54 +134,9 @@ static void used_pass(struct simulation *s, struct rebuild_rows *rows) {
     memory_free(used);
 }
 
-static size_t early_count(const struct sweep *sweep) {
-    size_t early = 0;
-    for (int t = 0; t < sweep->threads; t++)
-        for (size_t r = 0; r < sweep->thread[t].early_count; r++)
-            early += sweep->thread[t].early[r].last - sweep->thread[t].early[r].first;
-    return early;
-}
-
-/* The ring order has one more pass, over the particles that move early in the fused one, and over those at walls: it is
- * planned unless these are more than one in RING_PART. */
-enum { RING_PART = 3 };
-
-static void plan_sweep(struct simulation *s) {
-    size_t many = s->particles->owned / RING_PART;
-    struct ring *ring = s->search.ring;
-    const struct physics_active *obstacles = s->physics.obstacles;
-    struct sweep_numbers early[2] = {{0}};
-    if (!s->ranks.alone)
-        early[0].number = ghosts_step_originals(s->ranks.ghosts, &early[0].count);
-    if (ring && obstacles)
-        early[1].count = obstacles->row->obstacles->near(&obstacles->context, &early[1].number);
-    bool few = early[1].count <= many;
-    if (!few)
-        early[1].count = 0;
-    sweep_build(s->search.sweep, s->search.list, s->particles->owned, early);
-    if (ring)
-        ring->sweep = NULL;
-    if (ring && few && early_count(s->search.sweep) <= many)
-        ring_build(ring, s->search.sweep, s->search.list, s->particles->owned,
-                   s->particles->owned + s->particles->ghosts);
-}
-
-void rebuild_plan(struct simulation *s) {
-    if (!s->search.sweep->stale)
-        return;
-    int stage = stages_find(&s->timers, "pairs");
-    timer_start(&s->timers, stage);
-    plan_sweep(s);
-    timer_stop(&s->timers, stage);
-}
-
-/* The ranks agree whether the ring order pays on all of them. */
 static void plan_pass(struct simulation *s, struct rebuild_rows *rows) {
     (void)rows;
-    plan_sweep(s);
-    int64_t without = s->search.ring->sweep == NULL;
-    comm_max_int(s->comm, &without, 1);
-    s->search.ring_agreed = without == 0;
+    order_agree(s);
 }
 
 /* Sets size classes: particles that have arrived have none, and after a new choice of classes the classes of
@@ -276,8 +232,7 @@ static void search_release(struct simulation *s) {
 static void tell_physics(struct simulation *s, struct rebuild_rows *rows) {
     rows->again = physics_rebuilt(&s->physics, s->ranks.alone ? NULL : s->ranks.ghosts);
     s->classes_stale = s->classes_stale || rows->again;
-    if (s->search.sweep)
-        s->search.sweep->stale = true;
+    order_forget(s);
     if (!rows->again && physics_rests(&s->physics))
         search_release(s);
 }
@@ -297,9 +252,9 @@ static bool many_with_history(const struct simulation *s, const struct rebuild_r
 static bool many_that_keep(const struct simulation *s, const struct rebuild_rows *rows) {
     return !s->ranks.alone && (rows == NULL || rows->keep);
 }
-static bool many_with_ring(const struct simulation *s, const struct rebuild_rows *rows) {
+static bool order_agrees(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
-    return !s->ranks.alone && s->search.ring;
+    return order_needs_agreement(s);
 }
 static bool with_walls(const struct simulation *s, const struct rebuild_rows *rows) {
     (void)rows;
@@ -345,7 +300,7 @@ static const struct rebuild_pass passes[] = {
     {"walls", "walls", "wall", with_walls, walls_pass},
     {"attach", NULL, "history", NULL, attach},
     {"physics", NULL, "pairs", NULL, tell_physics},
-    {"plan", "several ranks, ring order", "pairs", many_with_ring, plan_pass},
+    {"plan", "several ranks, ring order", "pairs", order_agrees, plan_pass},
 };
 enum { REBUILD_PASSES = sizeof passes / sizeof passes[0], REBUILD_CARRY = 5 };
 

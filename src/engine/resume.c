@@ -93,6 +93,11 @@ static void rows_sort(struct history_rows *rows, size_t owned) {
               row_compare);
 }
 
+/* Doubles of a record of the memory of contacts. */
+static int components_of(const struct simulation *s) {
+    return s->search.history ? s->search.history->components : 0;
+}
+
 bool resume_write(struct simulation *s, const struct output_run *run, const char *suffix,
                   struct error *error) {
     struct rebuild_rows rows = {0};
@@ -105,6 +110,7 @@ bool resume_write(struct simulation *s, const struct output_run *run, const char
     for (int k = 0; k < s->scene->groups; k++)
         group[k] = s->scene->group[k].name;
     struct checkpoint checkpoint = {.restart = &restart,
+                                    .history_components = components_of(s),
                                     .particles = s->particles,
                                     .box = &s->box,
                                     .tree = domain_tree(s->ranks.domain),

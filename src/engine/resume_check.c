@@ -39,10 +39,15 @@ static bool check_box(const struct simulation *s, const char *path, const struct
 
 static bool check_physics(const struct simulation *s, const char *path,
                           const struct checkpoint_loaded *loaded, struct error *error) {
+    const int components = s->search.history ? s->search.history->components : 0;
     PHYSICS_EACH (active, &s->physics, record)
         if (!active->row->record->fits(&active->context, path, loaded, error))
             return false;
-    return true;
+    return loaded->history_components == components ||
+           error_set(error, ERROR_USER,
+                     "%s: its contacts have a history of %d numbers, the scene's law has %d: "
+                     "contact.law, friction and rolling must stay",
+                     path, loaded->history_components, components);
 }
 
 static int group_find(const struct scene *scene, const char *name) {

@@ -57,8 +57,8 @@ static void physics_register(struct timers *timers, const struct physics *const 
 /* Registers what physics adds to the stages of passes. */
 static void further_register(struct timers *timers, const struct physics *const *physics, int count) {
     for (int k = 0; k < count; k++)
-        for (int p = 0; p < physics[k]->stages; p++) {
-            const struct timer_stage *stage = &physics[k]->stage[p];
+        for (int p = 0; physics[k]->shown && p < physics[k]->shown->stages; p++) {
+            const struct timer_stage *stage = &physics[k]->shown->stage[p];
             timer_register(timers, stage->name, stage->help, stage->use);
         }
 }

@@ -197,27 +197,28 @@ static const struct timer_stage stages[] = {
     {.name = "solve", .help = "solves for velocity and pressure of a fluid", .use = TIMER_WORK}};
 
 static const struct physics_maker maker = {.moving = motion_kinds, .fill = fill_run};
-static const struct physics_shown shown = {.report = watch_report};
+static const struct physics_shown shown = {
+    .stages = sizeof stages / sizeof stages[0], .stage = stages, .report = watch_report};
+
+static const struct physics_search search = {.interactions = 1,
+                                             .interaction = {{.name = "fluid", .range = range}},
+                                             .range_of_self = true,
+                                             .rests = rests};
+static const struct physics_limit limits = {
+    .of = march_limit, .why = "advection: the fluid may move by half a spacing in a step"};
 
 const struct physics fluid_physics = {.name = "fluid",
-                                      .interactions = 1,
-                                      .interaction = {{.name = "fluid", .range = range}},
-                                      .range_of_self = true,
                                       .passes = sizeof passes / sizeof passes[0],
                                       .pass = passes,
-                                      .stage = stages,
-                                      .stages = sizeof stages / sizeof stages[0],
                                       .check = fill_suits,
                                       .create = create,
                                       .destroy = march_end,
                                       .rebuilt = march_rebuilt,
-                                      .rests = rests,
-                                      .limit = march_limit,
-                                      .limit_why =
-                                          "advection: the fluid may move by half a spacing in a step",
                                       .guard = guard,
                                       .print = print,
                                       .energy = energy,
                                       .restart = restart,
                                       .maker = &maker,
-                                      .shown = &shown};
+                                      .shown = &shown,
+                                      .search = &search,
+                                      .limit = &limits};

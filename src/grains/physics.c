@@ -316,20 +316,22 @@ static const struct physics_mover mover = {.prepare = prepare,
 static const struct physics_shown shown = {
     .view = view, .report = report, .notes = notes_of_grains, .seen = notes_seen_by_grains};
 
+static const struct physics_search search = {
+    .interactions = 1, .interaction = {{.name = "contact", .range = range}}, .rests = rests};
+static const struct physics_limit limits = {.of = limit};
+
 const struct physics grains_physics = {.name = "grains",
-                                       .interactions = 1,
-                                       .interaction = {{.name = "contact", .range = range}},
                                        .box_moves = true,
                                        .passes = sizeof passes / sizeof passes[0],
                                        .pass = passes,
                                        .check = start_simd,
                                        .destroy = start_end,
                                        .rebuilt = rebuilt,
-                                       .rests = rests,
-                                       .limit = limit,
                                        .guard = balance_guard,
                                        .restart = restart,
                                        .shown = &shown,
                                        .mover = &mover,
                                        .obstacles = &grains_obstacles,
-                                       .record = &grains_record};
+                                       .record = &grains_record,
+                                       .search = &search,
+                                       .limit = &limits};

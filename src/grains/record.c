@@ -21,8 +21,7 @@ static void save(const struct physics_context *context, const struct rowset *row
         wall_forces_gather(context, grains->walls);
     law_title(&grains->law.options, grains->title);
     checkpoint->law = grains->title;
-    checkpoint->history_components = grains->law.history_components;
-    checkpoint->wall_history = rows->start ? rows : NULL;
+    checkpoint->wall_history = rows->start && checkpoint->history_components > 0 ? rows : NULL;
     checkpoint->walls = grains->walls;
 }
 
@@ -31,17 +30,11 @@ static bool fits(const struct physics_context *context, const char *path,
     const struct grains *grains = context->self;
     char law[LAW_TITLE_MAX];
     law_title(&grains->law.options, law);
-    if (strcmp(loaded->law, law) != 0)
-        return error_set(error, ERROR_USER,
-                         "%s: it was written with contact.law %s, the scene has %s: "
-                         "contact.law must stay",
-                         path, loaded->law, law);
-    if (loaded->history_components != grains->law.history_components)
-        return error_set(error, ERROR_USER,
-                         "%s: its contacts have a history of %d numbers, the scene's law has %d: "
-                         "contact.law, friction and rolling must stay",
-                         path, loaded->history_components, grains->law.history_components);
-    return true;
+    return strcmp(loaded->law, law) == 0 ||
+           error_set(error, ERROR_USER,
+                     "%s: it was written with contact.law %s, the scene has %s: "
+                     "contact.law must stay",
+                     path, loaded->law, law);
 }
 
 /* Finds walls by their names: the scene may have other walls, or the same walls in another order. */

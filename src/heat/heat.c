@@ -375,7 +375,8 @@ static void at_walls(const struct physics_context *context, int thread) {
     for (int w = 0; w < context->scene->walls; w++)
         temperature[w] = temperature_now(heat, w);
     memset(at.power, 0, sizeof heat->wall_power[thread]);
-    walls_visit(grains_walls(context), context->particles, thread, fmax(heat->pairs.range, heat->reach), at_wall, &at);
+    walls_visit(grains_walls(context), context->particles, thread, fmax(heat->pairs.range, heat->reach),
+                at_wall, &at);
 }
 
 static void finish(const struct physics_context *context) {
@@ -498,15 +499,18 @@ static const struct physics_pass passes[] = {
      .needed = needs_work,
      .whole = dissipate}};
 
+static const struct physics_search search = {.interactions = 1,
+                                             .interaction = {{.name = "heat", .range = range}}};
+static const struct physics_limit limits = {.of = limit};
+
 const struct physics heat_physics = {.name = "heat",
                                      .box_moves = true,
-                                     .interactions = 1,
-                                     .interaction = {{.name = "heat", .range = range}},
                                      .passes = sizeof passes / sizeof passes[0],
                                      .pass = passes,
                                      .check = check,
                                      .create = create,
                                      .destroy = destroy,
                                      .rebuilt = rebuilt,
-                                     .limit = limit,
+                                     .search = &search,
+                                     .limit = &limits,
                                      .guard = guard};

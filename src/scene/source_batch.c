@@ -2,6 +2,7 @@
 /* The common part of the kinds of particle source: the life of a batch, keys for messages, the region that is
  * meant. */
 #include "scene/source_batch.h"
+#include "core/memory.h"
 
 #include <stdio.h>
 #include <string.h>
