@@ -5,7 +5,6 @@
 #include "core/memory.h"
 #include "formats/dump.h"
 #include "formats/frame.h"
-#include "formats/h5md_resume.h"
 #include <stdio.h>
 #include <string.h>
 

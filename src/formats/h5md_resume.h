@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* Whether a run can go on with an H5MD file; and, private to the writer, how it does. */
+/* Private part of the H5MD writer: continues an existing file. */
 #ifndef SCREE_FORMATS_H5MD_RESUME_H
 #define SCREE_FORMATS_H5MD_RESUME_H
 
 #include "formats/h5md_file.h"
-
-/* True if a run can go on with the trajectory at `path`, which is there; `varying`: its particles may come and go. Changes
- * nothing. Collective. */
-bool h5md_suits(const struct comm *comm, const char *path, bool varying, struct error *error);
 
 /* Fills `h5md` from an existing file, and cuts off data after a step. Collective. */
 bool h5md_resume(struct h5md *h5md, int64_t step, struct error *error);
