@@ -57,6 +57,7 @@ material_pairs[0].bridge_fraction=0.02'
     [stokes-plane]='drag={law: stokes, fluid: {density: 0.1, viscosity: 0.05, velocity: [0.5, 0]}}'
     [density]='number_density.support=1.5'
     [mesh]='walls[floor]={name: floor, shape: rectangle, point: [-1, 0, 2], along: [8, 0, 0], across: [0, 8, 0], material: a}'
+    [mesh-plane]='walls[floor]={name: floor, shape: rectangle, point: [-1, 2, -1], along: [0, 0, 2], across: [16, 0, 0], material: a}'
     [moving]='walls[floor].motion=[{kind: oscillate, direction: [1, 0, 0.3], amplitude: 0.2, frequency: 2}]'
     [moving-plane]='walls[floor].motion=[{kind: oscillate, direction: [1, 0.3], amplitude: 0.2, frequency: 2}]'
     [servo]='walls[lid].motion=[{kind: servo, direction: [0, 0, 1], force: 50, speed_max: 2}]'
@@ -71,6 +72,7 @@ gravity=[0, 0]'
     [long]='box.upper=[13, 8, 10]'
     [strained]='box.strain.rate=[-0.1, 0.05, 0]'
     [strained-plane]='box.strain.rate=[-0.1, 0.05]'
+    [squeezed]='box.strain.rate=[-0.1, 0]'
     [stressed]='box.stress={xx: 5, yy: 5}'
     [stressed-plane]='box.stress={yy: 5}'
     [insertion]='insertions=[{region: {shape: box, lower: [0, 1, 8], upper: [6, 7, 10]}, sizes: 0.3, rate: 100, velocity: [0, 0, -1], material: a}]'
@@ -133,22 +135,22 @@ together() { # SCENE FEATURE...: on a line of its own
 together space hertz rolling clumps heat hot drag mesh moving grids files vtk
 together space bonds heat hot stokes density mesh servo insertion stages grids
 together space jkr clumps stokes density moving servo insertion groups files auto
-together space capillary bonds heat drag moving deletion groups grids verlet files vtk
+together space capillary bonds heat drag mesh moving deletion groups grids verlet files vtk
 together space thornton clumps heat hot density servo mesh groups stages
 together space eepa bonds drag density mesh moving insertion deletion auto
 together space luding rolling bonds heat density groups leave insertion
 together space hertz rolling jkr insertion deletion stages servo heat hot drag
 together space capillary rolling clumps drag groups servo stages auto
-together space hertz heat stokes density grids files rolling closed sheared
-together space luding heat stokes density grids closed stressed auto
-together space jkr heat drag closed strained
+together space hertz heat stokes density grids files rolling closed sheared deletion stages
+together space luding heat stokes density grids files closed stressed auto
+together space jkr heat drag grids closed strained deletion stages
 together space capillary drag density files long closed sheared strained
 together space rolling heat closed deletion stages verlet stressed # gravity comes in a stage
 together plane clumps heat hot stokes density moving grids files vtk
 together plane hertz bonds heat stokes servo insertion deletion groups stages
-together plane jkr rolling clumps insertion moving stages auto
+together plane jkr rolling clumps mesh insertion moving stages auto
 together plane luding heat stokes density closed sheared grids
-together plane capillary heat closed stressed files
+together plane capillary heat closed squeezed stressed files
 
 # keeps SCENE FEATURE...: in a closed box momentum to rounding, and the balance of energies to a part of what is there, on two ranks in the
 # fast mode
@@ -226,6 +228,7 @@ sets[insertion-flow]='insertions=[{sizes: 0.2, rate: 100}]'
 sets[reproducible-flow]='reproducible=true'
 sets[sheared-flow]='box.shear={rate: 0.5, flow: x, gradient: y}'
 sets[clumps-flow]='bodies.clumps=[{spheres: [{centre: [-0.5, 0, 0], radius: 1}, {centre: [0.7, 0, 0], radius: 0.8}]}]'
+sets[stokes-flow]=${sets[stokes-plane]}
 sets[capillary-flow]=${sets[capillary]} sets[density-flow]=${sets[density]} sets[verlet-flow]=${sets[verlet]}
 last_frame() { tail -n "$(sed -n '/NUMBER OF ATOMS/{n;p;}' "$1/dump.lammpstrj" | tail -n 1)" "$1/dump.lammpstrj" | sort -n; }
 nearly() { # FEATURE...
@@ -246,6 +249,7 @@ if "$scree" check flow.yaml >said 2>&1; then
     named 'reproducible: the linear systems of a fluid' flow reproducible
     named 'fluid: does not go with a box that moves' flow sheared
     named 'bodies: together with a fluid' flow clumps
+    named 'drag.fluid: is a second fluid' flow stokes
 else
     grep -q 'built without PETSc' said || { cat said; check 'a build without PETSc says so' false; }
     skip "a fluid with other features: $(cat said)"
