@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-EXTRA_DIST += docs/architecture.md docs/building.md docs/scene.md
+EXTRA_DIST += docs/architecture.md docs/building.md docs/features.md docs/scene.md
 EXTRA_DIST += docs/indexes.md docs/images/penetration.png
 EXTRA_DIST += docs/physics.md docs/user-law.md docs/fluid.md \
 	docs/images/crushing.png docs/images/dumbbells.png docs/images/fluid-cavity.png docs/images/fluid-electroosmosis.png \

@@ -42,7 +42,8 @@ static void lines_by_time(void **state) {
     assert_int_equal(lines_of(file, last, sizeof last), 0);
     update(&progress, 600, 50, 5.1);
     assert_int_equal(lines_of(file, last, sizeof last), 1);
-    assert_memory_equal(last, " 50 % 0:50 left, step 600 of 1100, t = 0.5, 100 particle-steps/s, ", 66);
+    assert_memory_equal(last, " 50 % 0:5", 9); /* as much is left as has passed, 50 s */
+    assert_non_null(strstr(last, " left, step 600 of 1100, t = 0.5, "));
     update(&progress, 601, 1e6, 60.1); /* a minute is the longest pause */
     assert_int_equal(lines_of(file, last, sizeof last), 2);
     fclose(file);
@@ -70,7 +71,7 @@ static void no_end_known(void **state) {
                    UINT64_MAX / 2);
     update(&progress, 7, 10, 6);
     assert_int_equal(lines_of(file, last, sizeof last), 1);
-    assert_memory_equal(last, "step 7, t = 0.5, 7 particle-steps/s, ", 37);
+    assert_memory_equal(last, "step 7, t = 0.5, ", 17);
     fclose(file);
 }
 

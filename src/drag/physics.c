@@ -76,6 +76,11 @@ static bool check(const struct physics_context *context, struct error *error) {
         return scene_fail(context->scene, error, "drag.largest",
                           "fluid.grains.unresolved says which grains feel drag; allowed beside that key: no "
                           "drag.largest");
+    if (!resolved && options->fluids > 0 && context->scene->physics_given[PHYSICS_fluid])
+        return scene_fail(
+            context->scene, error, "drag.fluid",
+            "is a second fluid beside the section `fluid`, which moves the grains itself; allowed beside it: "
+            "fluid.grains.unresolved, and no drag.fluid");
     if (!resolved && options->fluids == 0)
         return scene_fail(
             context->scene, error, "drag.fluid",

@@ -21,6 +21,7 @@ struct output_view simulation_view(const struct simulation *s) {
                                .box = &s->box,
                                .step = s->clock.step,
                                .time = s->clock.time,
+                               .staged = s->scene->stages > 0,
                                .load = {.ghosts = ghosts.ghosts,
                                         .messages = ghosts.messages,
                                         .bytes = ghosts.bytes,

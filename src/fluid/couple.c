@@ -63,6 +63,26 @@ static bool spin_suits(const struct physics_context *context, const struct scene
                       group->name);
 }
 
+/* Grains may not come, and may not go with a part of the surface of the fluid. */
+static bool numbers_suit(const struct physics_context *context, struct error *error) {
+    static const char stay[] =
+        "would take grains out of the fluid that resolves them; allowed beside resolved grains: ";
+    const struct scene *scene = context->scene;
+    const struct box *box = context->box;
+    bool any = false;
+    if (scene->insertions > 0)
+        return scene_fail(scene, error, "insertions",
+                          "grains cannot be inserted into a fluid; not built yet");
+    for (size_t k = 0; !any && k < context->particles->owned; k++)
+        any = resolved(context, k);
+    if (any && scene->deletions > 0)
+        return scene_fail(scene, error, "deletions", "%snone", stay);
+    for (int d = 0; any && d < box->dimension; d++)
+        if (!box->periodic[d] && (box->leave[d][0] == BOX_DELETE || box->leave[d][1] == BOX_DELETE))
+            return scene_fail(scene, error, "box.leave", "delete %skeep, error", stay);
+    return true;
+}
+
 /* Each rank looks at its own grains. */
 static bool grains_suit(const struct physics_context *context, struct error *error) {
     const struct scene *scene = context->scene;
@@ -90,8 +110,7 @@ static bool grains_suit(const struct physics_context *context, struct error *err
                               "motion: frozen, or free "
                               "grains with fluid.motion: lagrangian and fluid.grains: free",
                               (long long)p->id[k]);
-    return scene->insertions == 0 ||
-           scene_fail(scene, error, "insertions", "grains cannot be inserted into a fluid; not built yet");
+    return numbers_suit(context, error);
 }
 
 bool couple_grains_suit(const struct physics_context *context, struct error *error) {

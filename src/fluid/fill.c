@@ -179,6 +179,11 @@ static bool options_suit(const struct physics_context *context, struct error *er
             context->scene, error, "fluid.time",
             "steady goes with equations: stokes alone; for the steady flow of navier_stokes run a "
             "transient one until it no longer changes");
+    if (context->scene->reproducible)
+        return scene_fail(
+            context->scene, error, "reproducible",
+            "the linear systems of a fluid are solved in sums that depend on the layout; allowed "
+            "beside `fluid`: false");
     return operators_suit(context, error) && drive_suits(context, error) && motion_suits(context, error) &&
            couple_suits(context, error) && scalars_suit(context, error) && electrolyte_suits(context, error);
 }

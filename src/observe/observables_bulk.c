@@ -242,11 +242,11 @@ static bool has_history(const struct output_view *view) {
 }
 
 static bool has_gravity(const struct output_view *view) {
-    return dot(view->motion->gravity, view->motion->gravity) > 0;
+    return view->staged || dot(view->motion->gravity, view->motion->gravity) > 0;
 }
 
 static bool has_walls(const struct output_view *view) {
-    return view->walls && walls_count(view->walls) > 0;
+    return view->staged || (view->walls && walls_count(view->walls) > 0);
 }
 
 #define ALL(name, family, unit, components, help)                                                            \

@@ -64,6 +64,11 @@ listed() { # over a gap, by ids
     rm -rf pair && run_scene 2 pair.yaml pair --set bonds.list=ids.txt --set 'particles.sources[1].position=[4.5, 2, 2]' && within "$(value pair 6 1)" 1.9634954084936 1e-9
 }
 check 'a list of ids' listed
+slanted() { # the nearest image, 4.9 along x and 0.5 along y: A u (k_n cos^2 + k_s sin^2)
+    rm -rf pair && run_scene 2 pair.yaml pair --set bonds.list=ids.txt --set 'particles.sources[1].position=[4.5, 2.5, 2]' --set 'groups[1].velocity=[1e-6, 0, 0]' &&
+        within "$(value pair 6 1)" "$(awk 'BEGIN { printf "%.15g", atan2(0, -1) / 16 * 1e-6 * (1000 * 24.01 + 400 * 0.25) / 24.26 }')" 1e-9
+}
+check 'a list of ids, across the nearest side' slanted
 later() { # made at t = 0.5: half of the way counts
     rm -rf pair && run_scene 2 pair.yaml pair --set bonds.when=time --set bonds.time=0.5 --set bonds.gap=0.1 && within "$(value pair 6 1)" 0.9817477042468 1e-9
 }
