@@ -41,7 +41,7 @@ function model(count, n,    k, i, grown, levels, shell, work, messages_, bytes_,
     first[lines] = of("setup_messages"); first_bytes[lines] = of("setup_bytes"); memory[lines] = of("memory")
 }
 END {
-    work_of = 5e-6 # seconds of one fluid particle and transient step on one core (docs/fluid.md, Cost: velocity, pressure and the rest)
+    work_of = 5e-6 # seconds of one fluid particle and transient step on one core (docs/fluid-method.md, Cost: velocity, pressure and the rest)
     print "\n## Many ranks\n"
     print "[examples/fluid_scaling](../examples/fluid_scaling/README.md), `run.sh`: slow flow through an array of spheres, a share of it on each rank, on more ranks than there are cores: counts,"
     print "not times. All messages are counted, those of PETSc and hypre too, by a library between the program and MPI. Means over ranks.\n"
