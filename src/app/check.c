@@ -94,7 +94,8 @@ static void print_longer_steps(const struct simulation *s) {
 static void print_step(const struct simulation *s) {
     bool limited = isfinite(s->timing.limits.stable);
     printf("\ntime step\n");
-    if (s->scene->materials > 0)
+    bool springs = s->scene->materials > 0 && !s->grains.law.options.solved;
+    if (springs)
         printf("  stable       %.6g (contact '%s' - '%s', damping ratio %.3g)\n", s->timing.limits.stable,
                s->scene->material[s->timing.limits.material_a].name,
                s->scene->material[s->timing.limits.material_b].name,
@@ -104,7 +105,7 @@ static void print_step(const struct simulation *s) {
     if (s->timing.limits.stable < s->timing.expected)
         printf("               for the contacts that there are; %.6g for contacts to come\n",
                s->timing.expected);
-    if (s->scene->materials > 0)
+    if (springs)
         printf("  contact time %.6g\n", s->timing.limits.contact_time);
     if (s->timing.limits.rayleigh > 0)
         printf("  Rayleigh     %.6g\n", s->timing.limits.rayleigh);
@@ -113,7 +114,7 @@ static void print_step(const struct simulation *s) {
                s->clock.dt / s->timing.limits.stable, timestep_default_fraction());
     else
         printf("  chosen       %.6g; any is stable\n", s->clock.dt);
-    if (limited && s->scene->materials > 0 && s->clock.dt_fraction > 0)
+    if (limited && springs && s->clock.dt_fraction > 0)
         print_longer_steps(s);
 }
 

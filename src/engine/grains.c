@@ -105,7 +105,7 @@ static void finish(const struct physics_context *context) {
 
 static bool needs_contacts(const struct physics_context *context) {
     const struct simulation *s = context->self;
-    return s->grains.law.materials > 0;
+    return s->grains.law.materials > 0 && !s->grains.law.options.solved;
 }
 
 static bool needs_servo(const struct physics_context *context) {

@@ -18,6 +18,10 @@ const struct physics *physics_get(enum physics_number number) {
     return entries[number].physics;
 }
 
+const char *physics_key(enum physics_number number) {
+    return entries[number].key;
+}
+
 static void activate(struct physics_set *set, const struct physics *row, const void *options,
                      const struct physics_context *context, struct interactions *interactions) {
     struct physics_active *active = &set->active[set->count++];

@@ -68,6 +68,10 @@ struct physics_context {
         [CLASS_MAX]; /* [thread][class]: largest squared speed of this drift; a pass that moves particles
                                    raises it, as the skin of pair lists lives by it */
     bool ordered;    /* sums in an order that no layout changes */
+    struct force_sums
+        *sums;     /* of contacts, in the last evaluation: a physics that solves contacts fills it */
+    double *taken; /* sum of sums->taken since the start, to which that physics adds */
+    const double *speed_expected; /* of an impact; known from the first `limit` on */
 };
 
 /* The stages of a step, in which passes run. All passes of a stage run before those of the next. */
@@ -219,8 +223,9 @@ struct physics_set {
 void physics_begin(struct physics_set *set, const struct physics *grains,
                    const struct physics_context *context, struct interactions *interactions);
 
-/* The row of a physics of the table. */
+/* The row of a physics of the table, and the key of its section. */
 const struct physics *physics_get(enum physics_number number);
+const char *physics_key(enum physics_number number);
 
 /* Checks the options of all physics, and creates the own data of all but grains, whose data are `self`. */
 bool physics_create(struct physics_set *set, void *self, struct error *error);

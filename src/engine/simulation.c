@@ -127,7 +127,10 @@ static void physics_start(struct simulation *s) {
                                       .timers = &s->timers,
                                       .threads = s->threads,
                                       .speed = s->grains.speed,
-                                      .ordered = s->scene->reproducible};
+                                      .ordered = s->scene->reproducible,
+                                      .sums = &s->grains.sums,
+                                      .taken = &s->grains.taken,
+                                      .speed_expected = &s->timing.speed_expected};
     physics_begin(&s->physics, &grains_physics, &context, &s->search.interactions);
 }
 

@@ -137,6 +137,11 @@ static void limits_find(struct simulation *s) {
     struct timestep_kind kind[SORTS + LAW_MATERIALS_MAX];
     double heaviest[SORTS + LAW_MATERIALS_MAX];
     int n = 0;
+    s->timing.speed_expected = speed_expected(s);
+    if (s->grains.law.options.solved) {
+        s->timing.limits = (struct timestep_limits){.stable = INFINITY};
+        return;
+    }
     sorts_collect(s, &sorts);
     for (int k = 0; k < SORTS; k++)
         if (sorts.radius_max[k] > 0) {
@@ -155,11 +160,10 @@ static void limits_find(struct simulation *s) {
                                    .kinds = n,
                                    .kind = kind,
                                    .material = s->scene->material,
-                                   .speed_max = speed_expected(s),
+                                   .speed_max = s->timing.speed_expected,
                                    .contacts = s->scene->step.contacts,
                                    .dimension = s->box.dimension};
     timestep_limits(&s->timing.limits, &input);
-    s->timing.speed_expected = input.speed_max;
     s->timing.overlap_expected = overlap_expected(s, heaviest, &input);
 }
 

@@ -1,0 +1,331 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* Hard contacts as a physics (engine/physics.h): the one file that joins the solver to the engine. Read hard.h first. */
+#include "contact/material.h"
+#include "contact/spin.h"
+#include "core/memory.h"
+#include "engine/physics.h"
+#include "hard/state.h"
+#include "particles/kinds.h"
+#include "scene/sizes.h"
+
+/* Largest coefficient of restitution of rigid contacts: the pass of restitution may add energy where several impacts
+ * meet, and what friction and the other contacts lose makes up for it up to here. */
+static const double restitution_most = 0.95;
+
+/* The longest step: a grain moves by this part of the smallest radius at the expected speed, and a free fall from rest by this
+ * part of sqrt(r/g). The default step is a fraction of it (step.fraction). */
+static const double move_most = 0.5, fall_most = 1.0 / 15.0;
+
+static double range(const void *context, int kind_a, double radius_a, int kind_b, double radius_b) {
+    (void)radius_a, (void)radius_b;
+    return kind_a == KIND_GRAIN && kind_b == KIND_GRAIN ? ((const struct hard *)context)->solver.reach
+                                                        : -INFINITY;
+}
+
+/* The laws that have a trait, as a list. */
+static const char *laws_with(const char *trait, char *text, size_t room) {
+    text[0] = '\0';
+    for (int k = 0; k < LAW_COUNT; k++)
+        if (law_has_trait((enum law_normal)k, trait)) {
+            size_t used = strlen(text);
+            snprintf(text + used, room - used, "%s%s", used ? ", " : "",
+                     law_row_get((enum law_normal)k)->name);
+        }
+    return text;
+}
+
+/* Refuses parts of a law that have no form in the solver. */
+static bool check_law(const struct scene *scene, struct error *error) {
+    const struct law_options *o = &scene->law;
+    char laws[128];
+    if (!law_has_trait(o->normal, "implicit"))
+        return scene_fail(scene, error, "contact.solver", "goes with contact.law %s, not with %s",
+                          laws_with("implicit", laws, sizeof laws), law_row_get(o->normal)->name);
+    const struct {
+        const char *key;
+        bool given;
+        const char *allowed;
+    } part[] = {{"contact.cohesion", o->cohesion != LAW_COHESION_NONE, "none"},
+                {"contact.tangential", o->tangential > LAW_TANGENTIAL_HISTORY, "none, history"},
+                {"contact.rolling", o->rolling != LAW_ROLLING_NONE, "none"},
+                {"contact.twisting", o->twisting != LAW_TWISTING_NONE, "none"},
+                {"contact.damping", o->damping != LAW_DAMPING_RESTITUTION, "restitution"},
+                {"contact.lammps_history", o->lammps_history, "false"},
+                {"contact.lammps_granular", o->lammps_granular, "false"}};
+    for (size_t k = 0; k < sizeof part / sizeof part[0]; k++)
+        if (part[k].given)
+            return scene_fail(scene, error, part[k].key, "has no form in contact.solver; allowed with it: %s",
+                              part[k].allowed);
+    return true;
+}
+
+static bool check_pairs(const struct scene *scene, struct error *error) {
+    for (int a = 0; a < scene->materials; a++)
+        for (int b = 0; b <= a; b++) {
+            const struct law_pair *pair = &scene->law_pair[a][b];
+            if (pair->restitution > restitution_most && law_has_trait(scene->law.normal, "stiff"))
+                return scene_fail(scene, error, "material_pairs",
+                                  "%s, %s: restitution is %g; allowed with contact.law %s are 0 to %g",
+                                  scene->material[b].name, scene->material[a].name, pair->restitution,
+                                  law_row_get(scene->law.normal)->name, restitution_most);
+            if (pair->extra.static_friction > pair->friction)
+                return scene_fail(scene, error, "material_pairs",
+                                  "%s, %s: static_friction has no form in contact.solver; allowed: no more "
+                                  "than friction",
+                                  scene->material[b].name, scene->material[a].name);
+        }
+    return true;
+}
+
+/* Refuses what the solver does not know yet. */
+static bool check(const struct physics_context *context, struct error *error) {
+    const struct scene *scene = context->scene;
+    static const char with[] = "does not go with contact.solver yet; allowed with it: %s";
+    if (scene->materials == 0)
+        return scene_fail(scene, error, "contact.solver", "needs `materials`: grains that touch");
+    if (scene->reproducible)
+        return scene_fail(scene, error, "reproducible", with, "false");
+    for (int k = 0; k < PHYSICS_COUNT; k++)
+        if (scene->physics_given[k] && k != PHYSICS_hard && k != PHYSICS_density)
+            return scene_fail(scene, error, physics_key((enum physics_number)k), with,
+                              "physics that only look at grains");
+    for (int w = 0; w < scene->walls; w++)
+        for (int m = 0; m < scene->wall[w].motions; m++)
+            if (scene->wall[w].motion[m].kind == WALL_SERVO) {
+                char key[64];
+                snprintf(key, sizeof key, "walls[%d].motion[%d]", w, m);
+                return scene_fail(scene, error, key, with, "motions by order, no servo");
+            }
+    if (output_interval_set(&scene->output.walls.every))
+        return scene_fail(scene, error, "output.walls", with, "no files of loads on walls");
+    return check_law(scene, error) && check_pairs(scene, error);
+}
+
+static void terms_make(struct hard_terms *terms, const struct physics_context *context,
+                       const struct hard_options *options) {
+    const struct scene *scene = context->scene;
+    const struct law *law = context->contact->law;
+    const struct law_form *form = law_form_of(&law->options);
+    bool stiff = law_has_trait(law->options.normal, "stiff");
+    *terms = (struct hard_terms){
+        .kappa = stiff ? options->kappa : 0.0, .repair = options->repair, .hertz = !stiff && !form->linear};
+    for (int a = 0; a < scene->materials; a++)
+        for (int b = 0; b < scene->materials; b++) {
+            const struct law_coefficients *c = &law->pair[a][b];
+            struct hard_term *term = &terms->pair[a][b];
+            *term =
+                (struct hard_term){.friction = c->friction, .restitution = scene->law_pair[a][b].restitution};
+            if (!stiff)
+                *term = (struct hard_term){
+                    .friction = c->friction, .stiffness = c->k_n, .tangential = c->k_t, .damper = c->c_n};
+        }
+}
+
+static void *create(const struct physics_context *context) {
+    struct hard *hard = memory_allocate_zero(1, sizeof *hard, "hard contacts");
+    struct hard_solver *solver = &hard->solver;
+    const struct scene *scene = context->scene;
+    solver->comm = context->comm;
+    solver->options = *(const struct hard_options *)context->options;
+    solver->threads = context->threads;
+    terms_make(&solver->terms, context, &solver->options);
+    hard_pairs_create(&solver->pairs, context->threads);
+    hard_contacts_create(&solver->contacts, context->threads);
+    for (int w = 0; w < scene->walls; w++)
+        hard->wall_material[w] = scene->wall[w].material;
+    hard->smallest = INFINITY;
+    return hard;
+}
+
+static void destroy(void *self) {
+    struct hard *hard = self;
+    hard_pairs_free(&hard->solver.pairs);
+    hard_contacts_free(&hard->solver.contacts, hard->solver.threads);
+    hard_problem_free(&hard->solver.problem);
+    hard_border_free(&hard->solver.border);
+    memory_free(hard);
+}
+
+static struct hard_input input_of(const struct physics_context *context) {
+    struct hard *hard = context->self;
+    double dt = context->clock->dt;
+    struct hard_input input = {.scene = {.particles = context->particles,
+                                         .material = material_numbers(context->particles),
+                                         .wall_material = hard->wall_material,
+                                         .walls = context->walls,
+                                         .list = context->list[0],
+                                         .threads = context->threads},
+                               .particles = context->particles,
+                               .omega = spin_values(context->particles),
+                               .dimension = context->box->dimension,
+                               .dt = dt,
+                               .duration = context->contact->dt > 0.0 ? dt : 0.5 * dt};
+    memcpy(input.gravity, context->motion->gravity, sizeof input.gravity);
+    return input;
+}
+
+static struct history_rows *rows(const struct physics_context *context) {
+    struct hard *hard = context->self;
+    if (context->list[0]) /* a resume asks before there are lists */
+        hard_contacts_detach(&hard->solver.contacts, &hard->solver.pairs, context->list[0],
+                             context->particles);
+    return &hard->solver.pairs.rows;
+}
+
+static void rebuilt(const struct physics_context *context) {
+    struct hard_solver *solver = &((struct hard *)context->self)->solver;
+    solver->border.ghosts = context->ghosts;
+    solver->border.particles = context->particles;
+    solver->border.field = fields_find(context->particles, "contact_velocity");
+    hard_contacts_attach(&solver->contacts, &solver->pairs, context->particles);
+    hard_pairs_make(&solver->pairs, context->list[0], context->particles, context->box,
+                    context->scene->ghosts.newton);
+}
+
+/* The reach that the present speeds ask for, with room to grow; true if it differs much from the present one. */
+static bool rebuilt_again(const struct physics_context *context) {
+    struct hard *hard = context->self;
+    const struct hard_input input = input_of(context);
+    double wants = hard_solver_wants(
+        &input, fmax(hard->last.fastest, hard_solver_fastest(&hard->solver, context->particles)));
+    if (wants <= hard->solver.reach && hard->solver.reach <= 8.0 * wants)
+        return false;
+    hard->solver.reach = 2.0 * wants;
+    return true;
+}
+
+static bool due(const struct physics_context *context) {
+    struct hard *hard = context->self;
+    const struct hard_input input = input_of(context);
+    return hard_solver_wants(&input, hard->last.fastest) > hard->solver.reach;
+}
+
+static void count(struct hard *hard) {
+    hard->solves++;
+    hard->sweeps += (uint64_t)hard->last.sweeps;
+    hard->unmet += hard->last.residual > hard->solver.options.tolerance;
+    hard->worst = fmax(hard->worst, hard->last.residual);
+}
+
+static void solve(const struct physics_context *context) {
+    struct hard *hard = context->self;
+    const struct hard_input input = input_of(context);
+    struct force_sums *sums = context->sums;
+    hard_solver_step(&hard->solver, &input, &hard->last);
+    count(hard);
+    *sums = (struct force_sums){.taken = hard->last.lost,
+                                .overlap_max = hard->last.overlap,
+                                .overlap_id = {hard->last.overlap_id[0], hard->last.overlap_id[1]},
+                                .contacts = hard->last.contacts,
+                                .contact_sides = 2 * hard->last.contacts};
+    memcpy(sums->virial, hard->last.virial, sizeof sums->virial);
+    if (context->walls)
+        walls_finish(context->walls, context->contact, sums);
+    *context->taken += sums->taken;
+}
+
+static double smallest_radius(const struct physics_context *context) {
+    double least = INFINITY, smallest, largest;
+    for (size_t k = 0; k < context->particles->owned; k++)
+        if (context->particles->state[k].inverse_mass > 0.0)
+            least = fmin(least, context->particles->state[k].radius);
+    for (int k = 0; k < context->scene->insertions; k++) {
+        sizes_bounds(&context->scene->insertion[k].sizes, &smallest, &largest);
+        least = fmin(least, smallest);
+    }
+    comm_min(context->comm, &least, 1);
+    return least;
+}
+
+static double limit(const struct physics_context *context, double most) {
+    struct hard *hard = context->self;
+    double speed = *context->speed_expected;
+    double g = sqrt(hard_dot(context->motion->gravity, context->motion->gravity));
+    if (isinf(hard->smallest))
+        hard->smallest = smallest_radius(context);
+    if (speed > 0.0)
+        most = fmin(most, move_most * hard->smallest / speed);
+    if (g > 0.0)
+        most = fmin(most, fall_most * sqrt(hard->smallest / g));
+    return most;
+}
+
+static void guard(const struct physics_context *context, struct error *error) {
+    const struct hard *hard = context->self;
+    const struct hard_options *options = &hard->solver.options;
+    if (context->scene->guards.residual != SCENE_GUARD_STOP || error->kind != ERROR_NONE ||
+        !(options->tolerance > 0.0) || !(hard->last.residual > 10.0 * options->tolerance))
+        return;
+    error_set(error, ERROR_PHYSICS,
+              "guards.residual: the residual of the contacts is %.3g after %d sweeps at step %llu, t = %.9g; "
+              "contact.solver.tolerance is %g: more sweeps, or a shorter step, reach it",
+              hard->last.residual, hard->last.sweeps, (unsigned long long)context->clock->step,
+              context->clock->time, options->tolerance);
+}
+
+static void restart(const struct physics_context *context, struct restart *list) {
+    struct hard *hard = context->self;
+    restart_add(list, RESTART_REAL, true, &hard->solver.reach, "reach of solved contacts");
+}
+
+static int solvers(const struct physics_context *context, struct report_solver *solver) {
+    const struct hard *hard = context->self;
+    *solver = (struct report_solver){.name = "contacts",
+                                     .rows = hard->last.rows,
+                                     .solves = hard->solves,
+                                     .iterations = hard->sweeps,
+                                     .doubtful = hard->unmet,
+                                     .residual = hard->last.residual,
+                                     .residual_worst = hard->worst};
+    return 1;
+}
+
+static void print(const struct physics_context *context, FILE *file) {
+    const struct hard *hard = context->self;
+    const struct hard_solver *solver = &hard->solver;
+    double radius = hard->smallest, dt = context->clock->dt, speed = *context->speed_expected;
+    if (context->comm->rank > 0)
+        return;
+    fprintf(file, "\nsolver of contacts\n");
+    fprintf(file,
+            "  step         a grain moves by %.3g of the smallest radius at the expected speed of %.4g\n",
+            speed * dt / radius, speed);
+    fprintf(file, "  sweeps       up to %d a step, until the residual is %g\n", solver->options.sweeps,
+            solver->options.tolerance);
+    if (solver->terms.kappa > 0.0 && isfinite(solver->terms.kappa))
+        fprintf(file, "  news         travels about %.3g grains a step: %.4g in the smallest grains\n",
+                sqrt(solver->terms.kappa), sqrt(solver->terms.kappa) * 2.0 * radius / dt);
+    fprintf(file, "  memory       %zu bytes a contact\n",
+            sizeof(struct hard_row) + sizeof(struct hard_memory));
+}
+
+static const struct physics_pass pass = {.name = "solve",
+                                         .does = "forces of contacts, by a solver",
+                                         .stage = PASS_CLOSE,
+                                         .timer = "contact",
+                                         .reads = "position velocity radius inverse_mass force",
+                                         .writes = "force",
+                                         .whole = solve};
+
+const struct physics hard_physics = {.name = "hard",
+                                     .interactions = 1,
+                                     .interaction = {{.name = "solved contact", .range = range}},
+                                     .range_of_self = true,
+                                     .passes = 1,
+                                     .pass = &pass,
+                                     .check = check,
+                                     .create = create,
+                                     .destroy = destroy,
+                                     .rebuilt = rebuilt,
+                                     .rows = rows,
+                                     .row_components = HARD_MEMORY,
+                                     .due = due,
+                                     .rebuilt_again = rebuilt_again,
+                                     .limit = limit,
+                                     .limit_why =
+                                         "a grain would move by half of the smallest radius in a step, or "
+                                         "fall by a two-hundredth of it",
+                                     .guard = guard,
+                                     .restart = restart,
+                                     .print = print,
+                                     .solvers = solvers};
