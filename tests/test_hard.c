@@ -257,7 +257,7 @@ static void pairs_make(uint32_t (*end)[2], uint8_t *image, size_t stride) {
         uint32_t more = k - others, a = more % others;
         end[at][0] = k < others ? 0 : 1 + a;
         end[at][1] = k < others ? k + 1 : 1 + (a + 1 + more / others) % others;
-        image[at] = 13;
+        image[at] = 0;
     }
 }
 

@@ -176,7 +176,8 @@ void check_parts_fields(const struct simulation *s) {
         printf("  history: %zu bytes a touching pair\n",
                2 * (sizeof(uint32_t) + (size_t)s->grains.law.history_components * sizeof(double)));
     else
-        printf("  history: none (no friction)\n");
+        printf("  history: none (%s)\n",
+               s->grains.law.options.solved ? "a solver has its own" : "no friction");
 }
 
 /* Bytes of a particle's fields with a use. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* Greedy colours of pairs in the order of ids. Read colour.h first. */
 #include "hard/colour.h"
+#include "core/image.h"
 #include "core/memory.h"
 #include <assert.h>
 #include <stdbool.h>
@@ -93,8 +94,10 @@ static void lists_make(struct work *w) {
         at[r] = w->start[r];
     for (size_t k = 0; k < w->pairs; k++) {
         int head = head_of(w, k);
+        bool lower = w->rank[w->end[k][0]] < w->rank[w->end[k][1]];
+        uint8_t image = (uint8_t)(lower ? w->image[k] : image_opposite(w->image[k]));
         w->entry[at[w->rank[w->end[k][head]]]++] =
-            (struct entry){w->rank[w->end[k][1 - head]], (uint32_t)k, w->image[k]};
+            (struct entry){w->rank[w->end[k][1 - head]], (uint32_t)k, image};
     }
     memory_free(at);
 #pragma omp parallel for schedule(dynamic, 1024)

@@ -73,6 +73,18 @@ static void stiffen_law(struct hard_row *row, const struct hard_terms *terms, co
         row->bias = row->gap / (pace->dt + c / k);
 }
 
+/* True if the step is too long to show the impact that the row begins: a rigid one, or one by the law that lasts less than
+ * two steps (Hertz: 2.9432 times the largest overlap over the speed). */
+static bool is_brief(const struct hard_row *row, const struct hard_term *term, const struct hard_pace *pace,
+                     double push) {
+    double speed = row->approach, mass = push > 0.0 ? 1.0 / push : 0.0, lasts = 0.0;
+    if (row->hertz > 0.0)
+        lasts = 2.9432 * pow(1.25 * mass * speed * speed * pace->duration / row->hertz, 0.4) / speed;
+    else if (term->stiffness > 0.0)
+        lasts = M_PI * sqrt(mass / term->stiffness);
+    return lasts < 2.0 * pace->dt;
+}
+
 /* What remains once bodies, normal, levers and gap of a row are known. */
 static void row_finish(struct hard_row *row, const struct hard_problem *problem,
                        const struct hard_terms *terms, const struct hard_term *term,
@@ -90,7 +102,8 @@ static void row_finish(struct hard_row *row, const struct hard_problem *problem,
     hard_velocity(row, a, b, u);
     row->approach = -hard_dot(u, row->normal);
     turn(memory->rub, row->normal, row->hold);
-    row->impact = row->approach > pace->rest && term->stiffness <= 0.0;
+    row->impact =
+        memory->push <= 0.0 && row->approach > pace->rest && is_brief(row, term, pace, hard_push(a, b));
     for (int d = 0; d < 3; d++) {
         row->hold[d] *= pace->duration;
         row->q[d] = row->impact ? 0.0 : pace->keep * row->hold[d];
@@ -294,8 +307,11 @@ void hard_contacts_detach(const struct hard_contacts *contacts, struct hard_pair
     all.row = memory_allocate(rows->count + contacts->pasts, sizeof *all.row, what);
     for (size_t k = 0, p = 0; k < particles->owned; k++) {
         all.start[k] = all.count;
-        for (size_t r = rows->start[k]; r < rows->start[k + 1]; r++)
-            all.row[all.count++] = rows->row[r];
+        for (size_t r = rows->start[k]; r < rows->start[k + 1]; r++, all.count++) {
+            all.row[all.count] = rows->row[r];
+            for (int c = HARD_MEMORY; c < HISTORY_COMPONENTS_USUAL; c++)
+                all.row[all.count].value[c] = 0.0;
+        }
         for (; p < contacts->pasts && contacts->past[p].particle == k; p++) {
             const struct hard_wall_memory *past = &contacts->past[p];
             const double *rub = past->memory.rub;

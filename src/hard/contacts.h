@@ -4,7 +4,8 @@
  * Of a pair of materials the terms say how a contact answers:
  *   kappa       stiffness of rigid contacts in units of the step: stiffness = kappa / (dt^2 x inverse mass of the
  *               contact), the same at all times; INFINITY: rigid rows
- *   an implicit law (`stiffness` > 0) has its own springs instead: linear, or Hertz's with the exponent 3/2 */
+ *   an implicit law (`stiffness` > 0) has its own springs instead: linear, or Hertz's with the exponent 3/2
+ *   restitution of impacts that are over within two steps; the damper of an implicit law makes that of longer ones */
 #ifndef SCREE_HARD_CONTACTS_H
 #define SCREE_HARD_CONTACTS_H
 
@@ -55,7 +56,7 @@ struct hard_scene {
 struct hard_pace {
     double dt, duration;
     double near; /* contacts with larger gaps cannot close in this step; length */
-    double rest; /* speed of approach above which a contact is an impact */
+    double rest; /* speed of approach above which a new contact is an impact */
     double keep; /* the part of the last step's impulses that rows begin with */
 };
 

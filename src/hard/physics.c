@@ -8,7 +8,7 @@
 #include "particles/kinds.h"
 #include "scene/sizes.h"
 
-/* Largest coefficient of restitution of rigid contacts: the pass of restitution may add energy where several impacts
+/* Largest coefficient of restitution: the pass of restitution may add energy where several impacts
  * meet, and what friction and the other contacts lose makes up for it up to here. */
 static const double restitution_most = 0.95;
 
@@ -63,11 +63,11 @@ static bool check_pairs(const struct scene *scene, struct error *error) {
     for (int a = 0; a < scene->materials; a++)
         for (int b = 0; b <= a; b++) {
             const struct law_pair *pair = &scene->law_pair[a][b];
-            if (pair->restitution > restitution_most && law_has_trait(scene->law.normal, "stiff"))
+            if (pair->restitution > restitution_most)
                 return scene_fail(scene, error, "material_pairs",
-                                  "%s, %s: restitution is %g; allowed with contact.law %s are 0 to %g",
+                                  "%s, %s: restitution is %g; allowed with contact.solver are 0 to %g",
                                   scene->material[b].name, scene->material[a].name, pair->restitution,
-                                  law_row_get(scene->law.normal)->name, restitution_most);
+                                  restitution_most);
             if (pair->extra.static_friction > pair->friction)
                 return scene_fail(scene, error, "material_pairs",
                                   "%s, %s: static_friction has no form in contact.solver; allowed: no more "
@@ -115,16 +115,26 @@ static void terms_make(struct hard_terms *terms, const struct physics_context *c
             struct hard_term *term = &terms->pair[a][b];
             *term =
                 (struct hard_term){.friction = c->friction, .restitution = scene->law_pair[a][b].restitution};
-            if (!stiff)
-                *term = (struct hard_term){
-                    .friction = c->friction, .stiffness = c->k_n, .tangential = c->k_t, .damper = c->c_n};
+            if (stiff)
+                continue;
+            term->stiffness = c->k_n;
+            term->tangential = c->k_t;
+            term->damper = c->c_n;
         }
+}
+
+static size_t listed(const void *self, bool walls, struct force_contact **contacts) {
+    const struct hard *hard = self;
+    return hard_solver_list(&hard->solver, hard->context->particles, walls, contacts);
 }
 
 static void *create(const struct physics_context *context) {
     struct hard *hard = memory_allocate_zero(1, sizeof *hard, "hard contacts");
     struct hard_solver *solver = &hard->solver;
     const struct scene *scene = context->scene;
+    hard->context = context;
+    context->contact->solved = listed;
+    context->contact->solver = hard;
     solver->comm = context->comm;
     solver->options = *(const struct hard_options *)context->options;
     solver->threads = context->threads;
@@ -211,9 +221,12 @@ static void solve(const struct physics_context *context) {
     struct hard *hard = context->self;
     const struct hard_input input = input_of(context);
     struct force_sums *sums = context->sums;
+    double stored = hard->last.stored[0];
     hard_solver_step(&hard->solver, &input, &hard->last);
     count(hard);
-    *sums = (struct force_sums){.taken = hard->last.lost,
+    *sums = (struct force_sums){.taken = hard->last.lost - (hard->last.stored[0] - stored),
+                                .elastic_normal = hard->last.stored[0],
+                                .elastic_tangential = hard->last.stored[1],
                                 .overlap_max = hard->last.overlap,
                                 .overlap_id = {hard->last.overlap_id[0], hard->last.overlap_id[1]},
                                 .contacts = hard->last.contacts,
@@ -265,6 +278,7 @@ static void guard(const struct physics_context *context, struct error *error) {
 
 static void restart(const struct physics_context *context, struct restart *list) {
     struct hard *hard = context->self;
+    restart_add(list, RESTART_SUM, true, &hard->last.stored[0], "energy in solved contacts");
     restart_add(list, RESTART_REAL, true, &hard->solver.reach, "reach of solved contacts");
 }
 
@@ -318,7 +332,7 @@ const struct physics hard_physics = {.name = "hard",
                                      .destroy = destroy,
                                      .rebuilt = rebuilt,
                                      .rows = rows,
-                                     .row_components = HARD_MEMORY,
+                                     .row_components = HISTORY_COMPONENTS_USUAL,
                                      .due = due,
                                      .rebuilt_again = rebuilt_again,
                                      .limit = limit,

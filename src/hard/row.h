@@ -14,6 +14,9 @@
  * step before: the tangential row is a spring, too, so that a contact which sticks does not creep.
  * Impulses act over `duration`, which is dt, or half of it in the first evaluation of a run.
  *
+ * No operation prefers one of the bodies: with these exchanged and the normal turned round all results are the same to
+ * the last bit.
+ *
  * A row with `hertz` > 0 has the elastic force hertz y^(3/2) of the overlap y at the end of the step, and a dashpot;
  * its equation is solved exactly in each visit. */
 #ifndef SCREE_HARD_ROW_H
@@ -45,7 +48,8 @@ struct hard_row {
     double deep;     /* of such a row: its overlap at the last visit */
     double approach; /* speed of approach at the start of the step, free of this step's impulses */
     double restitution;
-    bool impact; /* it approaches so fast that it rebounds, and the next step begins without its impulses */
+    bool
+        impact; /* a new contact that approaches so fast that it rebounds; the next step begins without its impulses */
     double p, q[3];
     double hold[3];
 };
@@ -66,8 +70,8 @@ static inline double hard_push(const struct hard_body *a, const struct hard_body
 }
 static inline double hard_slide(const struct hard_row *row, const struct hard_body *a,
                                 const struct hard_body *b) {
-    return a->lightness + b->lightness + row->lever[0] * row->lever[0] * a->swing +
-           row->lever[1] * row->lever[1] * b->swing;
+    return (a->lightness + b->lightness) +
+           (row->lever[0] * row->lever[0] * a->swing + row->lever[1] * row->lever[1] * b->swing);
 }
 
 /* The velocity of the second surface relative to the first. */
@@ -162,6 +166,19 @@ static inline void hard_visit(struct hard_row *row, double dt, struct hard_body 
     double p, q[3];
     hard_wish(row, dt, a, b, &p, q);
     hard_change(row, a, b, p, q);
+}
+
+/* Energy in the springs of a row, which act over `duration`: normal, tangential. */
+static inline void hard_stored(const struct hard_row *row, double dt, double duration, double stored[2]) {
+    double share = 0.5 * dt / duration, soft_t = row->soft_t;
+    if (row->hertz > 0.0) {
+        double root = sqrt(row->deep);
+        stored[0] = 0.4 * row->hertz / duration * row->deep * row->deep * root;
+        soft_t = row->shear * root > 0.0 ? 1.0 / (row->shear * root) : 0.0;
+    } else {
+        stored[0] = share * row->soft_n * row->p * row->p;
+    }
+    stored[1] = share * soft_t * hard_dot(row->q, row->q);
 }
 
 /* True if the row takes part in the pass of restitution. */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /* The step of hard contacts. Read solve.h and row.h first. */
 #include "hard/solve.h"
+#include "core/memory.h"
 #include <string.h>
 
 /* The residual is looked at every so many sweeps; restitution takes so many. */
@@ -156,11 +157,41 @@ static void account(const struct hard_solver *solver, const struct hard_input *i
                      : p->id[row->body[1]];
         }
         result->contacts += row->p > 0.0;
+        double stored[2];
+        hard_stored(row, input->dt, input->duration, stored);
+        result->stored[0] += row->impact ? 0.0 : stored[0];
+        result->stored[1] += row->impact ? 0.0 : stored[1];
         double length = row->lever[0] + row->lever[1];
         for (int c = 0; c < 6; c++)
             result->virial[c] += length * row->normal[column[c]] *
                                  (row->p * row->normal[row_of[c]] + row->q[row_of[c]]) / input->duration;
     }
+}
+
+size_t hard_solver_list(const struct hard_solver *solver, const struct particles *particles, bool walls,
+                        struct force_contact **contacts) {
+    size_t pairs = solver->contacts.pair_rows, count = 0;
+    size_t first = walls ? pairs : 0, end = walls ? pairs + solver->contacts.walls : pairs;
+    *contacts = memory_allocate(end - first, sizeof **contacts, "contact list");
+    for (size_t r = first; r < end; r++) {
+        const struct hard_row *row = &solver->problem.row[r];
+        struct force_contact *contact = &(*contacts)[count];
+        if (!(row->p > 0.0))
+            continue;
+        *contact = (struct force_contact){.id_i = particles->id[row->body[0]],
+                                          .overlap = -row->gap,
+                                          .number_i = row->body[0],
+                                          .number_j = walls ? SIZE_MAX : row->body[1]};
+        contact->id_j =
+            walls ? -(int64_t)(solver->contacts.wall[r - pairs].place.wall + 1) : particles->id[row->body[1]];
+        for (int d = 0; d < 3; d++) {
+            contact->normal[d] = row->normal[d];
+            contact->branch[d] = (row->lever[0] + row->lever[1]) * row->normal[d];
+            contact->force[d] = (row->p * row->normal[d] + row->q[d]) / solver->duration;
+        }
+        count++;
+    }
+    return count;
 }
 
 void hard_solver_step(struct hard_solver *solver, const struct hard_input *input,
@@ -169,6 +200,7 @@ void hard_solver_step(struct hard_solver *solver, const struct hard_input *input
     struct hard_problem *problem = &solver->problem;
     bool warm = options->sweeps >= 0.75 * solver->terms.kappa;
     *result = (struct hard_result){0};
+    solver->duration = input->duration;
     history_rows_free(&solver->pairs.rows); /* of a checkpoint */
     bodies_make(solver, input);
     double square = 0.0;

@@ -22,7 +22,7 @@ struct hard_input {
     double dt, duration; /* duration: dt, or half of it in the first evaluation of a run */
 };
 
-/* What came of it; of all ranks but `lost`, `overlap` and `contacts`, which are this rank's part. */
+/* What came of it. Overlap, contacts, energies and virial are this rank's part. */
 struct hard_result {
     int sweeps;
     double residual;
@@ -32,8 +32,9 @@ struct hard_result {
         overlap; /* largest over the smaller radius, at the start of the step; `overlap_id` its particles, a wall
                         is -(number + 1) */
     int64_t overlap_id[2];
-    size_t contacts; /* with a force */
-    double lost;     /* energy that contacts took of grains, without that of walls */
+    size_t contacts;  /* with a force */
+    double lost;      /* energy that contacts took of grains, without that of walls */
+    double stored[2]; /* in the springs of contacts: normal, tangential */
     double virial[6];
 };
 
@@ -45,7 +46,8 @@ struct hard_solver {
     struct hard_contacts contacts;
     struct hard_problem problem;
     struct hard_border border;
-    double reach; /* the pair list has all gaps up to this one */
+    double duration; /* of the impulses of the last step */
+    double reach;    /* the pair list has all gaps up to this one */
     int threads;
 };
 
@@ -54,6 +56,10 @@ double hard_solver_wants(const struct hard_input *input, double fastest);
 
 /* Solves a step, and adds the forces of contacts to particles and walls. Collective. */
 void hard_solver_step(struct hard_solver *solver, const struct hard_input *input, struct hard_result *result);
+
+/* Lists the contacts of the last step that push, those of pairs or those with walls; allocates (memory_free). One thread. */
+size_t hard_solver_list(const struct hard_solver *solver, const struct particles *particles, bool walls,
+                        struct force_contact **contacts);
 
 /* The largest speed of the particles, over all ranks. Collective. */
 double hard_solver_fastest(const struct hard_solver *solver, const struct particles *particles);

@@ -5,7 +5,10 @@
 
 #include "hard/solve.h"
 
+struct physics_context;
+
 struct hard {
+    const struct physics_context *context;
     struct hard_solver solver;
     struct hard_result last; /* of the last step */
     int wall_material[WALLS_MAX];
