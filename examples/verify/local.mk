@@ -69,6 +69,7 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/heat-rod/particles.txt \
 	examples/verify/heat-rod/scene.yaml \
 	examples/verify/haff/scene.yaml \
+	examples/verify/hard-boulder/scene.yaml \
 	examples/verify/hard-chain/scene.yaml \
 	examples/verify/hard-column/scene.yaml \
 	examples/verify/hard-impact/scene.yaml \
@@ -160,6 +161,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/fluid-taylor-green/check \
 	examples/verify/free-fall/check \
 	examples/verify/haff/check \
+	examples/verify/hard-boulder/check \
 	examples/verify/hard-chain/check \
 	examples/verify/hard-column/check \
 	examples/verify/hard-impact/check \

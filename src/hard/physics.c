@@ -213,7 +213,8 @@ static bool due(const struct physics_context *context) {
 static void count(struct hard *hard) {
     hard->solves++;
     hard->sweeps += (uint64_t)hard->last.sweeps;
-    hard->unmet += hard->last.residual > hard->solver.options.tolerance;
+    hard->unmet +=
+        hard->solver.options.tolerance > 0.0 && hard->last.residual > hard->solver.options.tolerance;
     hard->worst = fmax(hard->worst, hard->last.residual);
 }
 
