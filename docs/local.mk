@@ -53,6 +53,14 @@ EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-fluid-taylor-green.svg \
 	docs/images/verify-free-fall.svg \
 	docs/images/verify-haff.svg \
+	docs/images/verify-hard-boulder.svg \
+	docs/images/verify-hard-chain.svg \
+	docs/images/verify-hard-column.svg \
+	docs/images/verify-hard-impact.svg \
+	docs/images/verify-hard-rest.svg \
+	docs/images/verify-hard-sliding.svg \
+	docs/images/verify-hard-slope.svg \
+	docs/images/verify-implicit-hertz.svg \
 	docs/images/verify-heat-chain.svg \
 	docs/images/verify-heat-rod.svg \
 	docs/images/verify-incline.svg \

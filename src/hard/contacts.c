@@ -12,6 +12,10 @@ enum { WALL_CUT = 64 };
 /* The part of an overlap that a rigid row wants away in a step. */
 static const double rigid_repair = 0.2;
 
+/* Rows begin with the impulses of the last step where there are at least so many sweeps a kappa, else with a part of them:
+ * stiff rows that do not converge would swing. */
+static const double warm_sweeps = 0.75, warm_part = 0.8;
+
 void hard_contacts_create(struct hard_contacts *contacts, int threads) {
     *contacts = (struct hard_contacts){0};
     contacts->found = memory_allocate_zero((size_t)threads, sizeof *contacts->found, what);
@@ -85,6 +89,14 @@ static bool is_brief(const struct hard_row *row, const struct hard_term *term, c
     return lasts < 2.0 * pace->dt;
 }
 
+/* The stiffness of a row's normal spring in units of the step. */
+static double kappa_of(const struct hard_row *row, const struct hard_pace *pace, double push) {
+    double share = push * pace->dt / pace->duration;
+    if (row->hertz > 0.0)
+        return share * pace->dt * 1.5 * row->hertz * sqrt(row->deep);
+    return row->soft_n > 0.0 ? share / row->soft_n : INFINITY;
+}
+
 /* What remains once bodies, normal, levers and gap of a row are known. */
 static void row_finish(struct hard_row *row, const struct hard_problem *problem,
                        const struct hard_terms *terms, const struct hard_term *term,
@@ -101,14 +113,15 @@ static void row_finish(struct hard_row *row, const struct hard_problem *problem,
         stiffen_rigid(row, terms, pace, a, b, smaller);
     hard_velocity(row, a, b, u);
     row->approach = -hard_dot(u, row->normal);
+    double keep = pace->sweeps >= warm_sweeps * kappa_of(row, pace, hard_push(a, b)) ? 1.0 : warm_part;
     turn(memory->rub, row->normal, row->hold);
     row->impact =
         memory->push <= 0.0 && row->approach > pace->rest && is_brief(row, term, pace, hard_push(a, b));
     for (int d = 0; d < 3; d++) {
         row->hold[d] *= pace->duration;
-        row->q[d] = row->impact ? 0.0 : pace->keep * row->hold[d];
+        row->q[d] = row->impact ? 0.0 : keep * row->hold[d];
     }
-    row->p = row->impact ? 0.0 : pace->keep * pace->duration * memory->push;
+    row->p = row->impact ? 0.0 : keep * pace->duration * memory->push;
 }
 
 /* The separation of pair m, and its gap. */

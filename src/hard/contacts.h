@@ -57,7 +57,7 @@ struct hard_pace {
     double dt, duration;
     double near; /* contacts with larger gaps cannot close in this step; length */
     double rest; /* speed of approach above which a new contact is an impact */
-    double keep; /* the part of the last step's impulses that rows begin with */
+    int sweeps;  /* at most */
 };
 
 struct hard_contacts {

@@ -196,9 +196,7 @@ size_t hard_solver_list(const struct hard_solver *solver, const struct particles
 
 void hard_solver_step(struct hard_solver *solver, const struct hard_input *input,
                       struct hard_result *result) {
-    const struct hard_options *options = &solver->options;
     struct hard_problem *problem = &solver->problem;
-    bool warm = options->sweeps >= 0.75 * solver->terms.kappa;
     *result = (struct hard_result){0};
     solver->duration = input->duration;
     history_rows_free(&solver->pairs.rows); /* of a checkpoint */
@@ -215,7 +213,7 @@ void hard_solver_step(struct hard_solver *solver, const struct hard_input *input
                                    .duration = input->duration,
                                    .near = fmin(solver->reach, hard_solver_wants(input, result->fastest)),
                                    .rest = impact_speed * size_of(input->gravity) * input->dt,
-                                   .keep = warm ? 1.0 : 0.8};
+                                   .sweeps = solver->options.sweeps};
     hard_contacts_find(&solver->contacts, problem, &solver->pairs, &input->scene, &solver->terms, &pace);
     hard_border_count(&solver->border, problem);
     int64_t rows = (int64_t)problem->rows;

@@ -50,6 +50,11 @@ check '2 ranks, newton off, 2 threads' run_scene 2 bed.yaml off --set threads=2 
 check 'it rests' rests off
 check 'rigid rows' run_scene 1 bed.yaml stiff --set threads=1 --set contact.solver.kappa=.inf --set contact.solver.sweeps=100
 check 'it rests' rests stiff
+check 'Hertz at 70 GPa' run_scene 1 bed.yaml hertz --set threads=1 --set contact='{law: hertz, solver: {sweeps: 30}}' --set materials[0].young=70e9 \
+    --set materials[0].poisson=0.2
+check 'it rests' rests hertz
+check 'a linear spring' run_scene 1 bed.yaml hooke --set threads=1 --set contact='{law: hooke, solver: {sweeps: 30}}' --set material_pairs[0].k_n=1e5
+check 'it rests' rests hooke
 weights() { # the contact list has the forces that the floor feels
     local file=one/observables.csv
     within "$(last_of "$file" coordination)" "$(awk -v n="$(last_of "$file" contacts)" 'BEGIN { print 2 * n / 61 }')" 0.5
