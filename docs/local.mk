@@ -56,6 +56,7 @@ EXTRA_DIST += docs/accuracy.md \
 	docs/images/verify-hard-boulder.svg \
 	docs/images/verify-hard-chain.svg \
 	docs/images/verify-hard-column.svg \
+	docs/images/verify-hard-haff.svg \
 	docs/images/verify-hard-impact.svg \
 	docs/images/verify-hard-rest.svg \
 	docs/images/verify-hard-sliding.svg \

@@ -72,6 +72,7 @@ nobase_dist_pkgdata_DATA += \
 	examples/verify/hard-boulder/scene.yaml \
 	examples/verify/hard-chain/scene.yaml \
 	examples/verify/hard-column/scene.yaml \
+	examples/verify/hard-haff/scene.yaml \
 	examples/verify/hard-impact/scene.yaml \
 	examples/verify/hard-rest/scene.yaml \
 	examples/verify/hard-slope/scene.yaml \
@@ -164,6 +165,7 @@ nobase_dist_pkgdata_SCRIPTS += \
 	examples/verify/hard-boulder/check \
 	examples/verify/hard-chain/check \
 	examples/verify/hard-column/check \
+	examples/verify/hard-haff/check \
 	examples/verify/hard-impact/check \
 	examples/verify/hard-rest/check \
 	examples/verify/hard-slope/check \
