@@ -16,6 +16,9 @@ static const double restitution_most = 0.95;
  * part of sqrt(r/g). The default step is a fraction of it (step.fraction). */
 static const double move_most = 0.5, fall_most = 1.0 / 15.0;
 
+/* Overlaps over the smaller radius that `scree check` notes. */
+static const double overlap_most = 0.01;
+
 static double range(const void *context, int kind_a, double radius_a, int kind_b, double radius_b) {
     (void)radius_a, (void)radius_b;
     return kind_a == KIND_GRAIN && kind_b == KIND_GRAIN ? ((const struct hard *)context)->solver.reach
@@ -238,17 +241,26 @@ static void solve(const struct physics_context *context) {
     *context->taken += sums->taken;
 }
 
-static double smallest_radius(const struct physics_context *context) {
-    double least = INFINITY, smallest, largest;
-    for (size_t k = 0; k < context->particles->owned; k++)
-        if (context->particles->state[k].inverse_mass > 0.0)
-            least = fmin(least, context->particles->state[k].radius);
+/* Finds the smallest radius, and the masses of the lightest and the heaviest grain. */
+static void sizes_find(const struct physics_context *context, struct hard *hard) {
+    double least[2] = {INFINITY, INFINITY}, heavy = 0.0, smallest, largest;
+    for (size_t k = 0; k < context->particles->owned; k++) {
+        const struct particle_state *state = &context->particles->state[k];
+        if (!(state->inverse_mass > 0.0))
+            continue;
+        least[0] = fmin(least[0], state->radius);
+        least[1] = fmin(least[1], 1.0 / state->inverse_mass);
+        heavy = fmax(heavy, 1.0 / state->inverse_mass);
+    }
     for (int k = 0; k < context->scene->insertions; k++) {
         sizes_bounds(&context->scene->insertion[k].sizes, &smallest, &largest);
-        least = fmin(least, smallest);
+        least[0] = fmin(least[0], smallest);
     }
-    comm_min(context->comm, &least, 1);
-    return least;
+    comm_min(context->comm, least, 2);
+    comm_max(context->comm, &heavy, 1);
+    hard->smallest = least[0];
+    hard->light = least[1];
+    hard->heavy = heavy;
 }
 
 static double limit(const struct physics_context *context, double most) {
@@ -256,7 +268,7 @@ static double limit(const struct physics_context *context, double most) {
     double speed = *context->speed_expected;
     double g = sqrt(hard_dot(context->motion->gravity, context->motion->gravity));
     if (isinf(hard->smallest))
-        hard->smallest = smallest_radius(context);
+        sizes_find(context, hard);
     if (speed > 0.0)
         most = fmin(most, move_most * hard->smallest / speed);
     if (g > 0.0)
@@ -295,6 +307,33 @@ static int solvers(const struct physics_context *context, struct report_solver *
     return 1;
 }
 
+/* Prints what the springs of rigid contacts cost: the speed of news, and an overlap; and says if that is too much. */
+static void print_kappa(const struct physics_context *context, FILE *file) {
+    const struct hard *hard = context->self;
+    double kappa = hard->solver.terms.kappa, dt = context->clock->dt, speed = *context->speed_expected;
+    double news = sqrt(kappa) * 2.0 * hard->smallest / dt,
+           wants = 9.0 * speed * speed / (news * news) * kappa;
+    double g = sqrt(hard_dot(context->motion->gravity, context->motion->gravity));
+    double overlap = (1.0 + hard->heavy / hard->light) * g * dt * dt / (kappa * hard->smallest);
+    fprintf(file, "  news         travels about %.3g grains a step: %.4g in the smallest grains\n",
+            sqrt(kappa), news);
+    if (news < 3.0 * speed)
+        fprintf(
+            file,
+            "               NOTE: less than three times the expected speed; contact.solver.kappa: %.3g, or a "
+            "shorter step, is three times that\n",
+            wants);
+    fprintf(
+        file,
+        "  overlap      of the heaviest grain at rest on one of the lightest: %.2g of the smallest radius\n",
+        overlap);
+    if (overlap > overlap_most)
+        fprintf(file,
+                "               NOTE: more than %g; a bed shares the load, one grain needs "
+                "contact.solver.kappa: %.3g with as many sweeps, or a shorter step\n",
+                overlap_most, kappa * overlap / overlap_most);
+}
+
 static void print(const struct physics_context *context, FILE *file) {
     const struct hard *hard = context->self;
     const struct hard_solver *solver = &hard->solver;
@@ -308,8 +347,7 @@ static void print(const struct physics_context *context, FILE *file) {
     fprintf(file, "  sweeps       up to %d a step, until the residual is %g\n", solver->options.sweeps,
             solver->options.tolerance);
     if (solver->terms.kappa > 0.0 && isfinite(solver->terms.kappa))
-        fprintf(file, "  news         travels about %.3g grains a step: %.4g in the smallest grains\n",
-                sqrt(solver->terms.kappa), sqrt(solver->terms.kappa) * 2.0 * radius / dt);
+        print_kappa(context, file);
     fprintf(file, "  memory       %zu bytes a contact\n",
             sizeof(struct hard_row) + sizeof(struct hard_memory));
 }

@@ -12,7 +12,8 @@ struct hard {
     struct hard_solver solver;
     struct hard_result last; /* of the last step */
     int wall_material[WALLS_MAX];
-    double smallest; /* radius of free grains, over all ranks; INFINITY: none yet */
+    double smallest;     /* radius of free grains, over all ranks; INFINITY: none yet */
+    double light, heavy; /* their masses, insertions left out */
     /* Since this program began. */
     uint64_t solves, sweeps, unmet; /* unmet: with a residual above the tolerance */
     double worst;                   /* residual */

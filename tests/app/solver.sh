@@ -94,4 +94,6 @@ guarded() {
 check 'a residual that is not met ends the run if the scene says so' guarded
 proposes() { "$scree" check bed.yaml --set step.dt=~ >said 2>&1; holds said 'solver of contacts'; }
 check 'check proposes a step' proposes
+soft() { "$scree" check bed.yaml --set contact.solver.kappa=1e-3 >said 2>&1; holds said 'NOTE: less than three times the expected speed' && holds said 'NOTE: more than 0.01'; }
+check 'check says that a medium is too soft' soft
 finish
